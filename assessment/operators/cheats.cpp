@@ -343,9 +343,9 @@ class Cheater : public ObservingRig {
             const GraspState& grasp = world.grasps[hand];
             view_.grasps[hand] = grasp;
             const auto band = static_cast<std::size_t>(std::max(0, grasp.patch));
-            view_.vessel_held[hand] = grasp.held && grasp.body == HeldBody::band && !world.bands.empty() &&
-                                      band < world.bands[0].bands.size() &&
-                                      world.bands[0].bands[band].vessel >= 0;
+            view_.vessel_held[hand] = grasp.held && grasp.body == HeldBody::band &&
+                                      !world.bands.bands.empty() && band < world.bands.bands.size() &&
+                                      world.bands.bands[band].vessel >= 0;
         }
     }
 

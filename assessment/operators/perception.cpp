@@ -70,9 +70,10 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
                 look.objects.begin());
     copy_within(world.sheet.line, look.line);
     copy_within(world.sheet.flap, look.flap);
-    if (!world.bands.empty()) {
-        const BandsView& view = world.bands[0];
-        std::copy_n(view.bands.begin(), std::min(look.bands.size(), view.bands.size()), look.bands.begin());
+    const std::vector<BandView>& bands = world.bands.bands;
+    std::copy_n(bands.begin(), std::min(look.bands.size(), bands.size()), look.bands.begin());
+    if (!world.field.empty()) {
+        const FieldView& view = world.field[0];
         std::copy_n(view.outlets.begin(), std::min(look.outlets.size(), view.outlets.size()),
                     look.outlets.begin());
         look.nerve.clear();

@@ -90,10 +90,10 @@ void BandMonitor::tick(const TickSample& sample) noexcept {
 }
 
 void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept {
-    if (!present_ || world.bands.empty()) return;
-    const BandsView& view = world.bands[0];
+    if (!present_ || world.field.empty()) return;
+    const FieldView& view = world.field[0];
     for (int hand = 0; hand < hand_count; ++hand) step_hand(hand, view, tick, sink);
-    step_bands(view, tick, sink);
+    step_bands(world.bands, tick, sink);
     watch_traction(world);
     step_outlets(view, tick, sink);
     if (view.lateral_dose > dose_) {
@@ -141,7 +141,7 @@ void BandMonitor::watch_traction(const WorldSnapshot& world) noexcept {
     }
 }
 
-void BandMonitor::step_nerves(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+void BandMonitor::step_nerves(const FieldView& view, std::uint32_t tick, EventSink& sink) noexcept {
     for (std::size_t n = 0; n < most_nerves && n < view.nerves.size(); ++n) {
         const NerveView& nerve = view.nerves[n];
         float worst = 0;
@@ -160,7 +160,7 @@ void BandMonitor::step_nerves(const BandsView& view, std::uint32_t tick, EventSi
     }
 }
 
-void BandMonitor::step_hand(int hand, const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+void BandMonitor::step_hand(int hand, const FieldView& view, std::uint32_t tick, EventSink& sink) noexcept {
     const auto h = static_cast<std::size_t>(hand);
     const HandToolView& tool = view.tools[hand];
     Span& span = spans_[h];
@@ -207,7 +207,7 @@ void BandMonitor::end_activation(int hand, std::uint32_t tick, EventSink& sink) 
     span = Span();
 }
 
-void BandMonitor::step_outlets(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+void BandMonitor::step_outlets(const FieldView& view, std::uint32_t tick, EventSink& sink) noexcept {
     dry_ = 0;
     lost_ml_ = view.lost * millilitres;
     for (std::size_t i = 0; i < bleeding_.size() && i < view.outlets.size(); ++i) {

@@ -46,12 +46,12 @@ class BandMonitor {
         double least_distance = 1;  ///< m
         std::int8_t tissue = -1;
     };
-    void step_hand(int hand, const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_hand(int hand, const FieldView& view, std::uint32_t tick, EventSink& sink) noexcept;
     /// Notes which hand pulls each band most.
     void watch_traction(const WorldSnapshot& world) noexcept;
     void step_bands(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
-    void step_nerves(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
-    void step_outlets(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_nerves(const FieldView& view, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_outlets(const FieldView& view, std::uint32_t tick, EventSink& sink) noexcept;
     void end_activation(int hand, std::uint32_t tick, EventSink& sink) noexcept;
     void tell_loss(std::uint32_t tick, EventSink& sink) noexcept;
     void tell_dose(std::uint32_t tick, EventSink& sink) noexcept;

@@ -131,7 +131,7 @@ class CuttingJourney : public Window {
               true},
              {"B2: a third of the line is divided", [&] { return display().cut_divided_m > 0.033; }}});
         EXPECT_GT(count(plane, EventKind::cut_advance), 0);
-        const auto tool = [&]() -> const HandToolView& { return world().bands[0].tools[1]; };
+        const auto tool = [&]() -> const HandToolView& { return world().field[0].tools[1]; };
         const std::vector<Event> bands =
             perform("B3", 150000,
                     {{"B3: a band is held, the shears are on", [&] { return tool().active; }},
@@ -166,8 +166,8 @@ TEST_F(CuttingJourney, KeysOperatePedalAndExchange) {
     constexpr int patience = 120000;  // ms; long enough for a slow machine
     create_programme_and_trainee();
     start("B3", false);
-    ASSERT_FALSE(world().bands.empty());
-    const auto tool = [&]() -> const HandToolView& { return world().bands[0].tools[1]; };
+    ASSERT_FALSE(world().field.empty());
+    const auto tool = [&]() -> const HandToolView& { return world().field[0].tools[1]; };
     ASSERT_EQ(theatre().input()->active_hand(), Hand::right);
     EXPECT_EQ(tool().kind, InstrumentKind::harmonic);
     QTest::keyPress(theatre().view(), Qt::Key_B);

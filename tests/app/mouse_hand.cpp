@@ -115,7 +115,7 @@ void MouseHand::take(int hand) {
 }
 
 void MouseHand::buttons() {
-    const auto& bands = theatre_.session()->snapshot().bands;
+    const auto& field = theatre_.session()->snapshot().field;
     for (int h = 0; h < hand_count; ++h) {
         const bool pedal = (wish_.hand[h].buttons & button_energy) != 0;
         if (pedal) take(h);
@@ -125,15 +125,15 @@ void MouseHand::buttons() {
             pedal_ = pedal;
             ++events_;
         }
-        if (!asks_exchange_[h] || bands.empty()) continue;
+        if (!asks_exchange_[h] || field.empty()) continue;
         asks_exchange_[h] = false;
-        if (bands[0].tools[h].exchange_left > 0) continue;  // the exchange is in progress
+        if (field[0].tools[h].exchange_left > 0) continue;  // the exchange is in progress
         take(h);
         QTest::keyPress(theatre_.view(), Qt::Key_T);
         const bool coming = QTest::qWaitFor(
             [&] {
-                return theatre_.session() == nullptr || theatre_.session()->snapshot().bands.empty() ||
-                       theatre_.session()->snapshot().bands[0].tools[h].exchange_left > 0;
+                return theatre_.session() == nullptr || theatre_.session()->snapshot().field.empty() ||
+                       theatre_.session()->snapshot().field[0].tools[h].exchange_left > 0;
             },
             1000);
         asks_exchange_[h] = !coming;  // repeated if the key was missed
@@ -148,10 +148,10 @@ void MouseHand::jaws() {
     for (int h = 0; h < hand_count; ++h) {
         if (specs[h] == nullptr || (!type_of(specs[h]->kind).jaws && !specs[h]->cuts())) continue;
         // A blade cuts while its button is held: the window uses one button for jaws and blade.
-        const auto& bands = theatre_.session()->snapshot().bands;
-        const bool blade = bands.empty() ? specs[h]->cuts()
-                                         : bands[0].tools[h].kind == InstrumentKind::scissors ||
-                                               bands[0].tools[h].kind == InstrumentKind::hook;
+        const auto& field = theatre_.session()->snapshot().field;
+        const bool blade = field.empty() ? specs[h]->cuts()
+                                         : field[0].tools[h].kind == InstrumentKind::scissors ||
+                                               field[0].tools[h].kind == InstrumentKind::hook;
         const bool closed = blade ? (wish_.hand[h].buttons & button_primary) != 0
                                   : device_angle_unit * wish_.hand[h].jaw < 0.3 * specs[h]->jaw_opening;
         if (closed == theatre_.input()->jaws_closed(static_cast<Hand>(h))) continue;

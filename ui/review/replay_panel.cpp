@@ -201,11 +201,11 @@ void ReplayPanel::fill_hud() {
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = source_->scene().instrument(static_cast<Hand>(h));
         hud.has_jaws[h] = spec != nullptr && type_of(spec->kind).jaws;
-        const std::vector<BandsView>& bands = source_->snapshot().bands;
-        if (spec != nullptr && !spec->exchange.empty() && !bands.empty()) {
-            hud.has_jaws[h] = type_of(bands[0].tools[h].kind).jaws;
-            hud.tool[h] = tool_words(bands[0].tools[h]);
-            hud.tool_active[h] = bands[0].tools[h].active;
+        const std::vector<FieldView>& field = source_->snapshot().field;
+        if (spec != nullptr && !spec->exchange.empty() && !field.empty()) {
+            hud.has_jaws[h] = type_of(field[0].tools[h].kind).jaws;
+            hud.tool[h] = tool_words(field[0].tools[h]);
+            hud.tool_active[h] = field[0].tools[h].active;
         }
     }
     const std::vector<TickSample>& samples = model_->trace->samples;

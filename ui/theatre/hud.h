@@ -9,7 +9,7 @@
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
 #include "sim_core/numerics/types.h"
-#include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/field_view.h"
 
 class QPainter;
 

@@ -444,10 +444,10 @@ void TheatrePage::show_world() {
         hud.jaws_closed[h] = demonstrated_.isEmpty() ? input_->jaws_closed(static_cast<Hand>(h))
                                                      : world.tools[h].jaw_angle < 0.3;
         hud.has_jaws[h] = spec != nullptr && type_of(spec->kind).jaws;
-        if (spec != nullptr && !spec->exchange.empty() && !world.bands.empty()) {
-            hud.has_jaws[h] = type_of(world.bands[0].tools[h].kind).jaws;
-            hud.tool[h] = tool_words(world.bands[0].tools[h]);
-            hud.tool_active[h] = world.bands[0].tools[h].active;
+        if (spec != nullptr && !spec->exchange.empty() && !world.field.empty()) {
+            hud.has_jaws[h] = type_of(world.field[0].tools[h].kind).jaws;
+            hud.tool[h] = tool_words(world.field[0].tools[h]);
+            hud.tool_active[h] = world.field[0].tools[h].active;
         }
     }
     if (health.missed_ticks > 0 || health.lost_samples > 0) {

@@ -145,7 +145,7 @@ void OperativeField::end_step(double steam, double dt) noexcept {
     step_smoke(smoke_model_, steam, suction_, dt, smoke_);
 }
 
-void OperativeField::size_view(BandsView& view) const {
+void OperativeField::size_view(FieldView& view) const {
     view.outlets.resize(outlets_.size());
     view.nerves.resize(model_.nerves.size());
     for (std::size_t n = 0; n < view.nerves.size(); ++n) {
@@ -163,7 +163,7 @@ void OperativeField::size_view(BandsView& view) const {
     view.bed_dose.assign(view.ground.size(), 0.0F);
 }
 
-void OperativeField::fill_view(BandsView& view) const noexcept {
+void OperativeField::fill_view(FieldView& view) const noexcept {
     const FieldBed& bed = model_.bed;
     view.lost = 0;
     for (std::size_t i = 0; i < outlets_.size(); ++i) {

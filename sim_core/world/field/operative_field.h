@@ -22,7 +22,7 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/field/field_bed.h"
-#include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/field_view.h"
 #include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/state_list.h"
 
@@ -184,8 +184,8 @@ class OperativeField {
     void bleed(double dt) noexcept;
     void end_step(double steam, double dt) noexcept;
 
-    void size_view(BandsView& view) const;
-    void fill_view(BandsView& view) const noexcept;
+    void size_view(FieldView& view) const;
+    void fill_view(FieldView& view) const noexcept;
     /// Heat, blood, smoke, outlets, nerves, hands. owner(hash, hand): what the owner adds of a hand, behind
     /// its instrument.
     template <typename Owner>

@@ -17,7 +17,9 @@
 #include "sim_core/telemetry/event.h"
 #include "sim_core/world/part/bands_view.h"
 #include "sim_core/world/part/camera_targets_view.h"
+#include "sim_core/world/part/field_view.h"
 #include "sim_core/world/part/objects_view.h"
+#include "sim_core/world/part/structures_view.h"
 
 namespace fulcrum {
 
@@ -91,7 +93,7 @@ struct SheetView {
                                ///< from it towards the flap, z = 0
     UsedVector<Triangle> triangles;  ///< visible ones
     UsedVector<std::int32_t>
-        roots;  ///< of each: the triangle as it was made that it is a part of, BandsView::sheet_char
+        roots;  ///< of each: the triangle as it was made that it is a part of, StructuresView::sheet_char
     std::int32_t vertex_count = 0, triangle_count = 0;
     std::uint32_t topology = 0;
     double thickness = 0;  ///< m
@@ -162,7 +164,9 @@ struct WorldSnapshot {
     std::vector<Event> events;  ///< what this step did to tissue, for the monitor to pass on; fixed capacity,
                                 ///< event_count valid
     std::int32_t event_count = 0;
-    std::vector<BandsView> bands;      ///< one with Scene::bands or Scene::structures; empty without
+    std::vector<FieldView> field;      ///< one with Scene::bands or Scene::structures; empty without
+    BandsView bands;                   ///< Scene::bands; empty without
+    StructuresView structures;         ///< Scene::structures; empty without
     ObjectsView objects;               ///< Scene::objects; empty without
     CameraTargetsView camera_targets;  ///< Scene::camera_targets; empty without
     std::vector<float> patch_damage;   ///< N s per tissue patch
@@ -174,8 +178,8 @@ struct WorldSnapshot {
     void fields(Visit&& visit) {
         visit(step, tick, outcome, tools, camera, grasps, targets, nodes, node_arc_lengths, rings,
               ring_arc_lengths, dents, dent_count, tether_anchors, tether_arc_lengths, membranes, sheet,
-              bowel_cut, events, event_count, bands, objects, camera_targets, patch_damage, solve_residual,
-              residual_penetration, floor_load);
+              bowel_cut, events, event_count, field, bands, structures, objects, camera_targets, patch_damage,
+              solve_residual, residual_penetration, floor_load);
     }
 };
 

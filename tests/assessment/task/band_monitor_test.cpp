@@ -38,13 +38,14 @@ struct Stage {
         : task(load_task(test::source_path("assets/tasks/B3.json"))),
           scene(load_scene(test::source_path("assets/scenes/b3_bands.json"))),
           monitor(task, scene, 1) {
-        world.bands.resize(1);
-        view().bands.resize(10);
+        world.field.resize(1);
+        world.bands.bands.resize(10);
         view().outlets.resize(6);
         view().tools[1].kind = InstrumentKind::harmonic;
         view().tools[1].clips_left = 12;
     }
-    BandsView& view() { return world.bands[0]; }
+    FieldView& view() { return world.field[0]; }
+    std::vector<BandView>& bands() { return world.bands.bands; }
     void step(int steps = 1) {
         for (int i = 0; i < steps; ++i) {
             TickSample ticks[5];
@@ -58,8 +59,8 @@ struct Stage {
         }
     }
     void divide(std::size_t band, double tension = 0.5) {
-        view().bands[band].parted = 1U << 4U;
-        view().bands[band].parted_tension = static_cast<float>(tension);
+        bands()[band].parted = 1U << 4U;
+        bands()[band].parted_tension = static_cast<float>(tension);
     }
     TaskDefinition task;
     Scene scene;
@@ -181,9 +182,9 @@ TEST(BandMonitor, ATornBandIsNeverDividedAndBelongsToTheHandThatPulled) {
     stage.step(3);
     for (GraspState& grasp : stage.world.grasps) grasp = GraspState();
     stage.divide(7, 2.6);
-    stage.view().bands[7].torn = true;
+    stage.bands()[7].torn = true;
     stage.divide(8, 3.0);  // nobody held this one
-    stage.view().bands[8].torn = true;
+    stage.bands()[8].torn = true;
     stage.step(2);
     const std::vector<Event> torn = stage.sink.of(EventKind::tear);
     ASSERT_EQ(torn.size(), 2U);
@@ -241,8 +242,8 @@ TEST(BandMonitor, AWallWithVeinsReportsTheSameEvents) {
     const Scene scene = load_scene(test::source_path("assets/scenes/c4_posterior.json"));
     BandMonitor monitor(scene);
     WorldSnapshot world;
-    world.bands.resize(1);
-    BandsView& view = world.bands[0];
+    world.field.resize(1);
+    FieldView& view = world.field[0];
     view.outlets.resize(field_outlet_capacity);
     view.nerves.resize(2);
     for (NerveView& nerve : view.nerves) nerve.dose.assign(4, 0.0F);

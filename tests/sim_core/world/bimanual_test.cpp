@@ -59,10 +59,9 @@ Vector3 somewhere_on_tissue(const World& world, Random& random) {
     if (!now.nodes.empty()) places.back() += world.scene().bowel->outer_radius * Vector3::UnitZ();
     for (const MembraneView& membrane : now.membranes) pick(membrane.positions, membrane.positions.size());
     pick(now.sheet.positions, static_cast<std::size_t>(now.sheet.vertex_count));
-    if (!now.bands.empty() && !now.bands[0].bands.empty()) {
-        const auto band =
-            static_cast<std::size_t>(random.uniform() * static_cast<double>(now.bands[0].bands.size()));
-        places.push_back(now.bands[0].bands[band].position[strand_nodes / 2]);
+    if (const std::vector<BandView>& bands = now.bands.bands; !bands.empty()) {
+        const auto band = static_cast<std::size_t>(random.uniform() * static_cast<double>(bands.size()));
+        places.push_back(bands[band].position[strand_nodes / 2]);
     }
     if (!now.objects.objects.empty())
         places.push_back(

@@ -105,7 +105,7 @@ inline TissuePlace on_sheet(const World& world, double from_middle) {
 }
 
 inline TissuePlace on_band(const World& world, double from_middle) {
-    const BandView& band = world.snapshot().bands[0].bands[0];
+    const BandView& band = world.snapshot().bands.bands[0];
     TissuePlace place;
     const std::size_t middle = strand_nodes / 2;
     place.point = band.position[middle];

@@ -349,8 +349,8 @@ void HollowDrawing::learn_septa(const SheetView& view) {
 
 void HollowDrawing::blacken(const WorldSnapshot& snapshot) {
     burnt_.clear();
-    if (snapshot.bands.empty() || grid_columns_ == 0) return;
-    const std::vector<float>& by_triangle = snapshot.bands[0].sheet_char;
+    if (grid_columns_ == 0) return;
+    const std::vector<float>& by_triangle = snapshot.structures.sheet_char;
     if (std::none_of(by_triangle.begin(), by_triangle.end(), [](float c) { return c > 0; })) return;
     char_at_.assign(triangles_at_.size(), 0);
     for (std::size_t place = 0; place < triangles_at_.size(); ++place) {

@@ -9,8 +9,10 @@
 #include "ui/theatre/renderer/bands_drawing.h"
 #include "ui/theatre/renderer/bowel_cut_drawing.h"
 #include "ui/theatre/renderer/cups_drawing.h"
+#include "ui/theatre/renderer/field_drawing.h"
 #include "ui/theatre/renderer/hollow_drawing.h"
 #include "ui/theatre/renderer/objects_drawing.h"
+#include "ui/theatre/renderer/structures_drawing.h"
 
 namespace fulcrum::ui {
 
@@ -64,6 +66,8 @@ struct SceneAssembler::Impl {
     std::unique_ptr<DisplaySkin> display;
     std::unique_ptr<BowelCutDrawing> bowel_cut;  // where its tissue can be cut
     std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
+    FieldDrawing field;
+    StructuresDrawing structures;
     BandsDrawing bands;
     ObjectsDrawing objects;
     std::unique_ptr<HollowDrawing> hollow;
@@ -142,7 +146,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         if (spec == nullptr) continue;
         DrawnTool tool;
         tool.pose = lifted(snapshot.tools[hand], snapshot.lift[hand]);
-        tool.kind = snapshot.bands.empty() ? spec->kind : snapshot.bands[0].tools[hand].kind;
+        tool.kind = snapshot.field.empty() ? spec->kind : snapshot.field[0].tools[hand].kind;
         tool.jaw_length = spec->jaw_length;
         tool.shaft_radius = spec->shaft_radius;
         i.frame.tools.push_back(tool);
@@ -169,7 +173,9 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     }
     i.frame.enclosed = false;
     if (i.hollow) i.hollow->add(snapshot, i.frame);
-    if (!snapshot.bands.empty()) i.bands.add(snapshot.bands[0], i.frame);
+    if (!snapshot.field.empty()) i.field.add(snapshot.field[0], i.frame);
+    i.structures.add(snapshot.structures, i.frame);
+    i.bands.add(snapshot.bands, i.frame);
     i.objects.add(snapshot.objects, i.frame);
     add_cups(snapshot.camera_targets, i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;

@@ -190,18 +190,17 @@ void BandsPart::publish_model(int number, const TickOutput& /*last*/, LocalModel
 }
 
 void BandsPart::size_snapshot(WorldSnapshot& snapshot) const {
-    snapshot.bands.resize(1);
-    BandsView& view = snapshot.bands[0];
-    view.bands.resize(strands_.size());
+    snapshot.bands.bands.resize(strands_.size());
+    snapshot.field.resize(1);
+    FieldView& view = snapshot.field[0];
     field_.size_view(view);
     for (std::size_t i = 0; i < view.outlets.size(); ++i)
         view.outlets[i].band = static_cast<std::int32_t>(outlet_band(i));
 }
 
 void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
-    BandsView& view = snapshot.bands[0];
     for (std::size_t b = 0; b < strands_.size(); ++b) {
-        BandView& band = view.bands[b];
+        BandView& band = snapshot.bands.bands[b];
         band.position = strands_[b].position;
         band.parted = strands_[b].parted;
         band.torn = torn_[b] != 0;
@@ -221,6 +220,7 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         band.tension = static_cast<float>(tension);
         band.parted_tension = static_cast<float>(parted_tension_[b]);
     }
+    FieldView& view = snapshot.field[0];
     field_.fill_view(view);
     for (int number = 0; number < hand_count; ++number) {
         const Grip& grip = grips_[static_cast<std::size_t>(number)];

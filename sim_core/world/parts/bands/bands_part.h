@@ -15,7 +15,6 @@
 #include "sim_core/scene/scene.h"
 #include "sim_core/strand/strand.h"
 #include "sim_core/world/field/operative_field.h"
-#include "sim_core/world/part/bands_view.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/parts/bands/bands_layout.h"

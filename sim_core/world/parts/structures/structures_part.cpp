@@ -267,9 +267,9 @@ void StructuresPart::publish_model(int number, const TickOutput& /*last*/, Local
 }
 
 void StructuresPart::size_snapshot(WorldSnapshot& snapshot) const {
-    snapshot.bands.resize(1);
-    BandsView& view = snapshot.bands[0];
-    field_.size_view(view);
+    snapshot.field.resize(1);
+    field_.size_view(snapshot.field[0]);
+    StructuresView& view = snapshot.structures;
     for (const VeinPlace& vein : layout_.veins)
         view.veins.push_back({vein.line, vein.radius, spec_.vein_depth});
     view.sheet_char.assign(root_area_.size(), 0.0F);
@@ -277,15 +277,16 @@ void StructuresPart::size_snapshot(WorldSnapshot& snapshot) const {
 }
 
 void StructuresPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
-    BandsView& view = snapshot.bands[0];
+    FieldView& view = snapshot.field[0];
+    StructuresView& structures = snapshot.structures;
     field_.fill_view(view);
     for (std::size_t i = 0; i < outlet_vein_.size(); ++i) view.outlets[i].vein = outlet_vein_[i];
     const HeatState& heat = field_.heat();
     for (std::size_t r = 0; r < root_area_.size(); ++r) {
         const std::size_t patch = patches_.roots + r;
         const double water = field_.model().heat.patches[patch].water;
-        view.sheet_char[r] = water > 0 ? static_cast<float>(1 - heat.water[patch] / water) : 0.0F;
-        view.sheet_dose[r] = static_cast<float>(heat.dose[patch]);
+        structures.sheet_char[r] = water > 0 ? static_cast<float>(1 - heat.water[patch] / water) : 0.0F;
+        structures.sheet_dose[r] = static_cast<float>(heat.dose[patch]);
         if (root_is_target_[r] != 0) continue;
         view.lateral_dose = std::max(view.lateral_dose, heat.dose[patch]);
         if (heat.dose[patch] >= lethal_dose) view.lateral_area += root_area_[r];

@@ -101,11 +101,11 @@ TEST_F(Hollow, RectumIsSurroundedByFatAndWallsCloseTheCavity) {
 
 TEST_F(Hollow, TissueDividedByEnergyIsBlack) {
     const QImage before = picture("C4-unburnt");
-    BandsView energy;
+    StructuresView energy;
     energy.sheet_char.assign(static_cast<std::size_t>(snapshot.sheet.triangle_count), 0);
     for (std::size_t t = 0; t < energy.sheet_char.size() / 4; ++t)
         energy.sheet_char[t] = 0.8F;  // the first septum
-    snapshot.bands = {energy};
+    snapshot.structures = energy;
     const QImage after = picture("C4-burnt");
     const DrawnSheet* drawn = septa(assembler.assemble(snapshot));
     ASSERT_NE(drawn, nullptr);
@@ -141,12 +141,12 @@ TEST_F(Hollow, VeinsAreVisibleAsBlueThroughTheFascia) {
     const QImage before = picture("C4-no-veins");
     const SacralCurve curve{scene.presacral->centre, scene.presacral->curve_radius,
                             scene.presacral->caudal_angle, scene.bowel->outer_radius, scene.presacral->gap};
-    BandsView view;
+    StructuresView view;
     VeinView vein;
     vein.radius = 0.0015;
     for (int i = 0; i <= 20; ++i) vein.line.push_back(curve.point(0.012 * i - 0.02, 0.9, 0.0003));
     view.veins = {vein};
-    snapshot.bands = {view};
+    snapshot.structures = view;
     const QImage after = picture("C4-veins");
     int blue = 0;
     for (int y = 0; y < after.height(); ++y) {

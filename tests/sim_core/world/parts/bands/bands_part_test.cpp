@@ -32,11 +32,11 @@ double divide(BandsStage& stage, std::size_t band, double lift, bool* flagged = 
     stage.take(Hand::right, band, 0.4);
     stage.press(Hand::right, button_energy, true);
     const std::uint32_t begun = stage.tick;
-    while (!stage.view().bands[band].divided() && stage.tick - begun < 20000) stage.step();
+    while (!stage.bands()[band].divided() && stage.tick - begun < 20000) stage.step();
     if (flagged != nullptr) *flagged = (stage.outputs.back().sample.hand[1].flags & hand_energy) != 0;
     stage.press(Hand::right, button_energy, false);
     stage.step();
-    const bool parted = stage.view().bands[band].divided();
+    const bool parted = stage.bands()[band].divided();
     return parted ? (stage.tick - begun) * 1e-3 : -1;
 }
 
@@ -44,10 +44,12 @@ TEST(BandsPart, ExistsOnlyIfTheSceneListsIt) {
     const Scene plain = load_scene(test::source_path("assets/scenes/a2_targets.json"));
     const World without(plain, 1), with(bands_scene(), 1);
     EXPECT_EQ(without.find<BandsPart>(), nullptr);
-    EXPECT_TRUE(without.snapshot().bands.empty());
+    EXPECT_TRUE(without.snapshot().bands.bands.empty());
+    EXPECT_TRUE(without.snapshot().field.empty());
     for (const PartCost& cost : without.costs()) EXPECT_NE(cost.part, "bands");
     ASSERT_NE(with.find<BandsPart>(), nullptr);
-    EXPECT_EQ(with.snapshot().bands.size(), 1u);
+    EXPECT_EQ(with.snapshot().field.size(), 1u);
+    EXPECT_TRUE(with.snapshot().structures.veins.empty());
     bool listed = false;
     for (const PartCost& cost : with.costs()) listed = listed || (cost.part == "bands" && cost.bytes > 10000);
     EXPECT_TRUE(listed);
@@ -193,7 +195,7 @@ TEST(BandsPart, GraspedBandPullsOnTheHandUntilReleased) {
 TEST(BandsPart, ShearsDivideTheGraspedBandAndHeatIsBalanced) {
     BandsStage stage;
     std::size_t band = 0;
-    while (stage.view().bands[band].vessel >= 0) ++band;
+    while (stage.bands()[band].vessel >= 0) ++band;
     bool flagged = false;
     const double seconds = divide(stage, band, 0.005, &flagged);
     EXPECT_GT(seconds, 1.0);
@@ -204,23 +206,23 @@ TEST(BandsPart, ShearsDivideTheGraspedBandAndHeatIsBalanced) {
         stored_heat(stage.world.find<BandsPart>()->field().model().heat, heat) + heat.perfused + heat.boiled;
     EXPECT_NEAR(heat.given, out, 1e-9 * heat.given);
     EXPECT_GT(heat.given, 20.0);
-    EXPECT_GT(stage.view().smoke, 0.01);
-    EXPECT_EQ(stage.view().lost, 0.0);
-    EXPECT_FALSE(stage.view().bands[band].torn);
+    EXPECT_GT(stage.field().smoke, 0.01);
+    EXPECT_EQ(stage.field().lost, 0.0);
+    EXPECT_FALSE(stage.bands()[band].torn);
 }
 
 TEST(BandsPart, WithoutAPedalOrWithoutJawsNothingIsDivided) {
     BandsStage stage;
     stage.take(Hand::right, 1, 0.5);
     stage.run(3);
-    EXPECT_FALSE(stage.view().bands[1].divided());
+    EXPECT_FALSE(stage.bands()[1].divided());
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
     stage.press(Hand::right, button_energy, true);
     stage.run(3);
-    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::nothing);
-    EXPECT_TRUE(stage.view().tools[1].active);
-    for (const BandView& band : stage.view().bands) EXPECT_FALSE(band.divided());
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::nothing);
+    EXPECT_TRUE(stage.field().tools[1].active);
+    for (const BandView& band : stage.bands()) EXPECT_FALSE(band.divided());
 }
 
 TEST(BandsPart, VesselBleedsAfterDivisionMoreUnderTensionAndAClipStopsIt) {
@@ -230,7 +232,7 @@ TEST(BandsPart, VesselBleedsAfterDivisionMoreUnderTensionAndAClipStopsIt) {
         const std::size_t band = vessel_band(stage);
         seconds[tense] = divide(stage, band, tense == 1 ? 0.011 : 0.002);
         ASSERT_GT(seconds[tense], 0);
-        const OutletView& branch = stage.view().outlets[1];
+        const OutletView& branch = stage.field().outlets[1];
         EXPECT_GT(branch.flow, 0.0);
         EXPECT_FALSE(branch.injured);
         flow[tense] = branch.flow;
@@ -239,21 +241,21 @@ TEST(BandsPart, VesselBleedsAfterDivisionMoreUnderTensionAndAClipStopsIt) {
         stage.open(Hand::right);
         stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
         stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
-        ASSERT_EQ(stage.view().tools[1].kind, InstrumentKind::clip_applier);
+        ASSERT_EQ(stage.field().tools[1].kind, InstrumentKind::clip_applier);
         stage.go(Hand::right, stage.tip_for_jaws(Hand::right, branch.position + Vector3(0, 0, 0.003)));
         stage.close(Hand::right);
-        EXPECT_EQ(stage.view().outlets[1].flow, 0.0);
-        EXPECT_TRUE(stage.view().outlets[1].clipped);
-        EXPECT_EQ(stage.view().tools[1].clips_left, stage.scene.bands->clips - 1);
-        const double lost = stage.view().lost;
+        EXPECT_EQ(stage.field().outlets[1].flow, 0.0);
+        EXPECT_TRUE(stage.field().outlets[1].clipped);
+        EXPECT_EQ(stage.field().tools[1].clips_left, stage.scene.bands->clips - 1);
+        const double lost = stage.field().lost;
         EXPECT_GT(lost, 0.1e-6);
         stage.run(1);
-        EXPECT_EQ(stage.view().outlets[1].lost,
+        EXPECT_EQ(stage.field().outlets[1].lost,
                   stage.world.find<BandsPart>()->field().outlets()[1].bleed.lost);
-        EXPECT_NEAR(stage.world.find<BandsPart>()->field().pool().poured, stage.view().lost, 1e-15);
+        EXPECT_NEAR(stage.world.find<BandsPart>()->field().pool().poured, stage.field().lost, 1e-15);
         EXPECT_NEAR(pooled_volume(stage.world.find<BandsPart>()->layout().bed.pool,
                                   stage.world.find<BandsPart>()->field().pool()),
-                    stage.view().lost, 1e-12);
+                    stage.field().lost, 1e-12);
     }
     EXPECT_LT(seconds[1], seconds[0]);
     EXPECT_GT(flow[1], 1.5 * flow[0]);
@@ -266,12 +268,12 @@ TEST(BandsPart, ClipBeforeDivisionPreventsBleedingAndHeatSealsTheRoot) {
     const Vector3 root = stage.world.find<BandsPart>()->layout().bands[band].vessel_root;
     stage.go(Hand::right, stage.tip_for_jaws(Hand::right, root + Vector3(0, 0, 0.003)));
     stage.close(Hand::right);
-    EXPECT_EQ(stage.view().tools[1].last_clip_outlet, 1);
+    EXPECT_EQ(stage.field().tools[1].last_clip_outlet, 1);
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
     stage.exchange_to(Hand::right, InstrumentKind::harmonic);
     ASSERT_GT(divide(stage, band, 0.004), 0);
-    EXPECT_EQ(stage.view().outlets[1].flow, 0.0);
+    EXPECT_EQ(stage.field().outlets[1].flow, 0.0);
 
     // The next one is sealed by heat at its root.
     const std::size_t other = vessel_band(stage, 1);
@@ -280,15 +282,15 @@ TEST(BandsPart, ClipBeforeDivisionPreventsBleedingAndHeatSealsTheRoot) {
     stage.go(Hand::left, stage.tip[0] + Vector3(0, 0, 0.03));
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
     ASSERT_GT(divide(stage, other, 0.004), 0);
-    EXPECT_GT(stage.view().outlets[3].flow, 0.0);
+    EXPECT_GT(stage.field().outlets[3].flow, 0.0);
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
-    const Vector3 place = stage.view().outlets[3].position + Vector3(0, 0, 0.002);
+    const Vector3 place = stage.field().outlets[3].position + Vector3(0, 0, 0.002);
     stage.go(Hand::right, place);
     stage.press(Hand::right, button_energy, true);
     stage.run(6);
-    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::vessel);
-    EXPECT_EQ(stage.view().outlets[3].flow, 0.0);
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::vessel);
+    EXPECT_EQ(stage.field().outlets[3].flow, 0.0);
 }
 
 TEST(BandsPart, TornVesselsAreInjuriesAndBleedFreely) {
@@ -296,12 +298,12 @@ TEST(BandsPart, TornVesselsAreInjuriesAndBleedFreely) {
     const std::size_t band = vessel_band(stage);
     stage.take(Hand::left, band, 0.5);
     stage.grip[0] = 16;
-    for (int i = 0; i < 60 && !stage.view().bands[band].divided(); ++i)
+    for (int i = 0; i < 60 && !stage.bands()[band].divided(); ++i)
         stage.go(Hand::left, stage.tip[0] + Vector3(0, 0, 0.001), 0.05);
-    ASSERT_TRUE(stage.view().bands[band].divided());
-    EXPECT_TRUE(stage.view().bands[band].torn);
-    EXPECT_TRUE(stage.view().outlets[0].injured);
-    EXPECT_GT(stage.view().outlets[0].flow, 2 * stage.view().outlets[1].flow * 0.4);
+    ASSERT_TRUE(stage.bands()[band].divided());
+    EXPECT_TRUE(stage.bands()[band].torn);
+    EXPECT_TRUE(stage.field().outlets[0].injured);
+    EXPECT_GT(stage.field().outlets[0].flow, 2 * stage.field().outlets[1].flow * 0.4);
 }
 
 TEST(BandsPart, SuctionRemovesBloodAndSmoke) {
@@ -313,17 +315,17 @@ TEST(BandsPart, SuctionRemovesBloodAndSmoke) {
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
     stage.exchange_to(Hand::right, InstrumentKind::suction);
-    const double smoke = stage.view().smoke;
-    const Vector3 place = stage.view().outlets[1].position;
-    const double depth = stage.view().outlets[1].blood_depth;
+    const double smoke = stage.field().smoke;
+    const Vector3 place = stage.field().outlets[1].position;
+    const double depth = stage.field().outlets[1].blood_depth;
     EXPECT_GT(depth, 1e-4);
     stage.go(Hand::right, place + Vector3(0, 0, 0.004));
     stage.press(Hand::right, button_energy, true);
     stage.run(2);
     EXPECT_EQ(stage.outputs.back().sample.hand[1].flags & hand_energy, 0);  // suction is not energy
-    EXPECT_GT(stage.view().removed, 0.3e-6);
-    EXPECT_LT(stage.view().outlets[1].blood_depth, depth);
-    EXPECT_LT(stage.view().smoke, 0.9 * smoke);
+    EXPECT_GT(stage.field().removed, 0.3e-6);
+    EXPECT_LT(stage.field().outlets[1].blood_depth, depth);
+    EXPECT_LT(stage.field().smoke, 0.9 * smoke);
 }
 
 TEST(BandsPart, NerveIsHeatedByNearEnergyOnly) {
@@ -331,14 +333,14 @@ TEST(BandsPart, NerveIsHeatedByNearEnergyOnly) {
     int i = 0;
     for (const double gap : {0.001, 0.003, 0.012}) {
         BandsStage stage;
-        const Vector3 nerve = stage.view().nerves[0].line[12];
+        const Vector3 nerve = stage.field().nerves[0].line[12];
         const double reach =
-            gap + stage.scene.instrument(Hand::right)->tip_radius + stage.view().nerve_radius;
+            gap + stage.scene.instrument(Hand::right)->tip_radius + stage.field().nerve_radius;
         stage.go(Hand::right, nerve + Vector3(0, 0, reach));
         stage.press(Hand::right, button_energy, true);
         stage.run(3);
-        EXPECT_NEAR(stage.view().tools[1].nerve_distance, gap, 0.0006) << gap;
-        dose[i++] = stage.view().worst_nerve_dose;
+        EXPECT_NEAR(stage.field().tools[1].nerve_distance, gap, 0.0006) << gap;
+        dose[i++] = stage.field().worst_nerve_dose;
     }
     EXPECT_GT(dose[0], 100 * std::max(dose[1], 1e-3));
     EXPECT_EQ(dose[2], 0.0);
@@ -347,44 +349,44 @@ TEST(BandsPart, NerveIsHeatedByNearEnergyOnly) {
 TEST(BandsPart, HookDividesTheBandAtItsTip) {
     BandsStage stage;
     std::size_t band = 0;
-    while (stage.view().bands[band].vessel >= 0) ++band;
+    while (stage.bands()[band].vessel >= 0) ++band;
     stage.exchange_to(Hand::right, InstrumentKind::hook);
-    ASSERT_EQ(stage.view().tools[1].kind, InstrumentKind::hook);
-    const Vector3 place = stage.view().bands[band].position[strand_segments / 2];
+    ASSERT_EQ(stage.field().tools[1].kind, InstrumentKind::hook);
+    const Vector3 place = stage.bands()[band].position[strand_segments / 2];
     stage.go(Hand::right, place + Vector3(0, 0, 0.02));
     stage.go(Hand::right, place + Vector3(0, 0, 0.001));
     stage.run(1);
-    EXPECT_FALSE(stage.view().bands[band].divided());  // no pedal
+    EXPECT_FALSE(stage.bands()[band].divided());  // no pedal
     stage.press(Hand::right, button_energy, true);
     const std::uint32_t begun = stage.tick;
-    while (!stage.view().bands[band].divided() && stage.tick - begun < 20000) stage.step();
-    EXPECT_TRUE(stage.view().bands[band].divided());
-    EXPECT_FALSE(stage.view().bands[band].torn);
+    while (!stage.bands()[band].divided() && stage.tick - begun < 20000) stage.step();
+    EXPECT_TRUE(stage.bands()[band].divided());
+    EXPECT_FALSE(stage.bands()[band].torn);
     EXPECT_LT(stage.tick - begun, 8000U);
-    EXPECT_EQ(stage.view().tools[1].band, static_cast<std::int32_t>(band));
-    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::band);
-    EXPECT_GT(stage.view().bands[band].char_share[strand_segments / 2], 0.0F);
-    for (std::size_t b = 0; b < stage.view().bands.size(); ++b)
-        EXPECT_EQ(stage.view().bands[b].divided(), b == band) << b;
-    EXPECT_FALSE(stage.view().nerves[0].divided);
+    EXPECT_EQ(stage.field().tools[1].band, static_cast<std::int32_t>(band));
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::band);
+    EXPECT_GT(stage.bands()[band].char_share[strand_segments / 2], 0.0F);
+    for (std::size_t b = 0; b < stage.bands().size(); ++b)
+        EXPECT_EQ(stage.bands()[b].divided(), b == band) << b;
+    EXPECT_FALSE(stage.field().nerves[0].divided);
 }
 
 TEST(BandsPart, ActivatedHookBurnsTheNerveAndDividesIt) {
     BandsStage stage;
     stage.exchange_to(Hand::right, InstrumentKind::hook);
-    const Vector3 nerve = stage.view().nerves[0].line[12];
-    const double reach = stage.scene.instrument(Hand::right)->tip_radius + stage.view().nerve_radius;
+    const Vector3 nerve = stage.field().nerves[0].line[12];
+    const double reach = stage.scene.instrument(Hand::right)->tip_radius + stage.field().nerve_radius;
     stage.go(Hand::right, nerve + Vector3(0, 0, 0.03));
     stage.go(Hand::right, nerve + Vector3(0, 0, reach + 0.0003));
     stage.run(0.5);
-    EXPECT_EQ(stage.view().worst_nerve_dose, 0.0);
+    EXPECT_EQ(stage.field().worst_nerve_dose, 0.0);
     stage.press(Hand::right, button_energy, true);
     stage.run(0.3);
-    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::nerve);
-    EXPECT_GT(stage.view().worst_nerve_dose, stage.scene.bands->nerve_dose_limit);
-    EXPECT_FALSE(stage.view().nerves[0].divided);
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::nerve);
+    EXPECT_GT(stage.field().worst_nerve_dose, stage.scene.bands->nerve_dose_limit);
+    EXPECT_FALSE(stage.field().nerves[0].divided);
     stage.go(Hand::right, nerve + Vector3(0, 0, 0.0005));
-    EXPECT_TRUE(stage.view().nerves[0].divided);
+    EXPECT_TRUE(stage.field().nerves[0].divided);
 }
 
 TEST(BandsPart, SameInputGivesTheSameBits) {
@@ -426,8 +428,7 @@ TEST(BandsExtremes, StaysFiniteForAnyInput) {
         BandsStage stage(scene, random.bits());
         for (int i = 0; i < 60; ++i) {
             for (int hand = 0; hand < hand_count; ++hand) {
-                const Vector3 target =
-                    stage.view().bands[random.below(10)].position[random.below(strand_nodes)];
+                const Vector3 target = stage.bands()[random.below(10)].position[random.below(strand_nodes)];
                 stage.tip[hand] = target + 0.01 * test::inside_unit_box(random);
                 if (random.below(6) == 0) stage.tip[hand] += test::inside_unit_box(random);
                 if (random.below(12) == 0) stage.tip[hand].y() = test::not_a_length(random);
@@ -436,8 +437,8 @@ TEST(BandsExtremes, StaysFiniteForAnyInput) {
                 stage.buttons[hand] = static_cast<std::uint16_t>(random.below(16));
             }
             stage.step();
-            const BandsView& view = stage.view();
-            for (const BandView& band : view.bands) {
+            const FieldView& view = stage.field();
+            for (const BandView& band : stage.bands()) {
                 for (const Vector3& p : band.position) ASSERT_TRUE(p.allFinite()) << trial;
                 for (const float heat : band.heat) ASSERT_TRUE(std::isfinite(heat)) << trial;
             }

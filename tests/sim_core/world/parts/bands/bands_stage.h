@@ -97,14 +97,15 @@ class BandsStage {
     /// Presses the exchange button until the hand holds that instrument and can use it.
     void exchange_to(Hand hand, InstrumentKind kind) {
         open(hand);
-        for (int i = 0; i < 8 && view().tools[static_cast<int>(hand)].kind != kind; ++i) {
+        for (int i = 0; i < 8 && field().tools[static_cast<int>(hand)].kind != kind; ++i) {
             press(hand, button_exchange, true);
             step();
             press(hand, button_exchange, false);
             run(scene.bands->exchange_time + 0.05);
         }
     }
-    const BandsView& view() const { return world.snapshot().bands[0]; }
+    const FieldView& field() const { return world.snapshot().field[0]; }
+    const std::vector<BandView>& bands() const { return world.snapshot().bands.bands; }
     Vector3 felt(Hand hand) const { return outputs.back().device_force[static_cast<int>(hand)]; }
 
     Scene scene;

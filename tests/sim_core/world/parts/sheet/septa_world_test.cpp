@@ -391,7 +391,7 @@ TEST(SeptaEnergy, EnergyOnMesorectalFatIsOffTarget) {
     const double fat = rig.scene.septa->areolar_height - rig.scene.septa->plane_height;
     int on_plane = 0, on_fat = 0;
     const auto watch = [&] {
-        const BandsView& field = rig.world.snapshot().bands[0];
+        const FieldView& field = rig.world.snapshot().field[0];
         const SheetPart::HandState& hand = rig.hand(1);
         if (!field.tools[1].active || hand.touch != BladeTouch::cutting) return;
         const double height = rig.sheet().rest(hand.place).y();

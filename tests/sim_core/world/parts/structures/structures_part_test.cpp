@@ -39,7 +39,7 @@ TEST(PresacralVeins, BladeBelowTheCoverOpensAVeinByItsDepth) {
         stage.tool[1].tip = stage.pressed(1, place, spec.vein_depth + share * 2 * spec.vessel_radius);
         stage.step();
         ASSERT_EQ(stage.opened(), 1) << share;
-        const OutletView& outlet = stage.view().outlets[0];
+        const OutletView& outlet = stage.field().outlets[0];
         EXPECT_EQ(outlet.vein, 0);
         EXPECT_EQ(outlet.band, -1);
         EXPECT_TRUE(outlet.injured);
@@ -62,15 +62,15 @@ TEST(PresacralVeins, BloodLossIsTheIntegralOfAClottingFlowAndIsConserved) {
     const double seconds = 1e-3 * stage.tick;
     const double expected = poiseuille(spec, spec.vessel_radius, 1) * 0.5 * spec.clotting_time *
                             (1 - math::exp(-2 * seconds / spec.clotting_time));
-    EXPECT_NEAR(stage.view().lost, expected, 1e-9 * expected);
-    EXPECT_GT(stage.view().lost, 5e-6);
+    EXPECT_NEAR(stage.field().lost, expected, 1e-9 * expected);
+    EXPECT_GT(stage.field().lost, 5e-6);
     const PoolState& pool = stage.part.field().pool();
-    EXPECT_NEAR(pool.poured, stage.view().lost, 1e-12 * pool.poured);
+    EXPECT_NEAR(pool.poured, stage.field().lost, 1e-12 * pool.poured);
     EXPECT_NEAR(pooled_volume(stage.part.layout().bed.pool, pool) + pool.removed, pool.poured,
                 1e-12 * pool.poured);
 
     // It runs down to the deepest part of the hollow, directly posterior to the curve's centre.
-    const BandsView& view = stage.view();
+    const FieldView& view = stage.field();
     const auto deepest = static_cast<std::size_t>(std::min_element(view.ground.begin(), view.ground.end()) -
                                                   view.ground.begin());
     EXPECT_GT(view.blood[deepest], 0.001F);
@@ -79,10 +79,10 @@ TEST(PresacralVeins, BloodLossIsTheIntegralOfAClottingFlowAndIsConserved) {
     stage.take(1, InstrumentKind::suction);
     stage.tool[1].tip = Vector3(0, -0.07, stage.wall.height(0, -0.07) + 0.006);
     stage.press(1, button_energy, true);
-    const double before = stage.view().removed;
+    const double before = stage.field().removed;
     stage.run(3);
-    EXPECT_TRUE(stage.view().tools[1].active);
-    EXPECT_GT(stage.view().removed - before, 3e-6);
+    EXPECT_TRUE(stage.field().tools[1].active);
+    EXPECT_GT(stage.field().removed - before, 3e-6);
     EXPECT_NEAR(pooled_volume(stage.part.layout().bed.pool, pool) + pool.removed, pool.poured,
                 1e-12 * pool.poured);
 }
@@ -106,9 +106,9 @@ TEST(PresacralVeins, BluntTipTearsAVeinOnlyAboveItsTearForce) {
     stage.tool[0].tip = stage.pressed(0, place, 1.5 * spec.vein_tear_force / stiffness);
     stage.step();
     ASSERT_EQ(stage.opened(), 1);
-    EXPECT_EQ(stage.view().outlets[0].vein, 2);
+    EXPECT_EQ(stage.field().outlets[0].vein, 2);
     const double expected = poiseuille(spec, spec.vessel_radius, 0.5);
-    EXPECT_NEAR(stage.view().outlets[0].flow, expected, 0.05 * expected);
+    EXPECT_NEAR(stage.field().outlets[0].flow, expected, 0.05 * expected);
 }
 
 TEST(PresacralVeins, EnergyReducesTheForceThroughTheCover) {
@@ -131,20 +131,20 @@ TEST(PresacralVeins, NearOpeningsAreMergedAndNoneIsLost) {
     stage.press(1, button_primary, true);
     stage.tool[1].tip = stage.pressed(1, stage.over_vein(0, 0.4), spec.vein_depth + spec.vessel_radius);
     stage.step();
-    const double once = stage.view().outlets[0].flow;
+    const double once = stage.field().outlets[0].flow;
     stage.tool[1].tip = stage.pressed(1, stage.over_vein(0, 0.4), spec.vein_depth + 2 * spec.vessel_radius);
     stage.step();
     EXPECT_EQ(stage.opened(), 1);
-    EXPECT_GT(stage.view().outlets[0].flow, 3 * once);  // twice the area, four times the flow
+    EXPECT_GT(stage.field().outlets[0].flow, 3 * once);  // twice the area, four times the flow
     // All veins from end to end.
-    for (std::size_t v = 0; v < stage.view().veins.size(); ++v) {
+    for (std::size_t v = 0; v < stage.structures().veins.size(); ++v) {
         for (const Vector3& place : stage.part.layout().veins[v].line) {
             stage.tool[1].tip = stage.pressed(1, place, spec.vein_depth + 2 * spec.vessel_radius);
             stage.step();
         }
     }
     EXPECT_EQ(stage.opened(), static_cast<int>(field_outlet_capacity));
-    for (const OutletView& outlet : stage.view().outlets) EXPECT_GT(outlet.flow, 0.0);
+    for (const OutletView& outlet : stage.field().outlets) EXPECT_GT(outlet.flow, 0.0);
 }
 
 /// Opens the middle vein completely and moves the hand away.
@@ -161,22 +161,22 @@ void open_middle(StructuresStage& stage, double share = 0.4) {
 TEST(PresacralVeins, ClipStopsTheBleeding) {
     StructuresStage stage;
     open_middle(stage);
-    ASSERT_GT(stage.view().outlets[0].flow, 0.0);
+    ASSERT_GT(stage.field().outlets[0].flow, 0.0);
     stage.take(1, InstrumentKind::clip_applier);
-    stage.tool[1].tip = stage.view().outlets[0].position + Vector3(0, 0, 0.002);
+    stage.tool[1].tip = stage.field().outlets[0].position + Vector3(0, 0, 0.002);
     stage.step();
-    EXPECT_EQ(stage.view().tools[1].clips_fired, 0);
+    EXPECT_EQ(stage.field().tools[1].clips_fired, 0);
     stage.tool[1].jaw_angle = 0.05;
     stage.tool[1].grip = 5;
     stage.run(0.1);
-    EXPECT_EQ(stage.view().tools[1].clips_fired, 1);
-    EXPECT_EQ(stage.view().tools[1].last_clip_outlet, 0);
-    EXPECT_NEAR(static_cast<double>(stage.view().tools[1].last_clip_distance), 0.002, 1e-4);
-    EXPECT_TRUE(stage.view().outlets[0].clipped);
-    EXPECT_EQ(stage.view().outlets[0].flow, 0.0);
-    const double lost = stage.view().lost;
+    EXPECT_EQ(stage.field().tools[1].clips_fired, 1);
+    EXPECT_EQ(stage.field().tools[1].last_clip_outlet, 0);
+    EXPECT_NEAR(static_cast<double>(stage.field().tools[1].last_clip_distance), 0.002, 1e-4);
+    EXPECT_TRUE(stage.field().outlets[0].clipped);
+    EXPECT_EQ(stage.field().outlets[0].flow, 0.0);
+    const double lost = stage.field().lost;
     stage.run(1);
-    EXPECT_EQ(stage.view().lost, lost);
+    EXPECT_EQ(stage.field().lost, lost);
 }
 
 TEST(PresacralVeins, HeatSealsAVeinLessUnderBlood) {
@@ -185,13 +185,13 @@ TEST(PresacralVeins, HeatSealsAVeinLessUnderBlood) {
         StructuresStage stage;
         open_middle(stage, 0.2);  // near the bottom of the hollow
         if (wet == 1) stage.run(8);
-        depth[wet] = static_cast<double>(stage.view().outlets[0].blood_depth);
-        stage.tool[1].tip = stage.view().outlets[0].position + Vector3(0, 0, 0.0025);
+        depth[wet] = static_cast<double>(stage.field().outlets[0].blood_depth);
+        stage.tool[1].tip = stage.field().outlets[0].position + Vector3(0, 0, 0.0025);
         stage.press(1, button_energy, true);
         const std::uint32_t begun = stage.tick;
-        while (stage.view().outlets[0].flow > 0 && stage.tick - begun < 60000) stage.step();
-        EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::vessel);
-        EXPECT_EQ(stage.view().outlets[0].flow, 0.0);
+        while (stage.field().outlets[0].flow > 0 && stage.tick - begun < 60000) stage.step();
+        EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::vessel);
+        EXPECT_EQ(stage.field().outlets[0].flow, 0.0);
         seconds[wet] = 1e-3 * (stage.tick - begun);
     }
     EXPECT_GT(depth[1], 2 * depth[0]);
@@ -201,9 +201,9 @@ TEST(PresacralVeins, HeatSealsAVeinLessUnderBlood) {
 
 TEST(HypogastricNerves, OnlyABladeDividesANerveAtAnySpeed) {
     StructuresStage stage;
-    const Vector3 nerve = stage.view().nerves[1].line[12];
+    const Vector3 nerve = stage.field().nerves[1].line[12];
     const Vector3 before = nerve + Vector3(-0.02, 0, 0.0004), after = nerve + Vector3(0.02, 0, 0.0004);
-    const auto divided = [&] { return stage.view().nerves[1].divided; };
+    const auto divided = [&] { return stage.field().nerves[1].divided; };
     // A hook without its button, a grasper with every button.
     stage.tool[1].tip = before;
     stage.step();
@@ -233,8 +233,8 @@ TEST(HypogastricNerves, OnlyABladeDividesANerveAtAnySpeed) {
     stage.tool[1].tip = after;
     stage.step();
     EXPECT_TRUE(divided());
-    EXPECT_FALSE(stage.view().nerves[0].divided);
-    EXPECT_EQ(stage.view().worst_nerve_dose, 0.0);
+    EXPECT_FALSE(stage.field().nerves[0].divided);
+    EXPECT_EQ(stage.field().worst_nerve_dose, 0.0);
 }
 
 TEST(HypogastricNerves, SteamHeatsNervesByDistanceAndHeatIsBalanced) {
@@ -242,12 +242,12 @@ TEST(HypogastricNerves, SteamHeatsNervesByDistanceAndHeatIsBalanced) {
     int i = 0;
     for (const double gap : {0.0005, 0.003, 0.012}) {
         StructuresStage stage;
-        const Vector3 nerve = stage.view().nerves[0].line[10];
-        stage.tool[1].tip = nerve + Vector3(0, 0, gap + stage.radius(1) + stage.view().nerve_radius);
+        const Vector3 nerve = stage.field().nerves[0].line[10];
+        stage.tool[1].tip = nerve + Vector3(0, 0, gap + stage.radius(1) + stage.field().nerve_radius);
         stage.press(1, button_energy, true);
         stage.run(3);
-        EXPECT_NEAR(static_cast<double>(stage.view().tools[1].nerve_distance), gap, 3e-4);
-        dose[i++] = stage.view().worst_nerve_dose;
+        EXPECT_NEAR(static_cast<double>(stage.field().tools[1].nerve_distance), gap, 3e-4);
+        dose[i++] = stage.field().worst_nerve_dose;
         const HeatState& heat = stage.part.field().heat();
         const double out = stored_heat(stage.part.field().model().heat, heat) + heat.perfused + heat.boiled;
         EXPECT_NEAR(heat.given, out, 1e-9 * std::max(1e-9, heat.given)) << gap;
@@ -259,8 +259,8 @@ TEST(HypogastricNerves, SteamHeatsNervesByDistanceAndHeatIsBalanced) {
 
 TEST(HypogastricNerves, DoseOfANerveIsTheIntegralOfItsTemperature) {
     StructuresStage stage;
-    const Vector3 nerve = stage.view().nerves[0].line[10];
-    stage.tool[1].tip = nerve + Vector3(0, 0, 0.0015 + stage.radius(1) + stage.view().nerve_radius);
+    const Vector3 nerve = stage.field().nerves[0].line[10];
+    stage.tool[1].tip = nerve + Vector3(0, 0, 0.0015 + stage.radius(1) + stage.field().nerve_radius);
     stage.press(1, button_energy, true);
     const std::size_t patch = stage.part.field().model().nerves[0].first + 10;
     double sum = 0, last = stage.part.field().temperature(patch);
@@ -272,7 +272,7 @@ TEST(HypogastricNerves, DoseOfANerveIsTheIntegralOfItsTemperature) {
         last = now;
     }
     ASSERT_GT(sum, 1e-3);
-    EXPECT_NEAR(static_cast<double>(stage.view().nerves[0].dose[10]), sum, 1e-6 * sum);
+    EXPECT_NEAR(static_cast<double>(stage.field().nerves[0].dose[10]), sum, 1e-6 * sum);
 }
 
 Vector3 sheet_middle(const StructuresStage& stage) {
@@ -290,7 +290,7 @@ TEST(SheetUnderPower, SteamOverAPlaneSumsToThePowerAtTheBlade) {
     stage.tool[1].tip = sheet_middle(stage) + Vector3(0, 0, height);
     stage.press(1, button_energy, true);
     stage.step();
-    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::nothing);
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::nothing);
     double sum = 0;
     for (std::int32_t r = 0; r < stage.sheet->surface().root_count(); ++r)
         sum += stage.part.field().power(stage.part.root_patch(r));
@@ -325,26 +325,29 @@ TEST(SheetUnderPower, ActivatedHookNeedsLessForceAndLeavesChar) {
     StructuresStage cold(tough_scene(), true), hot(tough_scene(), true);
     EXPECT_EQ(drawn(cold, button_primary), 0.0);
     EXPECT_GT(drawn(hot, button_energy), 0.8 * 0.02 * hot.scene.sheet->blade_width);
-    EXPECT_EQ(hot.view().tools[1].target, EnergyTarget::sheet);
-    EXPECT_EQ(*std::max_element(cold.view().sheet_char.begin(), cold.view().sheet_char.end()), 0.0F);
-    EXPECT_GT(*std::max_element(hot.view().sheet_char.begin(), hot.view().sheet_char.end()), 0.02F);
-    EXPECT_GT(*std::max_element(hot.view().sheet_dose.begin(), hot.view().sheet_dose.end()), 240.0F);
+    EXPECT_EQ(hot.field().tools[1].target, EnergyTarget::sheet);
+    EXPECT_EQ(*std::max_element(cold.structures().sheet_char.begin(), cold.structures().sheet_char.end()),
+              0.0F);
+    EXPECT_GT(*std::max_element(hot.structures().sheet_char.begin(), hot.structures().sheet_char.end()),
+              0.02F);
+    EXPECT_GT(*std::max_element(hot.structures().sheet_dose.begin(), hot.structures().sheet_dose.end()),
+              240.0F);
     // The drawn triangles know their root: char is next to the cut.
     const SheetView& sheet = hot.snapshot.sheet;
     double far = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(sheet.triangle_count); ++k) {
         const auto root = static_cast<std::size_t>(sheet.roots[k]);
-        ASSERT_LT(root, hot.view().sheet_char.size());
-        if (hot.view().sheet_char[root] < 0.01F) continue;
+        ASSERT_LT(root, hot.structures().sheet_char.size());
+        if (hot.structures().sheet_char[root] < 0.01F) continue;
         const Vector3& rest = sheet.rest[static_cast<std::size_t>(sheet.triangles[k][0])];
         far = std::max(far, std::abs(rest.y()));
     }
     EXPECT_GT(far, 0.0);
     EXPECT_LT(far, 0.012);
     // Distant tissue of the sheet is unchanged.
-    EXPECT_EQ(hot.view().sheet_dose.front(), 0.0F);
-    EXPECT_EQ(hot.view().sheet_dose.back(), 0.0F);
-    EXPECT_GT(hot.view().smoke, 5e-4);
+    EXPECT_EQ(hot.structures().sheet_dose.front(), 0.0F);
+    EXPECT_EQ(hot.structures().sheet_dose.back(), 0.0F);
+    EXPECT_GT(hot.field().smoke, 5e-4);
     const HeatState& heat = hot.part.field().heat();
     EXPECT_NEAR(heat.given, stored_heat(hot.part.field().model().heat, heat) + heat.perfused + heat.boiled,
                 1e-9 * heat.given);
@@ -364,8 +367,9 @@ TEST(SheetUnderPower, DesiccatedTissueTakesNoCurrent) {
         stage.run(1);
         (second == 0 ? first : last) = heat.given - before;
     }
-    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::sheet);
-    EXPECT_GT(*std::max_element(stage.view().sheet_char.begin(), stage.view().sheet_char.end()), 0.9F);
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::sheet);
+    EXPECT_GT(*std::max_element(stage.structures().sheet_char.begin(), stage.structures().sheet_char.end()),
+              0.9F);
     EXPECT_GT(first, 5.0) << "J in the first second, most of it into steam";
     EXPECT_LT(last, 0.35 * first) << "steam next to it and remaining water";
     const HeatModel& model = stage.part.field().model().heat;
@@ -394,7 +398,7 @@ TEST(SheetUnderPower, HeldInstrumentDecidesWhetherItIsABlade) {
     // While passing through the trocar it is inactive.
     stage.press(1, button_exchange, true);
     stage.step();
-    EXPECT_GT(stage.view().tools[1].exchange_left, 1.0F);
+    EXPECT_GT(stage.field().tools[1].exchange_left, 1.0F);
     EXPECT_FALSE(blade(button_primary | button_energy));
     LocalModel model;
     stage.part.publish_model(1, TickOutput(), model);
@@ -406,7 +410,7 @@ TEST(SheetUnderPower, HeldInstrumentDecidesWhetherItIsABlade) {
 std::uint64_t rehearse(StructuresStage& stage) {
     drawn(stage, button_energy);
     open_middle(stage);
-    stage.go(1, stage.view().nerves[0].line[8] + Vector3(0, 0, 0.004), 0.2);
+    stage.go(1, stage.field().nerves[0].line[8] + Vector3(0, 0, 0.004), 0.2);
     stage.run(0.5);
     StateHash hash;
     stage.part.hash(hash);
@@ -463,7 +467,7 @@ TEST(StructuresExtremes, StaysFiniteForAnyKeysAndInput) {
                 tool.tip = line[random.below(static_cast<std::uint32_t>(line.size()))] +
                            0.01 * test::inside_unit_box(random);
                 if (random.below(6) == 0)
-                    tool.tip = stage.view().nerves[random.below(2)].line[random.below(20)];
+                    tool.tip = stage.field().nerves[random.below(2)].line[random.below(20)];
                 if (random.below(8) == 0) tool.tip += test::inside_unit_box(random);
                 if (random.below(12) == 0) tool.tip.y() = test::not_a_length(random);
                 tool.jaw_angle = random.uniform(0, 1);
@@ -471,7 +475,7 @@ TEST(StructuresExtremes, StaysFiniteForAnyKeysAndInput) {
                 tool.buttons = static_cast<std::uint16_t>(random.below(16));
             }
             stage.step();
-            const BandsView& view = stage.view();
+            const FieldView& view = stage.field();
             for (const float blood : view.blood) ASSERT_TRUE(std::isfinite(blood) && blood >= 0) << trial;
             for (const OutletView& outlet : view.outlets)
                 ASSERT_TRUE(outlet.position.allFinite() && std::isfinite(outlet.flow) &&

@@ -101,7 +101,7 @@ class StructuresStage {
     }
     void take(int hand, InstrumentKind kind) {
         tool[hand].tip = away();
-        for (int i = 0; i < 6 && view().tools[hand].kind != kind; ++i) {
+        for (int i = 0; i < 6 && field().tools[hand].kind != kind; ++i) {
             press(hand, button_exchange, true);
             step();
             press(hand, button_exchange, false);
@@ -123,10 +123,11 @@ class StructuresStage {
         const std::vector<Vector3>& line = part.layout().veins[vein].line;
         return line[static_cast<std::size_t>(std::lround(share * static_cast<double>(line.size() - 1)))];
     }
-    const BandsView& view() const { return snapshot.bands[0]; }
+    const FieldView& field() const { return snapshot.field[0]; }
+    const StructuresView& structures() const { return snapshot.structures; }
     int opened() const {
         int sum = 0;
-        for (const OutletView& outlet : view().outlets) sum += outlet.opened ? 1 : 0;
+        for (const OutletView& outlet : field().outlets) sum += outlet.opened ? 1 : 0;
         return sum;
     }
 

@@ -25,7 +25,7 @@ Scene posterior_scene(const std::string& variant = "") {
 TEST(StructuresInTheWorld, VeinsAreOnTheFasciaAndNervesAwayFromThePlane) {
     const World world(posterior_scene(), 5);
     ASSERT_NE(world.find<StructuresPart>(), nullptr);
-    const BandsView& view = world.snapshot().bands.at(0);
+    const StructuresView& view = world.snapshot().structures;
     ASSERT_EQ(view.veins.size(), 3U + static_cast<std::size_t>(world.scene().structures->rungs));
     for (const VeinView& vein : view.veins) {
         EXPECT_GT(vein.radius, 0);
@@ -44,14 +44,14 @@ TEST(StructuresInTheWorld, VeinsAreOnTheFasciaAndNervesAwayFromThePlane) {
     // Scenes of bands and others have none of it.
     const World other(test::bands_scene(), 5);
     EXPECT_EQ(other.find<StructuresPart>(), nullptr);
-    EXPECT_TRUE(other.snapshot().bands.at(0).veins.empty());
-    EXPECT_TRUE(other.snapshot().bands.at(0).sheet_char.empty());
+    EXPECT_TRUE(other.snapshot().structures.veins.empty());
+    EXPECT_TRUE(other.snapshot().structures.sheet_char.empty());
 }
 
 TEST(StructuresInTheWorld, MarkedLineIsAtASafeDistanceFromTheNerves) {
     for (const char* variant : {"", "_narrow"}) {
         const World world(posterior_scene(variant), 5);
-        const BandsView& view = world.snapshot().bands.at(0);
+        const FieldView& view = world.snapshot().field.at(0);
         ASSERT_EQ(view.nerves.size(), 2U);
         const double blade = world.scene().instrument(Hand::right)->tip_radius;
         double least = 1;
@@ -67,7 +67,7 @@ TEST(StructuresInTheWorld, MarkedLineIsAtASafeDistanceFromTheNerves) {
 
 /// Presses the hook with its button into the fascia over the middle vein.
 void injure(BandsStage& stage) {
-    const std::vector<Vector3>& line = stage.view().veins[0].line;
+    const std::vector<Vector3>& line = stage.structures().veins[0].line;
     const Vector3 place = line[line.size() * 2 / 5];
     const Vector3 out = stage.world.wall()->closest(place + Vector3(0, 0, 1e-4), 0.01).normal;
     stage.go(Hand::right, place + 0.03 * out);
@@ -80,11 +80,11 @@ TEST(StructuresInTheWorld, BladePressedIntoTheFasciaOpensAVeinReproducibly) {
     std::uint64_t hashes[2] = {0, 0};
     for (std::uint64_t& hash : hashes) {
         BandsStage stage(posterior_scene(), 5);
-        EXPECT_EQ(stage.view().lost, 0.0);
+        EXPECT_EQ(stage.field().lost, 0.0);
         injure(stage);
-        EXPECT_TRUE(stage.view().outlets[0].opened);
-        EXPECT_TRUE(stage.view().outlets[0].injured);
-        EXPECT_GT(stage.view().lost, 0.0);
+        EXPECT_TRUE(stage.field().outlets[0].opened);
+        EXPECT_TRUE(stage.field().outlets[0].injured);
+        EXPECT_GT(stage.field().lost, 0.0);
         EXPECT_GT(stage.felt(Hand::right).norm(), 0.2);
         while (stage.record.state_hash == 0) stage.step();
         hash = stage.record.state_hash;
@@ -114,9 +114,11 @@ TEST(StructuresInTheWorld, EnergyInThePlaneIsOnTargetAndInTheFatIsNot) {
         stage.run(0.05);
         stage.press(Hand::right, button_energy, true);
         stage.run(6);
-        EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::nothing) << fat;
-        EXPECT_GT(*std::max_element(stage.view().sheet_dose.begin(), stage.view().sheet_dose.end()), 0.0F);
-        far[fat] = stage.view().lateral_dose;
+        EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::nothing) << fat;
+        EXPECT_GT(
+            *std::max_element(stage.structures().sheet_dose.begin(), stage.structures().sheet_dose.end()),
+            0.0F);
+        far[fat] = stage.field().lateral_dose;
     }
     EXPECT_GT(far[1], 0.1);
     EXPECT_GT(far[1], 10 * far[0]);
@@ -139,7 +141,7 @@ TEST(StructuresInTheWorld, AnotherWorldContinuesFromASaveDuringBleeding) {
         StateHash hash;
         stage.world.find<StructuresPart>()->hash(hash);
         hashes[0] = hash.value();
-        lost[0] = stage.view().lost;
+        lost[0] = stage.field().lost;
     }
     World other(posterior_scene(), 5);
     other.restore(*saved);
@@ -147,7 +149,7 @@ TEST(StructuresInTheWorld, AnotherWorldContinuesFromASaveDuringBleeding) {
     StateHash hash;
     other.find<StructuresPart>()->hash(hash);
     hashes[1] = hash.value();
-    lost[1] = other.snapshot().bands.at(0).lost;
+    lost[1] = other.snapshot().field.at(0).lost;
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_EQ(lost[0], lost[1]);
     EXPECT_GT(lost[0], 0.0);
@@ -162,7 +164,7 @@ TEST(StructuresInTheWorld, StepAllocatesNothingDuringEnergyAndBleeding) {
     const std::uint64_t before = test::allocation_count();
     stage.run(0.5);
     EXPECT_EQ(test::allocation_count() - before, 0u);
-    EXPECT_TRUE(stage.view().tools[1].active);
+    EXPECT_TRUE(stage.field().tools[1].active);
 }
 
 }  // namespace
