@@ -146,7 +146,7 @@ class GridDelegate : public QStyledItemDelegate {
         const int words = index.data(cell_role).isValid()
                               ? 0
                               : std::min(20 * line, QStyledItemDelegate::sizeHint(option, index).width());
-        return {std::max(4 * line, words), static_cast<int>(2.1 * line)};
+        return {std::max(words, static_cast<int>(3.4 * line)), static_cast<int>(2.1 * line)};
     }
 
   private:
@@ -330,7 +330,7 @@ void CohortGrid::show_table(const database::CohortTable& table, const QStringLis
     model_->set(table.standings, titles, std::move(tasks));
     shown_->sort(0);
     QHeaderView* heads = view_->horizontalHeader();
-    heads->setMinimumSectionSize(4 * fontMetrics().height());
+    heads->setMinimumSectionSize(static_cast<int>(3.4 * fontMetrics().height()));
     heads->setSectionResizeMode(QHeaderView::Stretch);
     if (model_->columnCount() == 0) return;
     heads->setSectionResizeMode(0, QHeaderView::ResizeToContents);

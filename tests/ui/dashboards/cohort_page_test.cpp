@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
@@ -79,6 +80,7 @@ TEST_F(CohortViews, TheGridShowsEveryoneIsFilteredOrderedAndOpenedByKeys) {
     EXPECT_TRUE(spoken.contains("Latest attempts with haptic device: ")) << spoken.toStdString();
     EXPECT_GT(grid->columnWidth(0), grid->fontMetrics().horizontalAdvance("Trainee 1000"))
         << "a name is not cut off";
+    EXPECT_EQ(grid->horizontalScrollBar()->maximum(), 0) << "all columns have room at 1024 pixels";
     keep("cohort-grid-light");
     window->set_theme(Theme::dark);
     keep("cohort-grid-dark");
