@@ -19,7 +19,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t most_rows = 100'000;
+constexpr std::size_t most_rows = 100000;
 
 double number_of(std::string_view text, bool& ok) {
     const std::string word(text);

@@ -183,7 +183,7 @@ int run_perform(const Arguments& arguments) {
     const Curriculum curriculum = installed_curriculum();
     const TaskRequest wanted{arguments.words()[0], arguments.value_or("--variant", ""), fidelity};
     LoadedTask loaded = load_task_and_scene(wanted);  // errors are reported before a store is created
-    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
+    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4000LL * 1'000'000));
     std::optional<OperatorLevel> level;  // none: a trace
     if (!arguments.has("--input")) level = operator_level(arguments.value_or("--operator", "expert"));
     const DeviceClass device_class = class_of(arguments, level);

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_values = 10'000;
+constexpr std::size_t most_values = 10000;
 
 double number_at(const JsonDocument& study, const std::string& pointer, double least, double most) {
     const json::json_pointer at(pointer);

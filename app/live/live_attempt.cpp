@@ -20,7 +20,7 @@ constexpr std::size_t world_ring_ticks =
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
 constexpr int catch_up_ticks = 20;               // above this delay the deadline is moved instead
 constexpr std::int64_t longest_gap_ns =
-    1'000'000'000;  // stopped for longer, an assessed attempt is practice: there was time to think
+    1000LL * 1'000'000;  // stopped for longer, an assessed attempt is practice: there was time to think
 
 struct RecordTick {
     RigSample input;

@@ -268,7 +268,7 @@ class Services : public ui::ApplicationServices {
     /// Outside 1000-1999, which are reserved for benchmarks.
     static std::uint64_t draw_seed() {
         std::random_device device;
-        return 2000 + device() % 1'000'000'000U;
+        return 2000 + device() % (1000U * 1'000'000U);
     }
     std::string folder_;
     std::vector<TaskDefinition> tasks_;

@@ -90,7 +90,7 @@ void draw_moment(const LoadedTask& loaded, std::uint64_t seed, double duration, 
 
 int run_demonstrate(const Arguments& arguments) {
     const std::string task = arguments.words().empty() ? "B1" : arguments.words()[0];
-    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
+    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4000LL * 1'000'000));
     const LoadedTask loaded = load_task_and_scene(TaskRequest{task, arguments.value_or("--variant", ""), {}});
     const std::filesystem::path folder = arguments.folder("--output", "out");
     const std::string store_path = (folder / "demonstration.db").string();

@@ -21,7 +21,7 @@ std::int64_t floor_day(std::int64_t ms) {
     return ms >= 0 ? ms / day_ms : -((-ms + day_ms - 1) / day_ms);
 }
 std::int64_t local_day(const CountedAttempt& attempt) {
-    return floor_day(attempt.time + std::int64_t{60'000} * attempt.utc_offset_minutes);
+    return floor_day(attempt.time + std::int64_t{60000} * attempt.utc_offset_minutes);
 }
 
 struct Outcome {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int starts = 20;
 constexpr double quantile_95 = 3.841458820694124;  // chi squared, one degree of freedom
-constexpr int furthest_attempt = 10'000;
+constexpr int furthest_attempt = 10000;
 
 struct Range {
     double low = 1, high = 1;

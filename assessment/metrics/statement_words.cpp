@@ -177,30 +177,21 @@ static_assert(in_order(statements));
 namespace {
 
 constexpr const char* statement_context = "fulcrum::statements";
-
-/// A number that no metric writes: one digit after the point where it has any.
-std::string number_words(double value) {
-    const std::string text = decimal_text(value, 1);
-    const std::size_t whole = text.size() - 2;
-    return text.compare(whole, 2, ".0") == 0 ? text.substr(0, whole) : text;
-}
-
-/// A value with its unit, as many digits as the metric's precision asks for.
-std::string value_words(const MetricDescriptor& metric, double value) {
-    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(metric.precision) - 1e-9)));
-    std::string text = decimal_text(value, digits);
-    if (metric.unit != "-") text += " " + metric.unit;
-    return text;
-}
+/// Between a number's whole part and its decimals.
+constexpr const char* decimal_sign = QT_TRANSLATE_NOOP("fulcrum::statements", ".");
 
 std::string clock_words(double t) {
     const auto seconds = static_cast<int>(std::max(0.0, t));
     return std::to_string(seconds / 60) + (seconds % 60 < 10 ? ":0" : ":") + std::to_string(seconds % 60);
 }
 
-/// English sentences begin with a letter of a hand's or an event's name, which their tables write small.
+/// Sentences begin with a letter of a hand's or an event's name, which their tables write small.
 std::string capitalised(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    // In UTF-8 the letters à to þ are 0x20 above their capitals; ÷ is among them.
+    constexpr char latin = '\xC3', first = '\xA0', last = '\xBE', divided_by = '\xB7';
+    if (text.size() > 1 && text[0] == latin && text[1] >= first && text[1] <= last && text[1] != divided_by)
+        text[1] = static_cast<char>(text[1] - 0x20);
     return text;
 }
 
@@ -224,6 +215,27 @@ class Wording {
 
   private:
     std::string marked(const char* source) const { return translate_(statement_context, source); }
+    std::string of_asset(const std::string& source) const {
+        return source.empty() ? source : translate_("assets", source.c_str());
+    }
+    /// The number's decimal point as the reader's language writes it.
+    std::string written(std::string number) const {
+        const std::size_t point = number.find('.');
+        return point == std::string::npos ? number : number.replace(point, 1, marked(decimal_sign));
+    }
+    /// A number that no metric writes: one digit after the point where it has any.
+    std::string number_words(double value) const {
+        const std::string text = decimal_text(value, 1);
+        const std::size_t whole = text.size() - 2;
+        return written(text.compare(whole, 2, ".0") == 0 ? text.substr(0, whole) : text);
+    }
+    /// A value with its unit, as many digits as the metric's precision asks for.
+    std::string value_words(const MetricDescriptor& metric, double value) const {
+        const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(metric.precision) - 1e-9)));
+        std::string text = written(decimal_text(value, digits));
+        if (metric.unit != "-") text += " " + metric.unit;
+        return text;
+    }
     std::string of_metric(const std::string& source) const {
         return translate_("fulcrum::metrics", source.c_str());
     }
@@ -281,7 +293,8 @@ class Wording {
         if (const double* number = statement_.number(name))
             return metric_ != nullptr && (name == "value" || name == "limit") ? value_words(*metric_, *number)
                                                                               : number_words(*number);
-        if (const std::string* text = statement_.text(name)) return *text;
+        if (const std::string* text = statement_.text(name))
+            return name == "tissue" || name == "phase" ? of_asset(*text) : *text;
         if (const Statement* part = statement_.statement(name)) return words_of(*part, translate_);
         return std::nullopt;
     }
@@ -315,7 +328,7 @@ class Wording {
     }
 
     std::string remedy() const {
-        if (const std::string* of_task = statement_.text("advice")) return *of_task;
+        if (const std::string* of_task = statement_.text("advice")) return of_asset(*of_task);
         if (metric_ != nullptr) return of_metric(metric_->advice_remedy);
         return marked(QT_TRANSLATE_NOOP("fulcrum::statements", "replay that moment and plan it differently"));
     }
@@ -337,7 +350,7 @@ class Wording {
         if (z != nullptr)
             return with(
                 QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} standard deviations from the experts"),
-                decimal_text(*z, 1));
+                written(decimal_text(*z, 1)));
         if (!higher && *limit > 0) {
             const double percent = 100.0 * (*value - *limit) / *limit;
             if (percent < 1) return marked(QT_TRANSLATE_NOOP("fulcrum::statements", "less than 1 % over"));

@@ -22,13 +22,12 @@ class EventSink {
     virtual void on_event(const Event& event) noexcept = 0;
 };
 
-enum FramingFault : std::uint8_t {
-    framing_hidden = 1,  ///< the cup hides the target
-    framing_off_centre = 2,
-    framing_too_far = 4,
-    framing_too_near = 8,
-    framing_tilted = 16,  ///< the horizon is not level
-};
+/// What keeps a target from being framed: bits of TaskDisplay::framing_faults.
+inline constexpr std::uint8_t framing_hidden = 1;  ///< the cup hides the target
+inline constexpr std::uint8_t framing_off_centre = 2;
+inline constexpr std::uint8_t framing_too_far = 4;
+inline constexpr std::uint8_t framing_too_near = 8;
+inline constexpr std::uint8_t framing_tilted = 16;  ///< the horizon is not level
 
 /// The state of the task for the HUD and the operators. Plain data, copied with the snapshot.
 struct TaskDisplay {
@@ -54,7 +53,7 @@ struct TaskDisplay {
     std::uint32_t rings_placed =
         0;            ///< transfer_objects: bit i, ring i was handed over and lies around its peg
     Framing framing;  ///< frame_targets, follow_tip: how the target lies in the image
-    std::uint8_t framing_faults = 0;  ///< FramingFault mask: what keeps it from being framed
+    std::uint8_t framing_faults = 0;  ///< framing_hidden and the like: what keeps it from being framed
     std::int32_t vessels_dry = 0;     ///< stop_bleeding: open and not bleeding
     float blood_ml = 0;               ///< lost so far
     std::int32_t clips_left = 0;

@@ -12,9 +12,9 @@ namespace fulcrum {
 /// Limits of a trace file; above them the reader reports an error instead of filling the memory.
 inline constexpr std::size_t trace_csv_row_limit = 8'000'000;
 inline constexpr std::size_t trace_csv_column_limit = 256;
-inline constexpr std::size_t trace_csv_line_limit = 65'536;  ///< bytes
-inline constexpr std::size_t trace_csv_tissue_limit = 120;   ///< different labels
-inline constexpr double trace_csv_time_limit = 7'200;        ///< s
+inline constexpr std::size_t trace_csv_line_limit = 65536;  ///< bytes
+inline constexpr std::size_t trace_csv_tissue_limit = 120;  ///< different labels
+inline constexpr double trace_csv_time_limit = 7200;        ///< s
 
 /// Reads a trace; blocks are split at gaps. `file` names the source in errors. Throws InputError with place
 /// "ROW: COLUMN", the row counted from 1 with the header as row 1.

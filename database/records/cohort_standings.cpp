@@ -10,7 +10,7 @@
 namespace fulcrum::database {
 namespace {
 
-constexpr std::int64_t minute_ms = 60'000, day_ms = 86'400'000;
+constexpr std::int64_t minute_ms = 60000, day_ms = 86'400'000;
 
 std::int64_t local_day(const AttemptMeta& meta) {
     const std::int64_t local = meta.started + minute_ms * meta.utc_offset_min;

@@ -17,9 +17,12 @@ SiteTissues site_tissues(const database::Store& store, const database::Session& 
     site.version = database::Tissues(store).in_force(session, task_id).version;
     site.differ = !cutting_difference(in_force, scene).empty();
     for (const auto& [tissue, values] : scene) {
-        for (const CuttingKey& key : cutting_keys)
-            site.values.push_back({tissue, key.key, key.words, key.unit, cutting_range(key.key).words,
-                                   values.at(key.key), in_force.at(tissue).at(key.key)});
+        for (const CuttingKey& key : cutting_keys) {
+            const CuttingRange range = cutting_range(key.key);
+            site.values.push_back({tissue, key.key, key.words, key.unit, range.words, values.at(key.key),
+                                   in_force.at(tissue).at(key.key), range.minimum, range.maximum,
+                                   range.above});
+        }
     }
     site.limits_note = limits_for(here.task, here.scene, DeviceClass::haptic).not_comparable;
     return site;

@@ -18,6 +18,8 @@ struct SiteTissueValue {
     std::string words, unit, range;  ///< for screens
     double scene = 0;                ///< what the scene file says
     double value = 0;                ///< what is in force
+    double minimum = 0, maximum = 0;
+    bool above = false;  ///< the minimum itself is excluded
 };
 
 /// The tissues of a task that blades cut.

@@ -20,9 +20,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::int64_t start_limit = 6'000'000'000;     // ns
-constexpr std::int64_t overseer_silence = 500'000'000;  // ns, for a message; the force was off long before
-constexpr std::int64_t end_limit = 1'000'000'000;       // ns
+constexpr std::int64_t start_limit = 6000LL * 1'000'000;  // ns
+constexpr std::int64_t overseer_silence = 500'000'000;    // ns, for a message; the force was off long before
+constexpr std::int64_t end_limit = 1000LL * 1'000'000;    // ns
 constexpr const char* reconnect =
     " Abandon the attempt and check the device's cable and power; the device is opened again when the next "
     "attempt begins.";

@@ -15,14 +15,15 @@
 namespace fulcrum::hapticd {
 namespace {
 
-constexpr std::int64_t overseer_silence = 20'000'000;  // ns
-constexpr std::int64_t catch_up = 20;                  // periods; above it the clock is moved
+constexpr std::int64_t overseer_silence = 20'000'000;     // ns
+constexpr std::int64_t nanoseconds = 1000LL * 1'000'000;  // of a second
+constexpr std::int64_t catch_up = 20;                     // periods; above it the clock is moved
 constexpr int device_priority = 85;
 
 void sleep_until(std::int64_t deadline) noexcept {
     timespec time{};
-    time.tv_sec = deadline / 1'000'000'000;
-    time.tv_nsec = deadline % 1'000'000'000;
+    time.tv_sec = deadline / nanoseconds;
+    time.tv_nsec = deadline % nanoseconds;
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
     }
 }

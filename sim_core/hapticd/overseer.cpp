@@ -23,10 +23,10 @@ namespace {
 
 constexpr int beat_ms = 5;
 constexpr int overseer_priority = 86;  // above the device process, which it must be able to stop
-constexpr std::int64_t restart_pause = 200'000'000;      // ns
-constexpr std::int64_t restart_window = 60'000'000'000;  // ns
-constexpr std::size_t most_restarts = 5;                 // in that time
-constexpr std::int64_t time_to_end = 200'000'000;        // ns, for the device process
+constexpr std::int64_t restart_pause = 200'000'000;           // ns
+constexpr std::int64_t restart_window = 60000LL * 1'000'000;  // ns
+constexpr std::size_t most_restarts = 5;                      // in that time
+constexpr std::int64_t time_to_end = 200'000'000;             // ns, for the device process
 
 class Overseer {
   public:
@@ -104,7 +104,7 @@ class Overseer {
 
     /// Waits for the line of the device process and passes it on with the pages.
     bool greet(int socket) {
-        const std::int64_t until = monotonic_ns() + 5'000'000'000;
+        const std::int64_t until = monotonic_ns() + 5000LL * 1'000'000;
         while (monotonic_ns() < until) {
             state_->overseer_time.store(monotonic_ns());
             const std::optional<Packet> packet = receive_packet(socket, beat_ms);

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "sim_core/numerics/name_table.h"
 #include "sim_core/scene/scene.h"
 
 namespace fulcrum {
@@ -20,10 +21,14 @@ struct CuttingKey {
     const char* unit;
 };
 inline constexpr CuttingKey cutting_keys[] = {
-    {"penetrate_n", &CuttingSpec::penetrate, "Force across the tissue to break through", "N"},
-    {"static_friction_n", &CuttingSpec::static_friction, "Force along the tissue to break through", "N"},
-    {"dynamic_friction_n", &CuttingSpec::dynamic_friction, "Force along the tissue to continue a cut", "N"},
-    {"energy_factor", &CuttingSpec::energy_factor, "Fraction of these forces with energy on", ""},
+    {"penetrate_n", &CuttingSpec::penetrate,
+     QT_TRANSLATE_NOOP("fulcrum::tissues", "Force across the tissue to break through"), "N"},
+    {"static_friction_n", &CuttingSpec::static_friction,
+     QT_TRANSLATE_NOOP("fulcrum::tissues", "Force along the tissue to break through"), "N"},
+    {"dynamic_friction_n", &CuttingSpec::dynamic_friction,
+     QT_TRANSLATE_NOOP("fulcrum::tissues", "Force along the tissue to continue a cut"), "N"},
+    {"energy_factor", &CuttingSpec::energy_factor,
+     QT_TRANSLATE_NOOP("fulcrum::tissues", "Fraction of these forces with energy on"), ""},
 };
 
 /// By tissue label, then by key of the scene's `cutting` (cutting_keys). Absent tissues and keys keep the

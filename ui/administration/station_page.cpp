@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ui/page/background_job.h"
+#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/renderer/drawing_pace.h"
@@ -90,12 +91,12 @@ QString StationPage::picture_text(const PictureQuality& quality) {
                   "when there is time.")
                    .arg(percent(quality.share))
                    .arg(percent(quality.share_in_hollow))
-                   .arg(DrawingPace::goal_ms, 0, 'f', 0)
+                   .arg(decimal(DrawingPace::goal_ms, 0))
                    .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
     } else {
         lines << tr("Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to "
                     "as little as %2 %; it rises again when there is time.")
-                     .arg(DrawingPace::goal_ms, 0, 'f', 0)
+                     .arg(decimal(DrawingPace::goal_ms, 0))
                      .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
     }
     lines << (quality.smoothing == Smoothing::multisample

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/administration/tissues_page.h"
 
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QSignalBlocker>
 
+#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -16,14 +18,23 @@ namespace {
 enum Column { tissue_column, words_column, scene_column, site_column, range_column };
 
 QString number(double value) {
-    return QString::number(value, 'g', 6);
+    return with_decimal_sign(QString::number(value, 'g', 6));
+}
+
+QString words_of(const SiteTissueValue& one) {
+    return QCoreApplication::translate("fulcrum::tissues", one.words.c_str());
+}
+
+QString range_of(const SiteTissueValue& one) {
+    return (one.above ? TissuesPage::tr("above %1, at most %2") : TissuesPage::tr("at least %1, at most %2"))
+        .arg(number(one.minimum), number(one.maximum));
 }
 
 QString in_words(const database::TissueValues& values) {
     QStringList parts;
     for (const auto& [tissue, named] : values) {
         for (const auto& [key, value] : named)
-            parts << QStringLiteral("%1 %2 = %3").arg(text(tissue), text(key), number(value));
+            parts << QStringLiteral("%1 %2 = %3").arg(asset_text(tissue), text(key), number(value));
     }
     return parts.isEmpty() ? TissuesPage::tr("scene value") : parts.join(QStringLiteral(", "));
 }
@@ -157,21 +168,21 @@ void TissuesPage::show_values() {
     for (const SiteTissueValue& one : site_.values) {
         const int row = table_->rowCount();
         table_->insertRow(row);
-        table_->setItem(row, tissue_column, make_cell(text(one.tissue)));
-        table_->setItem(row, words_column, make_cell(text(one.words)));
+        table_->setItem(row, tissue_column, make_cell(asset_text(one.tissue)));
+        table_->setItem(row, words_column, make_cell(words_of(one)));
         const QString unit = QLatin1Char(' ') + text(one.unit);
         table_->setItem(row, scene_column,
                         make_cell(number(one.scene) + unit, Qt::AlignRight | Qt::AlignVCenter));
         auto* edit = new QLineEdit(number(one.value));
         edit->setObjectName(QStringLiteral("value_%1_%2").arg(text(one.tissue), text(one.key)));
         edit->setAccessibleName(
-            QStringLiteral("%1, %2 (%3)").arg(text(one.tissue), text(one.words), text(one.unit)));
+            QStringLiteral("%1, %2 (%3)").arg(asset_text(one.tissue), words_of(one), text(one.unit)));
         edit->setAlignment(Qt::AlignRight);
         edit->setReadOnly(!may_set);
         edit->setFrame(may_set);
         table_->setItem(row, site_column, make_cell(QString()));
         table_->setCellWidget(row, site_column, edit);
-        table_->setItem(row, range_column, make_cell(text(one.range) + unit));
+        table_->setItem(row, range_column, make_cell(range_of(one) + unit));
         edits_.push_back(edit);
         table_->setRowHeight(row, std::max(table_->rowHeight(row), edit->sizeHint().height() + 4));
     }
@@ -212,8 +223,8 @@ void TissuesPage::save() {
         double value = QLocale::c().toDouble(typed.replace(QLatin1Char(','), QLatin1Char('.')), &is_number);
         if (!is_number) {
             context().complain(tr("%1, %2: \"%3\" is not a number. Enter a number %4 %5")
-                                   .arg(text(one.tissue), text(one.words), edits_[i]->text(), text(one.range),
-                                        text(one.unit)));
+                                   .arg(asset_text(one.tissue), words_of(one), edits_[i]->text(),
+                                        range_of(one), text(one.unit)));
             edits_[i]->setFocus();
             return;
         }

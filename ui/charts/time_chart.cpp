@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/style/language.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
@@ -336,7 +337,7 @@ bool TimeChart::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         if (const ChartMark* mark = mark_near(help->pos())) {
-            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->text),
+            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(decimal(mark->time, 2)).arg(mark->text),
                                this);
         } else {
             QToolTip::hideText();

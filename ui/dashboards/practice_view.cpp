@@ -25,7 +25,7 @@ using Week = std::array<int, 7>;  // attempts from Monday to Sunday
 const QDate epoch(1970, 1, 1);
 
 QString short_date(const QDate& day) {
-    return QLocale().toString(day, QStringLiteral("d MMM"));
+    return QLocale().toString(day, PracticeView::tr("d MMM"));
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ const TaskDefinition* Context::task(const std::string& id) {
 
 QString Context::task_title(const std::string& id) {
     const TaskDefinition* definition = task(id);
-    return definition == nullptr ? text(id) : text(id) + QStringLiteral(" · ") + text(definition->title);
+    return definition == nullptr ? text(id)
+                                 : text(id) + QStringLiteral(" · ") + asset_text(definition->title);
 }
 
 bool Context::guarded(const std::function<void()>& work) {

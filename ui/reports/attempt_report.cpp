@@ -9,15 +9,12 @@
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/report_rows.h"
+#include "ui/reports/report_texts.h"
 #include "ui/reports/specimen_map.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
-
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui", source);
-}
 
 /// Rows of equal cells across the paper; the first columns read from the left, figures from the right.
 class Columns {
@@ -43,11 +40,11 @@ class Columns {
 void head(Sheet& sheet, const AttemptPaper& paper) {
     const database::AttemptSummary& attempt = paper.report.attempt;
     sheet.new_page();
-    if (paper.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
+    if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(beside({text(paper.provenance.programme), tr("attempt report")}));
+    sheet.paragraph(beside({text(paper.provenance.programme), ReportTexts::tr("attempt report")}));
     sheet.font(17, true);
-    sheet.paragraph(text(attempt.meta.task_id + "  " + paper.task.title));
+    sheet.paragraph(text(attempt.meta.task_id) + QStringLiteral("  ") + asset_text(paper.task.title));
     sheet.font(9, false, paper_palette().muted);
     sheet.paragraph(
         beside({text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
@@ -55,15 +52,16 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     const bool operated = attempt.meta.device_class == DeviceClass::synthetic;
     if (operated || attempt.synthetic || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
-        sheet.paragraph(operated
-                            ? tr("Performed by a simulated operator, not by a person.")
-                            : tr("Performed in the demonstration, on the account of a synthetic person."));
+        sheet.paragraph(
+            operated
+                ? ReportTexts::tr("Performed by a simulated operator, not by a person.")
+                : ReportTexts::tr("Performed in the demonstration, on the account of a synthetic person."));
     }
     if (attempt.provisional) {
         sheet.font(9, true, paper_palette().bad);
-        sheet.paragraph(
-            tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-               "proficiency or a certificate."));
+        sheet.paragraph(ReportTexts::tr(
+            "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+            "proficiency or a certificate."));
     }
     sheet.font(11, true);
     sheet.paragraph(beside({verdict(attempt.passed, attempt.provisional),
@@ -72,7 +70,8 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
     const QString reason = statement_text(attempt.not_scored_because);
     // Where nothing was scored the advice says why.
-    if (!attempt.passed && !advice.contains(reason)) sheet.paragraph(tr("Not scored: %1").arg(reason));
+    if (!attempt.passed && !advice.contains(reason))
+        sheet.paragraph(ReportTexts::tr("Not scored: %1").arg(reason));
     if (!advice.isEmpty()) sheet.paragraph(advice);
     sheet.skip(2);
 }
@@ -81,7 +80,8 @@ void gates(Sheet& sheet, const database::ScoreRow& score) {
     if (score.gates.empty()) return;
     Columns columns(sheet, {0.40, 0.10, 0.16, 0.16, 0.18}, 2);
     sheet.font(8, true, paper_palette().muted);
-    columns.row({tr("gate"), tr("hand"), tr("value"), tr("limit"), tr("result")});
+    columns.row({ReportTexts::tr("gate"), ReportTexts::tr("hand"), ReportTexts::tr("value"),
+                 ReportTexts::tr("limit"), ReportTexts::tr("result")});
     sheet.rule();
     for (const database::GateRow& gate : score.gates) {
         const MetricDescriptor* metric = find_metric(gate.metric);
@@ -91,15 +91,16 @@ void gates(Sheet& sheet, const database::ScoreRow& score) {
         columns.row({metric_text(gate.metric), hand_text(gate.hand), figure_with_unit(gate.value, gate.unit),
                      gate.limit ? (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
                                       figure_with_unit(gate.limit, gate.unit)
-                                : tr("none"),
-                     gate.passed ? (*gate.passed ? tr("met") : tr("not met")) : tr("not judged")});
+                                : ReportTexts::tr("none"),
+                     gate.passed ? (*gate.passed ? ReportTexts::tr("met") : ReportTexts::tr("not met"))
+                                 : ReportTexts::tr("not judged")});
     }
     sheet.skip(4);
 }
 
 void pathology(Sheet& sheet, const PathologyReport& report) {
     sheet.font(12, true);
-    sheet.paragraph(tr("Pathology report (simulated)"));
+    sheet.paragraph(ReportTexts::tr("Pathology report (simulated)"));
     sheet.skip(1);
     sheet.font(7.5);
     const double unit = dots_per_inch / 96.0;
@@ -189,11 +190,12 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
 
 void write_attempt_pdf(const AttemptPaper& paper, const std::string& path) {
     Sheet sheet(path, false,
-                tr("Attempt of %1, %2").arg(text(paper.report.attempt.person_name), text(paper.task.id)));
+                ReportTexts::tr("Attempt of %1, %2")
+                    .arg(text(paper.report.attempt.person_name), text(paper.task.id)));
     head(sheet, paper);
     if (paper.report.score) gates(sheet, *paper.report.score);
     if (paper.report.pathology) pathology(sheet, *paper.report.pathology);
-    footer(sheet, paper.provenance, tr("attempt %1").arg(text(paper.report.attempt.meta.id)));
+    footer(sheet, paper.provenance, ReportTexts::tr("attempt %1").arg(text(paper.report.attempt.meta.id)));
     sheet.finish();
 }
 

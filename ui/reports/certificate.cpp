@@ -21,7 +21,7 @@ QString day(std::int64_t utc_ms) {
 QString task_line(const database::CertificateTask& task, const std::vector<TaskDefinition>& tasks) {
     QString title = text(task.task);
     for (const TaskDefinition& one : tasks)
-        if (one.id == task.task) title += QStringLiteral("  ") + text(one.title);
+        if (one.id == task.task) title += QStringLiteral("  ") + asset_text(one.title);
     return (task.by_override ? say("%1: proficient since %2, by decision of an educator")
                              : say("%1: proficient since %2"))
         .arg(title, day(task.declared_at));
@@ -46,8 +46,8 @@ void write_certificate(const database::Store& store, const database::Session& se
     sheet.paragraph(text(certificate.person_name));
     sheet.font(12);
     sheet.paragraph(say("has completed stage %1, %2, of the curriculum %3 on %4.")
-                        .arg(text(certificate.stage), text(certificate.stage_title),
-                             text(certificate.curriculum_title), day(certificate.completed_at)));
+                        .arg(text(certificate.stage), asset_text(certificate.stage_title),
+                             asset_text(certificate.curriculum_title), day(certificate.completed_at)));
     sheet.skip(6);
     sheet.font(10.5);
     for (const database::CertificateTask& task : certificate.tasks)

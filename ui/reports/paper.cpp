@@ -4,14 +4,11 @@
 #include <QCoreApplication>
 #include <QPageSize>
 
+#include "ui/reports/report_texts.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
-
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui", source);
-}
 
 QString joined(const std::vector<std::string>& parts) {
     QStringList list;
@@ -71,17 +68,17 @@ void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) 
     sheet.to(top);
     sheet.rule();
     sheet.font(7, false, paper_palette().muted);
-    sheet.paragraph(tr("Metrics: %1").arg(versions_in_short(provenance.metric_versions)));
-    sheet.paragraph(beside({tr("Benchmark sets: %1").arg(joined(provenance.benchmark_sets)), n,
-                            tr("program %1").arg(text(provenance.program_version))}));
+    sheet.paragraph(ReportTexts::tr("Metrics: %1").arg(versions_in_short(provenance.metric_versions)));
+    sheet.paragraph(beside({ReportTexts::tr("Benchmark sets: %1").arg(joined(provenance.benchmark_sets)), n,
+                            ReportTexts::tr("program %1").arg(text(provenance.program_version))}));
     const QString key = text(provenance.station_key.substr(0, 16));
     const QString audit = text(provenance.audit_head.substr(0, 16));
     sheet.paragraph(beside(
         {text(provenance.programme),
-         tr("created %1 by %2 (%3)")
+         ReportTexts::tr("created %1 by %2 (%3)")
              .arg(local_time(provenance.as_of), text(provenance.made_by), role_text(provenance.made_as)),
-         audit.isEmpty() ? audit : tr("audit %1").arg(audit),
-         key.isEmpty() ? key : tr("signed by key %1").arg(key)}));
+         audit.isEmpty() ? audit : ReportTexts::tr("audit %1").arg(audit),
+         key.isEmpty() ? key : ReportTexts::tr("signed by key %1").arg(key)}));
 }
 
 }  // namespace fulcrum::ui

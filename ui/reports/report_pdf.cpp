@@ -9,6 +9,7 @@
 #include "ui/charts/attempt_chart.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/report_rows.h"
+#include "ui/reports/report_texts.h"
 #include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -16,18 +17,14 @@
 namespace fulcrum::ui {
 namespace {
 
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui", source);
-}
-
 QString state_text(const database::CohortRow& row) {
     switch (row.state) {
         case database::TaskState::passed:
-            return row.provisional ? tr("passed (provisional)") : tr("passed");
+            return row.provisional ? ReportTexts::tr("passed (provisional)") : ReportTexts::tr("passed");
         case database::TaskState::attempted:
-            return tr("attempted");
+            return ReportTexts::tr("attempted");
         case database::TaskState::open:
-            return tr("not attempted");
+            return ReportTexts::tr("not attempted");
     }
     return {};
 }
@@ -39,7 +36,7 @@ bool any_provisional(const std::vector<database::CohortRow>& rows) {
 
 AttemptChartData chart_of(const database::PersonProgress& progress) {
     AttemptChartData data;
-    data.y_title = tr("points");
+    data.y_title = ReportTexts::tr("points");
     data.y_maximum = 100;
     for (const database::ProgressSeries& series : progress.series) {
         AttemptSeries shown;
@@ -87,7 +84,7 @@ double bottom_of(const Sheet& sheet) {
 void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& kind,
                const std::string& title, const QString& line, bool synthetic, bool provisional) {
     sheet.new_page();
-    if (provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
+    if (provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
     sheet.paragraph(beside({text(provenance.programme), kind}));
     sheet.font(17, true);
@@ -95,11 +92,11 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
     sheet.font(9, false, paper_palette().muted);
     sheet.paragraph(line);
     sheet.font(9, true, paper_palette().bad);
-    if (synthetic) sheet.paragraph(tr("Synthetic: the people in this report are not real."));
+    if (synthetic) sheet.paragraph(ReportTexts::tr("Synthetic: the people in this report are not real."));
     if (provisional) {
-        sheet.paragraph(
-            tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-               "proficiency or a certificate."));
+        sheet.paragraph(ReportTexts::tr(
+            "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+            "proficiency or a certificate."));
     }
     sheet.skip(2);
 }
@@ -141,16 +138,19 @@ void person_charts(Sheet& sheet, const std::vector<const database::PersonProgres
 void person_pages(Sheet& sheet, const PersonReport& report) {
     int counting = 0;
     for (const database::CohortRow& row : report.rows) counting += row.attempts;
-    const QString n = tr("n = %1 counting attempts").arg(counting);
+    const QString n = ReportTexts::tr("n = %1 counting attempts").arg(counting);
     const auto head = [&] {
-        page_head(sheet, report.provenance, tr("progress report"), report.name,
-                  beside({report.login.empty() ? QString() : tr("login %1").arg(text(report.login)),
-                          tr("as of %1").arg(local_time(report.provenance.as_of))}),
-                  report.synthetic || report.provenance.demo, any_provisional(report.rows));
+        page_head(
+            sheet, report.provenance, ReportTexts::tr("progress report"), report.name,
+            beside({report.login.empty() ? QString() : ReportTexts::tr("login %1").arg(text(report.login)),
+                    ReportTexts::tr("as of %1").arg(local_time(report.provenance.as_of))}),
+            report.synthetic || report.provenance.demo, any_provisional(report.rows));
     };
     const double columns[] = {0, 0.29, 0.49, 0.67, 0.77, 0.85, 0.92, 1.0};
-    const QString titles[] = {tr("task"),   tr("device"), tr("state"), tr("attempts"),
-                              tr("passed"), tr("other"),  tr("best")};
+    const QString titles[] = {ReportTexts::tr("task"),   ReportTexts::tr("device"),
+                              ReportTexts::tr("state"),  ReportTexts::tr("attempts"),
+                              ReportTexts::tr("passed"), ReportTexts::tr("other"),
+                              ReportTexts::tr("best")};
     const auto cell = [&](int column, const QString& shown) {
         sheet.cell(columns[column] * sheet.width(), (columns[column + 1] - columns[column]) * sheet.width(),
                    shown, column >= 3 ? Qt::AlignRight : Qt::AlignLeft);
@@ -167,7 +167,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         sheet.font(8.5);
         QString title = text(row.task_id);
         for (const ReportTask& task : report.tasks) {
-            if (task.id == row.task_id) title += QStringLiteral(" ") + text(task.title);
+            if (task.id == row.task_id) title += QStringLiteral(" ") + asset_text(task.title);
         }
         const double title_width = columns[1] * sheet.width();
         const QStringList lines = wrapped(sheet, title, QStringLiteral(" "), title_width - Sheet::mm(3));
@@ -202,7 +202,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         sheet.font(9, false, paper_palette().muted);
         if (sheet.y() + sheet.line_height() > bottom_of(sheet)) turn();
         sheet.font(9, false, paper_palette().muted);
-        sheet.paragraph(tr("No attempts yet."));
+        sheet.paragraph(ReportTexts::tr("No attempts yet."));
     }
     footer(sheet, report.provenance, n);
 }
@@ -219,9 +219,11 @@ QString cohort_cell(const database::CohortTable& table, const std::string& perso
             continue;
         }
         const QString best = figure(row.best_points) + (row.best_points ? QStringLiteral("/100") : QString());
-        lines << (standing != nullptr
-                      ? tr("attempts %1 · best %2").arg(row.attempts).arg(best)
-                      : tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(best));
+        lines << (standing != nullptr ? ReportTexts::tr("attempts %1 · best %2").arg(row.attempts).arg(best)
+                                      : ReportTexts::tr("%1 · attempts %2 · best %3")
+                                            .arg(state_text(row))
+                                            .arg(row.attempts)
+                                            .arg(best));
         lines << device_class_text(*row.device_class);
     }
     return lines.join(QLatin1Char('\n'));
@@ -236,21 +238,22 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const double name_width = sheet.width() * 0.22;
     const double task_width =
         (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
-    const QString n = tr("people: n = %1").arg(report.table.people);
+    const QString n = ReportTexts::tr("people: n = %1").arg(report.table.people);
     const int left_out = report.table.left_out_synthetic;
     const QString line =
-        beside({tr("as of %1").arg(local_time(report.provenance.as_of)), n,
-                left_out > 0 ? tr("%1 synthetic people left out").arg(left_out) : QString()});
+        beside({ReportTexts::tr("as of %1").arg(local_time(report.provenance.as_of)), n,
+                left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
     const auto head = [&] {
-        page_head(sheet, report.provenance, tr("cohort report"), report.table.cohort_name, line, false,
-                  any_provisional(report.table.rows));
+        page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name, line,
+                  false, any_provisional(report.table.rows));
         sheet.font(8.5, true, paper_palette().muted);
-        sheet.cell(0, name_width, tr("person"));
+        sheet.cell(0, name_width, ReportTexts::tr("person"));
         const double first_line = sheet.y();
         int head_lines = 1;
         for (std::size_t t = 0; t < report.tasks.size(); ++t) {
-            const QStringList words = wrapped(sheet, text(report.tasks[t].id + " " + report.tasks[t].title),
-                                              QStringLiteral(" "), task_width - Sheet::mm(3));
+            const QStringList words = wrapped(
+                sheet, text(report.tasks[t].id) + QLatin1Char(' ') + asset_text(report.tasks[t].title),
+                QStringLiteral(" "), task_width - Sheet::mm(3));
             cell_lines(sheet, name_width + static_cast<double>(t) * task_width, task_width, words);
             head_lines = std::max(head_lines, static_cast<int>(words.size()));
         }
@@ -291,13 +294,14 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
 }  // namespace
 
 void write_person_pdf(const PersonReport& report, const std::string& path) {
-    Sheet sheet(path, false, tr("Progress of %1").arg(text(report.name)));
+    Sheet sheet(path, false, ReportTexts::tr("Progress of %1").arg(text(report.name)));
     person_pages(sheet, report);
     sheet.finish();
 }
 
 bool write_cohort_pdf(const CohortReport& report, const std::string& path, const Progress& progress) {
-    Sheet sheet(path, report.tasks.size() > 4, tr("Cohort %1").arg(text(report.table.cohort_name)));
+    Sheet sheet(path, report.tasks.size() > 4,
+                ReportTexts::tr("Cohort %1").arg(text(report.table.cohort_name)));
     cohort_pages(sheet, report);
     for (std::size_t i = 0; i < report.people.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(report.people.size());

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "ui/reports/pathology_words.h"
+#include "ui/reports/report_texts.h"
+#include "ui/style/language.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -18,10 +20,6 @@ constexpr double widest_lines = 30;      // of the grid
 constexpr double hatch_spacing = 6;      // pixels
 constexpr double least_hatched = 0.005;  // share of a sector
 
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::SpecimenMap", source);
-}
-
 QColor mixed(const QColor& ground, const QColor& ink, double share) {
     const auto part = [share](double a, double b) { return a + (b - a) * share; };
     return QColor::fromRgbF(part(ground.redF(), ink.redF()), part(ground.greenF(), ink.greenF()),
@@ -29,7 +27,7 @@ QColor mixed(const QColor& ground, const QColor& ink, double share) {
 }
 
 QString mm(double metres) {
-    return QString::number(metres * 1e3, 'g', 3);
+    return with_decimal_sign(QString::number(metres * 1e3, 'g', 3));
 }
 
 /// Whether there are levels and sectors to draw.
@@ -43,10 +41,10 @@ struct Heads {
     double left = 0, top = 0;
 };
 Heads heads_of(const PathologyReport& report, const QFontMetricsF& metrics, double unit) {
-    double widest =
-        std::max(metrics.horizontalAdvance(tr("cranial")), metrics.horizontalAdvance(tr("caudal")));
+    double widest = std::max(metrics.horizontalAdvance(ReportTexts::tr("cranial")),
+                             metrics.horizontalAdvance(ReportTexts::tr("caudal")));
     for (int level = 0; level < report.plan.levels; ++level)
-        widest = std::max(widest, metrics.horizontalAdvance(tr("level %1").arg(level + 1)));
+        widest = std::max(widest, metrics.horizontalAdvance(ReportTexts::tr("level %1").arg(level + 1)));
     return {widest + 8 * unit, metrics.height() + 4 * unit};
 }
 
@@ -56,10 +54,10 @@ struct LegendEntry {
 };
 std::vector<LegendEntry> legend_of(const PathologyReport& report) {
     const double tolerance = report.plan.tolerance;
-    const QString within = tr("to %1").arg(mm(0.5 * tolerance));
-    const QString near = tr("to %1").arg(mm(tolerance));
-    const QString out = tr("to %1").arg(mm(2 * tolerance));
-    const QString far = tr("> %1").arg(mm(2 * tolerance));
+    const QString within = ReportTexts::tr("to %1").arg(mm(0.5 * tolerance));
+    const QString near = ReportTexts::tr("to %1").arg(mm(tolerance));
+    const QString out = ReportTexts::tr("to %1").arg(mm(2 * tolerance));
+    const QString far = ReportTexts::tr("> %1").arg(mm(2 * tolerance));
     return {{{DeviationStep::far_outside, true}, far},  {{DeviationStep::outside, true}, out},
             {{DeviationStep::near_limit, true}, near},  {{DeviationStep::in_plane, false}, within},
             {{DeviationStep::near_limit, false}, near}, {{DeviationStep::outside, false}, out},
@@ -86,7 +84,7 @@ double labels_height(const PathologyReport& report, double width, const QFontMet
 }
 
 QString colour_words() {
-    return tr(
+    return ReportTexts::tr(
         "Colour: 95 % of the sector's cut is no further from the plane (mm). ▼ towards the sacrum, too "
         "deep. ▲ into the mesorectum, too shallow. Hatched: not divided. Notches: defects in the fat, "
         "with their depth (mm).");
@@ -146,10 +144,13 @@ void MapPainter::heads() {
     }
     for (int level = 0; level < report_.plan.levels; ++level) {
         const QRectF room(0, at(level, 0), layout_.grid.left() - 8 * unit_, at(level, 1) - at(level, 0));
-        painter_.drawText(room, Qt::AlignRight | Qt::AlignVCenter, tr("level %1").arg(level + 1));
+        painter_.drawText(room, Qt::AlignRight | Qt::AlignVCenter,
+                          ReportTexts::tr("level %1").arg(level + 1));
         const bool first = level == 0, last = level + 1 == report_.plan.levels;
-        if (first && !last) painter_.drawText(room, Qt::AlignRight | Qt::AlignTop, tr("cranial"));
-        if (last && !first) painter_.drawText(room, Qt::AlignRight | Qt::AlignBottom, tr("caudal"));
+        if (first && !last)
+            painter_.drawText(room, Qt::AlignRight | Qt::AlignTop, ReportTexts::tr("cranial"));
+        if (last && !first)
+            painter_.drawText(room, Qt::AlignRight | Qt::AlignBottom, ReportTexts::tr("caudal"));
     }
 }
 
@@ -203,7 +204,7 @@ void MapPainter::defects() {
         painter_.setPen(QPen(palette_.text, 1.2 * unit_));
         painter_.setBrush(bad ? palette_.bad : mixed(palette_.card, palette_.text, 0.3));
         painter_.drawPath(notch);
-        const QString words = QString::number(defect.depth * 1e3, 'f', 1);
+        const QString words = decimal(defect.depth * 1e3, 1);
         QRectF room(0, 0, metrics_.horizontalAdvance(words) + 6 * unit_, metrics_.height());
         room.moveCenter({0.5 * (left + right), foot - deep - 0.5 * metrics_.height() - 2 * unit_});
         if (room.top() < at(defect.level, 0)) room.moveTop(at(defect.level, 0));
@@ -234,7 +235,7 @@ void MapPainter::tumour() {
     painter_.setPen(QPen(palette_.text, 1.6 * unit_, Qt::DashLine));
     painter_.drawRoundedRect(place.adjusted(5 * unit_, 0, -5 * unit_, 0), 10 * unit_, 10 * unit_);
     painter_.drawText(place.adjusted(14 * unit_, 2 * unit_, 0, 0), Qt::AlignLeft | Qt::AlignTop,
-                      tr("tumour"));
+                      ReportTexts::tr("tumour"));
 }
 
 void MapPainter::labels() {

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double fibres_line_s = 1;
 
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui", source);
-}
+struct HeadlineTexts {
+    Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::HeadlineTexts)
+};
 
 }  // namespace
 
@@ -197,10 +197,10 @@ std::array<Headline, 4> scope_headlines(const AttemptModel& model) {
     const char* const ids[] = {"time", "scope_path", "horizon_err", "lens_contact"};
     std::array<Headline, 4> shown;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        shown[i] = {metric_text(ids[i]), QStringLiteral("–"), tr("no score"), ids[i]};
+        shown[i] = {metric_text(ids[i]), QStringLiteral("–"), HeadlineTexts::tr("no score"), ids[i]};
         if (!model.score) continue;
         const database::MetricRow* row = find_metric_row(*model.score, ids[i], "");
-        shown[i].why = row == nullptr ? tr("not measured") : QString();
+        shown[i].why = row == nullptr ? HeadlineTexts::tr("not measured") : QString();
         if (row == nullptr) continue;
         if (!row->value) {
             shown[i].why = statement_text(row->absent_because);
@@ -219,11 +219,11 @@ QString product_text(const AttemptModel& model, const TaskDefinition& task) {
     for (std::size_t i = 0; i < task.goals.size(); ++i) {
         const auto& done = model.goals_done;
         if (std::find(done.begin(), done.end(), static_cast<int>(i)) == done.end())
-            left << text(task.goals[i].text);
+            left << asset_text(task.goals[i].text);
     }
     if (left.isEmpty() || model.summary.state == AttemptState::completed)
-        return tr("All %1 steps done.").arg(task.goals.size());
-    return tr("%1 of %2 steps done. Left: %3.")
+        return HeadlineTexts::tr("All %1 steps done.").arg(task.goals.size());
+    return HeadlineTexts::tr("%1 of %2 steps done. Left: %3.")
         .arg(static_cast<int>(task.goals.size()) - left.size())
         .arg(task.goals.size())
         .arg(left.join(QStringLiteral("; ")));
@@ -231,17 +231,18 @@ QString product_text(const AttemptModel& model, const TaskDefinition& task) {
 
 std::array<Headline, 4> headlines(const AttemptModel& model) {
     if (model.scope_alone) return scope_headlines(model);
-    std::array<Headline, 4> shown{Headline{tr("Time"), QStringLiteral("–"), {}, "time"},
-                                  Headline{tr("Left hand path"), QStringLiteral("–"), {}, "path_len"},
-                                  Headline{tr("Right hand path"), QStringLiteral("–"), {}, "path_len"},
-                                  Headline{tr("Damage"), QStringLiteral("–"), {}, "over_impulse"}};
-    const QString no_score = tr("no score");
+    std::array<Headline, 4> shown{
+        Headline{HeadlineTexts::tr("Time"), QStringLiteral("–"), {}, "time"},
+        Headline{HeadlineTexts::tr("Left hand path"), QStringLiteral("–"), {}, "path_len"},
+        Headline{HeadlineTexts::tr("Right hand path"), QStringLiteral("–"), {}, "path_len"},
+        Headline{HeadlineTexts::tr("Damage"), QStringLiteral("–"), {}, "over_impulse"}};
+    const QString no_score = HeadlineTexts::tr("no score");
     for (Headline& headline : shown) headline.why = no_score;
     if (!model.score) return shown;
     const database::ScoreRow& score = *model.score;
     const auto fill = [](Headline& headline, const database::MetricRow* row, const QString& formatted) {
         if (row == nullptr) {
-            headline.why = tr("not measured");
+            headline.why = HeadlineTexts::tr("not measured");
         } else if (row->value) {
             headline.value = formatted;
             headline.why.clear();
@@ -268,9 +269,9 @@ std::array<Headline, 4> headlines(const AttemptModel& model) {
     }
     if (over) {
         shown[3].value = figure_with_unit(over, unit);
-        shown[3].why = tr("force over the tissue's limit × time");
+        shown[3].why = HeadlineTexts::tr("force over the tissue's limit × time");
     } else {
-        shown[3].why = tr("not measured");
+        shown[3].why = HeadlineTexts::tr("not measured");
     }
     if (!score.critical_errors.empty()) {
         QStringList names;
@@ -278,7 +279,7 @@ std::array<Headline, 4> headlines(const AttemptModel& model) {
             names << event_text(error.kind);
         }
         names.removeDuplicates();
-        shown[3].why = tr("critical: %1").arg(names.join(QStringLiteral(", ")));
+        shown[3].why = HeadlineTexts::tr("critical: %1").arg(names.join(QStringLiteral(", ")));
     }
     return shown;
 }

@@ -158,7 +158,7 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
     QStringList parts{words_of_line(*row, event)};
     if (event.hand < 2) parts << hand_text(event.hand == 0 ? "left" : "right");
     if (event.tissue >= 0 && static_cast<std::size_t>(event.tissue) < tissues.size())
-        parts << text(tissues[static_cast<std::size_t>(event.tissue)]);
+        parts << asset_text(tissues[static_cast<std::size_t>(event.tissue)]);
     return parts.join(QStringLiteral(", "));
 }
 

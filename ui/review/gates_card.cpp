@@ -78,7 +78,7 @@ void GatesCard::open(const AttemptModel& model) {
         const int row = table_->rowCount();
         table_->insertRow(row);
         QString name = metric_text(gate.metric);
-        if (!gate.tissue.empty()) name += QStringLiteral(", ") + text(gate.tissue);
+        if (!gate.tissue.empty()) name += QStringLiteral(", ") + asset_text(gate.tissue);
         auto* first = make_cell(name);
         if (metric != nullptr) first->setToolTip(text(metric->explanation));
         const database::MetricRow* values =
@@ -108,7 +108,7 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 4, make_cell(z_text(gate.z), right));
         table_->setItem(row, 5, verdict_cell);
         const bool judged = gate.value && gate.limit;
-        QString source = judged ? text(gate.limit_source) : statement_text(gate.not_passed_because);
+        QString source = judged ? asset_text(gate.limit_source) : statement_text(gate.not_passed_because);
         if (gate.provisional)
             source = judged ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
         auto* source_cell = make_cell(source);

@@ -78,7 +78,7 @@ void MetricsTable::open(const AttemptModel& model) {
                         make_cell(value.hand == "left"    ? tr("left")
                                   : value.hand == "right" ? tr("right")
                                                           : QString()));
-        table_->setItem(row, tissue_column, make_cell(text(value.tissue)));
+        table_->setItem(row, tissue_column, make_cell(asset_text(value.tissue)));
         table_->setItem(
             row, value_column,
             make_cell(figure_with_unit(value.value, value.unit), Qt::AlignRight | Qt::AlignVCenter));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/language.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {
@@ -212,7 +213,7 @@ bool PathView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         if (const Mark* mark = mark_near(help->pos())) {
-            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->words),
+            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(decimal(mark->time, 2)).arg(mark->words),
                                this);
         } else {
             QToolTip::hideText();

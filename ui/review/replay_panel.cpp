@@ -9,6 +9,7 @@
 
 #include "database/rows/trace_codec.h"
 #include "ui/review/event_words.h"
+#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_view.h"
@@ -185,7 +186,7 @@ void ReplayPanel::tick() {
         state_->setText(
             tr("tissue differs from the record from %1 s on (another build); poses and forces are the "
                "recorded ones")
-                .arg(*source_->differs_from_s(), 0, 'f', 1));
+                .arg(decimal(*source_->differs_from_s(), 1)));
     } else if (source_->ready() < 1) {
         state_->setText(tr("preparing %1\u00a0%").arg(static_cast<int>(source_->ready() * 100)));
     } else {

@@ -111,7 +111,8 @@ void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& st
 }
 
 QString date_text(std::int64_t utc_ms) {
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms).date(), QStringLiteral("d MMM yyyy"));
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms).date(),
+                              say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "d MMM yyyy")));
 }
 
 QString standing_name(const TaskStanding& standing) {

@@ -11,6 +11,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "sim_core/telemetry/event_names.h"
+#include "ui/style/language.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -36,6 +37,10 @@ QString metric_text(const std::string& id) {
 
 QString metric_words(const std::string& source) {
     return QCoreApplication::translate("fulcrum::metrics", source.c_str());
+}
+
+QString asset_text(const std::string& english) {
+    return english.empty() ? QString() : QCoreApplication::translate("assets", english.c_str());
 }
 
 QString event_text(const std::string& name) {
@@ -65,7 +70,7 @@ QString figure(double value) {
         if (shown.endsWith(QLatin1Char('.'))) shown.chop(1);
     }
     if (shown == QLatin1String("-0")) shown = QStringLiteral("0");
-    return shown;
+    return with_decimal_sign(shown);
 }
 
 QString figure(const std::optional<double>& value) {
@@ -89,7 +94,7 @@ QString z_text(const std::optional<double>& z) {
     if (!z || !std::isfinite(*z)) return QStringLiteral("–");
     if (*z < -z_shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "below −5"));
     if (*z > z_shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "above 5 (far outside)"));
-    return QString::number(*z, 'f', 2).replace(QLatin1Char('-'), QChar(0x2212));
+    return decimal(*z, 2).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 QString points_text(double points) {
@@ -100,15 +105,16 @@ QString clock_text(double seconds) {
     if (!std::isfinite(seconds) || seconds < 0) seconds = 0;
     // Rounded, as every other figure: a time beside its gate is the same time.
     const auto tenths = std::llround(seconds * 10.0);
-    return QStringLiteral("%1:%2.%3")
-        .arg(tenths / 600)
-        .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))
-        .arg(tenths % 10);
+    return with_decimal_sign(QStringLiteral("%1:%2.%3")
+                                 .arg(tenths / 600)
+                                 .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))
+                                 .arg(tenths % 10));
 }
 
 QString local_time(std::int64_t utc_ms) {
     if (utc_ms == 0) return QStringLiteral("–");
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms), QStringLiteral("d MMM yyyy HH:mm"));
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms),
+                              words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "d MMM yyyy HH:mm")));
 }
 
 QString verdict(const std::optional<bool>& passed, bool provisional) {

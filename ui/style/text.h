@@ -49,6 +49,9 @@ QString statement_text(const Statement& statement);
 QString metric_text(const std::string& id);
 /// A text of a metric's descriptor (name, explanation, advice) in the reader's language.
 QString metric_words(const std::string& source);
+/// A text of a task, a curriculum or a scene (title, briefing, step, tissue ...) in the reader's language. A
+/// text that the program was not delivered with stays as it is.
+QString asset_text(const std::string& english);
 /// An event's name in the reader's language, by its name in files.
 QString event_text(const std::string& name);
 

@@ -6,15 +6,16 @@
 #include <cmath>
 
 #include "sim_core/scene/scene.h"
+#include "ui/style/language.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
 
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui", source);
-}
+struct HudTexts {
+    Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::HudTexts)
+};
 
 /// The theatre is dark whatever the theme.
 const Palette& dark() {
@@ -80,20 +81,21 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         painter.drawLine(QPointF(bar.left() - 5, y), QPointF(bar.right() + 5, y));
         painter.setFont(hud_font(12));
         painter.drawText(QRectF(bar.right() + 8, y - 12, 60, 24), Qt::AlignVCenter,
-                         tr("%1 N").arg(figure(limit)));
+                         HudTexts::tr("%1 N").arg(figure(limit)));
     }
     painter.setFont(hud_font(13, true));
     painter.setPen(colour);
     const bool active = state.shows_active_hand && static_cast<int>(state.active_hand) == h;
     painter.drawText(QRectF(box.left() - 4, box.top(), box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
-                     (active ? QStringLiteral("▶ ") : QString()) + (h == 0 ? tr("Left") : tr("Right")));
+                     (active ? QStringLiteral("▶ ") : QString()) +
+                         (h == 0 ? HudTexts::tr("Left") : HudTexts::tr("Right")));
     painter.setFont(hud_font(12));
     painter.setPen(p.text);
     if (state.has_jaws[h]) {
-        painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26),
-                         Qt::AlignLeft | Qt::AlignVCenter,
-                         compact ? (state.jaws_closed[h] ? tr("closed") : tr("open"))
-                                 : (state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open")));
+        painter.drawText(
+            QRectF(box.left() - 4, box.top() + 25, box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
+            compact ? (state.jaws_closed[h] ? HudTexts::tr("closed") : HudTexts::tr("open"))
+                    : (state.jaws_closed[h] ? HudTexts::tr("jaws closed") : HudTexts::tr("jaws open")));
     }
     if (!state.tool[h].isEmpty()) {
         // Above the hand's name; in a small view, where the goal and the mode reach down to it, under its
@@ -109,18 +111,19 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         if (state.shows_active_hand && !compact) {
             painter.setFont(hud_font(12));
             painter.setPen(p.muted);
-            painter.drawText(line.translated(0, 22), side, tr("T next · B pedal"));
+            painter.drawText(line.translated(0, 22), side, HudTexts::tr("T next · B pedal"));
         }
     }
     painter.setFont(hud_font(14, true));
     painter.setPen(over ? p.bad : p.text);
     painter.drawText(QRectF(box.left() - 4, bar.bottom() + 6, box.width(), 26),
-                     Qt::AlignLeft | Qt::AlignVCenter, tr("%1 N").arg(force, 0, 'f', 1));
+                     Qt::AlignLeft | Qt::AlignVCenter, HudTexts::tr("%1 N").arg(decimal(force, 1)));
     if (warn) {
         painter.setFont(hud_font(13, true));
         painter.setPen(p.warning);
         painter.drawText(QRectF(box.left() - 4, bar.bottom() + 32, box.width() + 30, 26),
-                         Qt::AlignLeft | Qt::AlignVCenter, compact ? tr("⚠ less") : tr("⚠ less force"));
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         compact ? HudTexts::tr("⚠ less") : HudTexts::tr("⚠ less force"));
     }
 }
 
@@ -128,67 +131,69 @@ QString goal_detail(const HudState& state, const Goal& goal) {
     const TaskDisplay& display = state.display;
     switch (goal.kind) {
         case GoalKind::touch_targets:
-            return tr("%1 of %2 targets")
+            return HudTexts::tr("%1 of %2 targets")
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count);
         case GoalKind::run_bowel:
-            return tr("%1 of %2 cm")
-                .arg(display.run_covered_m * 100, 0, 'f', 0)
-                .arg(goal.length_m * 100, 0, 'f', 0);
+            return HudTexts::tr("%1 of %2 cm")
+                .arg(decimal(display.run_covered_m * 100, 0))
+                .arg(decimal(goal.length_m * 100, 0));
         case GoalKind::lift_and_hold:
             if (!std::isfinite(display.lift_height_m)) {  // a replay knows how long, not how high
-                return tr("%1 of %2 s held")
+                return HudTexts::tr("%1 of %2 s held")
                     .arg(std::lround(display.goal_progress * goal.hold_s))
                     .arg(std::lround(goal.hold_s));
             }
-            return tr("%1 of %2 mm high")
-                .arg(display.lift_height_m * 1000, 0, 'f', 0)
-                .arg(goal.height_m * 1000, 0, 'f', 0);
+            return HudTexts::tr("%1 of %2 mm high")
+                .arg(decimal(display.lift_height_m * 1000, 0))
+                .arg(decimal(goal.height_m * 1000, 0));
         case GoalKind::take_tension:
             return {};
         case GoalKind::divide_line:
             if (display.cut_torn_m >= 0.001)
-                return tr("%1 of %2 mm, %3 mm torn")
-                    .arg(display.cut_divided_m * 1000, 0, 'f', 0)
-                    .arg(goal.length_m * 1000, 0, 'f', 0)
-                    .arg(display.cut_torn_m * 1000, 0, 'f', 0);
-            return tr("%1 of %2 mm")
-                .arg(display.cut_divided_m * 1000, 0, 'f', 0)
-                .arg(goal.length_m * 1000, 0, 'f', 0);
+                return HudTexts::tr("%1 of %2 mm, %3 mm torn")
+                    .arg(decimal(display.cut_divided_m * 1000, 0))
+                    .arg(decimal(goal.length_m * 1000, 0))
+                    .arg(decimal(display.cut_torn_m * 1000, 0));
+            return HudTexts::tr("%1 of %2 mm")
+                .arg(decimal(display.cut_divided_m * 1000, 0))
+                .arg(decimal(goal.length_m * 1000, 0));
         case GoalKind::divide_bands:
             if (display.bands_torn > 0)
-                return tr("%1 of %2 bands, %3 torn · %4 mL lost")
+                return HudTexts::tr("%1 of %2 bands, %3 torn · %4 mL lost")
                     .arg(display.bands_divided)
                     .arg(goal.count)
                     .arg(display.bands_torn)
-                    .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
-            return tr("%1 of %2 bands · %3 mL lost")
+                    .arg(decimal(static_cast<double>(display.blood_ml), 1));
+            return HudTexts::tr("%1 of %2 bands · %3 mL lost")
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count)
-                .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
+                .arg(decimal(static_cast<double>(display.blood_ml), 1));
         case GoalKind::stop_bleeding:
-            return tr("%1 of %2 vessels controlled · %3 mL lost")
+            return HudTexts::tr("%1 of %2 vessels controlled · %3 mL lost")
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count)
-                .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
+                .arg(decimal(static_cast<double>(display.blood_ml), 1));
         case GoalKind::transfer_objects:
-            return tr("%1 of %2 rings").arg(std::lround(display.goal_progress * goal.count)).arg(goal.count);
+            return HudTexts::tr("%1 of %2 rings")
+                .arg(std::lround(display.goal_progress * goal.count))
+                .arg(goal.count);
         case GoalKind::frame_targets:
-            return tr("%1 of %2 targets")
+            return HudTexts::tr("%1 of %2 targets")
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count);
         case GoalKind::follow_tip:
-            return tr("%1 of %2 s framed")
-                .arg(std::floor(display.goal_progress * goal.hold_s + 1e-6), 0, 'f', 0)
-                .arg(goal.hold_s, 0, 'f', 0);
+            return HudTexts::tr("%1 of %2 s framed")
+                .arg(decimal(std::floor(display.goal_progress * goal.hold_s + 1e-6), 0))
+                .arg(decimal(goal.hold_s, 0));
         case GoalKind::palpate:
-            return tr("%1 of %2 s in contact")
-                .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)
-                .arg(goal.hold_s, 0, 'f', 1);
+            return HudTexts::tr("%1 of %2 s in contact")
+                .arg(decimal(display.goal_progress * goal.hold_s, 1))
+                .arg(decimal(goal.hold_s, 1));
         case GoalKind::let_go:
-            return tr("%1 of %2 s free")
-                .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)
-                .arg(goal.hold_s, 0, 'f', 1);
+            return HudTexts::tr("%1 of %2 s free")
+                .arg(decimal(display.goal_progress * goal.hold_s, 1))
+                .arg(decimal(goal.hold_s, 1));
     }
     return {};
 }
@@ -196,21 +201,22 @@ QString goal_detail(const HudState& state, const Goal& goal) {
 /// What keeps a target from being framed, the first thing to do first; "" nothing.
 QString framing_warning(const TaskDisplay& display, double field_of_view) {
     const unsigned faults = display.framing_faults;
-    if (faults != 0 && display.framing.off_centre > 0.5 * field_of_view) return tr("⚠ look for the lit ball");
-    if ((faults & framing_hidden) != 0) return tr("⚠ look into the cup");
-    if ((faults & framing_off_centre) != 0) return tr("⚠ to the middle");
-    if ((faults & framing_too_far) != 0) return tr("⚠ nearer");
-    if ((faults & framing_too_near) != 0) return tr("⚠ further away");
-    if ((faults & framing_tilted) != 0) return tr("⚠ level the horizon");
+    if (faults != 0 && display.framing.off_centre > 0.5 * field_of_view)
+        return HudTexts::tr("⚠ look for the lit ball");
+    if ((faults & framing_hidden) != 0) return HudTexts::tr("⚠ look into the cup");
+    if ((faults & framing_off_centre) != 0) return HudTexts::tr("⚠ to the middle");
+    if ((faults & framing_too_far) != 0) return HudTexts::tr("⚠ nearer");
+    if ((faults & framing_too_near) != 0) return HudTexts::tr("⚠ further away");
+    if ((faults & framing_tilted) != 0) return HudTexts::tr("⚠ level the horizon");
     return {};
 }
 
 /// What is wrong with the cut now; "" nothing.
 QString cut_warning(const TaskDisplay& display) {
-    if (display.traction_warning > 0) return tr("⚠ less traction");
-    if (display.traction_warning < 0) return tr("⚠ more traction");
+    if (display.traction_warning > 0) return HudTexts::tr("⚠ less traction");
+    if (display.traction_warning < 0) return HudTexts::tr("⚠ more traction");
     if (display.distance_warning)
-        return tr("⚠ %1 mm off the line").arg(std::abs(display.cut_distance_m) * 1000, 0, 'f', 1);
+        return HudTexts::tr("⚠ %1 mm off the line").arg(decimal(std::abs(display.cut_distance_m) * 1000, 1));
     return {};
 }
 
@@ -246,9 +252,9 @@ void set_scope(HudState& hud, const Scene& scene) {
 QString tool_words(const HandToolView& tool) {
     const InstrumentType& type = type_of(tool.kind);
     QString words = QCoreApplication::translate("fulcrum::instruments", type.title);
-    if (type.clips) words = tr("clips: %1").arg(tool.clips_left);
+    if (type.clips) words = HudTexts::tr("clips: %1").arg(tool.clips_left);
     if (tool.exchange_left > 0)
-        words += tr(", in %1 s").arg(static_cast<double>(tool.exchange_left), 0, 'f', 1);
+        words += HudTexts::tr(", in %1 s").arg(decimal(static_cast<double>(tool.exchange_left), 1));
     return words;
 }
 
@@ -272,12 +278,12 @@ void paint_mode(QPainter& painter, const QRectF& area, const HudState& state, co
     painter.setPen(p.muted);
     painter.drawText(QRectF(area.left() + margin, area.top() + 52, column, 24),
                      Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("%1 left").arg(clock_text(state.display.remaining_s)));
+                     HudTexts::tr("%1 left").arg(clock_text(state.display.remaining_s)));
     painter.setPen(p.text);
     const QString mode = !state.place.isEmpty()  ? state.place
-                         : state.became_practice ? tr("practice: it was interrupted")
-                         : state.assessed        ? tr("assessed")
-                                                 : tr("practice");
+                         : state.became_practice ? HudTexts::tr("practice: it was interrupted")
+                         : state.assessed        ? HudTexts::tr("assessed")
+                                                 : HudTexts::tr("practice");
     painter.drawText(QRectF(area.left() + margin, area.top() + 76, column, 48),
                      Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, mode);
 }
@@ -295,14 +301,14 @@ double paint_goal(QPainter& painter, const QRectF& area, const HudState& state, 
     painter.setFont(hud_font(12));
     painter.setPen(p.muted);
     painter.drawText(QRectF(box.left(), box.top(), box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
-                     tr("Step %1 of %2").arg(index + 1).arg(state.task->goals.size()));
+                     HudTexts::tr("Step %1 of %2").arg(index + 1).arg(state.task->goals.size()));
     painter.setPen(p.text);
     double y = box.top() + 22;
     if (!compact) {
         painter.setFont(hud_font(13, true));
         QRectF used;
         painter.drawText(QRectF(box.left(), y, box.width(), 90), Qt::AlignRight | Qt::TextWordWrap,
-                         text(goal.text), &used);
+                         asset_text(goal.text), &used);
         y = used.bottom() + 6;
     }
     painter.setFont(hud_font(12));
@@ -316,7 +322,7 @@ double paint_goal(QPainter& painter, const QRectF& area, const HudState& state, 
     if (state.display.hold_progress > 0) {
         painter.setPen(p.text);
         painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter,
-                         tr("hold"));
+                         HudTexts::tr("hold"));
         draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
                       p.warning);
     }
@@ -325,10 +331,10 @@ double paint_goal(QPainter& painter, const QRectF& area, const HudState& state, 
     if (pulls && std::isfinite(state.display.traction_n_m)) {
         painter.setPen(p.text);
         painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
-                         tr("traction %1 of %2–%3 N/m")
-                             .arg(state.display.traction_n_m, 0, 'f', 0)
-                             .arg(goal.traction_low_n_m, 0, 'f', 0)
-                             .arg(goal.traction_high_n_m, 0, 'f', 0));
+                         HudTexts::tr("traction %1 of %2–%3 N/m")
+                             .arg(decimal(state.display.traction_n_m, 0))
+                             .arg(decimal(goal.traction_low_n_m, 0))
+                             .arg(decimal(goal.traction_high_n_m, 0)));
         draw_traction(painter, QRectF(box.right() - length, y + 26, length, 10), state.display, goal);
     }
     if (pulls) y += 42;
@@ -403,19 +409,19 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
     painter.setFont(hud_font(12));
     painter.setPen(p.muted);
     QStringList foot;
-    if (state.hands && !state.force_felt) foot << tr("force is shown, not felt");
+    if (state.hands && !state.force_felt) foot << HudTexts::tr("force is shown, not felt");
     if (!state.health.isEmpty()) foot << state.health;
     painter.drawText(QRectF(area.left() + margin, area.bottom() - 34, area.width() - 2 * margin, 26),
                      Qt::AlignLeft | Qt::AlignVCenter, foot.join(QStringLiteral(" · ")));
     painter.drawText(QRectF(area.left() + margin, area.bottom() - 34, area.width() - 2 * margin, 26),
                      Qt::AlignRight | Qt::AlignVCenter,
-                     state.place.isEmpty() ? tr("Esc pause · F1 help") : QString());
+                     state.place.isEmpty() ? HudTexts::tr("Esc pause · F1 help") : QString());
 
     if (state.display.critical) {
         painter.setFont(hud_font(15, true));
         painter.setPen(p.bad);
         painter.drawText(QRectF(area.left(), area.top() + (compact ? 4 : 12), area.width(), 30),
-                         Qt::AlignCenter, tr("✕ critical error"));
+                         Qt::AlignCenter, HudTexts::tr("✕ critical error"));
     }
     painter.restore();
 }

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/style/language.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {
@@ -12,17 +13,17 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;
 
-QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui", source);
-}
+struct RealignmentTexts {
+    Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::RealignmentTexts)
+};
 
 QString line_of(int hand, const Realignment::OneHand& one) {
-    const QString name = hand == 0 ? tr("Left") : tr("Right");
-    if (one.in_place) return tr("✓ %1: in place").arg(name);
-    return tr("→ %1: %2 mm and %3° away from its ghost")
+    const QString name = hand == 0 ? RealignmentTexts::tr("Left") : RealignmentTexts::tr("Right");
+    if (one.in_place) return RealignmentTexts::tr("✓ %1: in place").arg(name);
+    return RealignmentTexts::tr("→ %1: %2 mm and %3° away from its ghost")
         .arg(name)
-        .arg(one.distance * 1e3, 0, 'f', 0)
-        .arg(one.angle * degrees, 0, 'f', 0);
+        .arg(decimal(one.distance * 1e3, 0))
+        .arg(decimal(one.angle * degrees, 0));
 }
 
 }  // namespace
@@ -83,14 +84,15 @@ void paint_realignment(QPainter& painter, const QRectF& area, const Realignment&
                          line);
         y += row;
     };
-    draw(realignment.in_place ? tr("In place. Press Enter to continue as practice.")
-                              : tr("The device is back. Bring each instrument onto its ghost."));
+    draw(realignment.in_place
+             ? RealignmentTexts::tr("In place. Press Enter to continue as practice.")
+             : RealignmentTexts::tr("The device is back. Bring each instrument onto its ghost."));
     font.setBold(false);
     font.setPointSizeF(12);
     painter.setFont(font);
     for (const QString& line : lines) draw(line);
     painter.setPen(p.muted);
-    draw(tr("The timer is stopped. Esc: abandon the attempt."));
+    draw(RealignmentTexts::tr("The timer is stopped. Esc: abandon the attempt."));
     painter.restore();
 }
 

@@ -160,8 +160,8 @@ void BriefingPage::fill_variants(const TaskDefinition& task) {
     variants_->clear();
     for (const TaskVariant& one : task.variants) {
         const int count = attempts.count(one.id) > 0 ? attempts.at(one.id) : 0;
-        variants_->addItem(count == 0 ? tr("%1 (not practised yet)").arg(text(one.title))
-                                      : tr("%1 (attempts: %2)").arg(text(one.title)).arg(count),
+        variants_->addItem(count == 0 ? tr("%1 (not practised yet)").arg(asset_text(one.title))
+                                      : tr("%1 (attempts: %2)").arg(asset_text(one.title)).arg(count),
                            text(one.id));
     }
     const int asked = variants_->findData(text(wanted_variant_));
@@ -223,7 +223,7 @@ void BriefingPage::fill_beginnings(const TaskDefinition& task) {
     if (begin_at_->count() > 0) return;
     begin_at_->addItem(tr("the beginning"), 0);
     for (std::size_t goal = 1; goal < task.goals.size(); ++goal) {
-        begin_at_->addItem(QStringLiteral("%1.  %2").arg(goal + 1).arg(text(task.goals[goal].text)),
+        begin_at_->addItem(QStringLiteral("%1.  %2").arg(goal + 1).arg(asset_text(task.goals[goal].text)),
                            static_cast<int>(goal));
     }
 }
@@ -287,14 +287,15 @@ void BriefingPage::fill() {
     ghost_->setEnabled(practice_->isChecked());
     if (task == nullptr) return;
     fill_beginnings(*task);
-    briefing_->setText(text(task->briefing));
+    briefing_->setText(asset_text(task->briefing));
     steps_->addWidget(make_label(tr("What to do"), "heading"));
     int number = 0;
     for (const std::string& step : task->steps) {
-        steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(text(step))));
+        steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(asset_text(step))));
     }
     steps_->addWidget(make_label(
-        tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), text(task->product)), "muted"));
+        tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), asset_text(task->product)),
+        "muted"));
     steps_->addStretch();
     show_variant(*task);
     const bool scope_alone =

@@ -46,9 +46,9 @@ void CertificateCard::show_person(const std::string& person_id, const QString& f
     setVisible(!made.empty());
     for (const database::Certificate& one : made) {
         auto* row = new QHBoxLayout;
-        QLabel* words = make_label(
-            tr("Stage %1, %2, completed on %3. Check code %4.")
-                .arg(text(one.stage), text(one.stage_title), date_text(one.completed_at), text(one.code)));
+        QLabel* words = make_label(tr("Stage %1, %2, completed on %3. Check code %4.")
+                                       .arg(text(one.stage), asset_text(one.stage_title),
+                                            date_text(one.completed_at), text(one.code)));
         words->setObjectName(QStringLiteral("certificate_words"));
         words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         row->addWidget(words, 1);

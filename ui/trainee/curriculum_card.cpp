@@ -80,7 +80,7 @@ void CurriculumCard::fill() {
     const database::FollowedCurriculum& now = followed.back();
     const Curriculum* version = newest.version_named(now.name);
     QLabel* name = make_label(tr("Curriculum: %1, version %2")
-                                  .arg(text(version == nullptr ? now.name : version->title))
+                                  .arg(version == nullptr ? text(now.name) : asset_text(version->title))
                                   .arg(version == nullptr ? 0 : version->version));
     name->setObjectName(QStringLiteral("curriculum_name"));
     lines_->addWidget(name);

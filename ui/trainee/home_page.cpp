@@ -77,7 +77,7 @@ void HomePage::fill_next(const Summaries& summaries) {
         recommend(curriculum, standings_, last, context().services().device_in_use().device_class);
     const CurriculumStage* stage = curriculum.find_stage(next.stage);
     const QString why =
-        reason_text(next, stage == nullptr ? QString() : text(stage->title), context().store().now());
+        reason_text(next, stage == nullptr ? QString() : asset_text(stage->title), context().store().now());
     next_->addWidget(make_label(tr("Next"), "muted"));
     if (next.reason == RecommendationReason::nothing) {
         next_->addWidget(make_label(why, "heading"));
@@ -141,7 +141,7 @@ void HomePage::fill_tasks(const Summaries& summaries) {
     };
     std::vector<Ladder::Stage> stages;
     for (const CurriculumStage& stage : curriculum.stages) {
-        Ladder::Stage shown{tr("%1 · %2").arg(text(stage.id), text(stage.title)), {}};
+        Ladder::Stage shown{tr("%1 · %2").arg(text(stage.id), asset_text(stage.title)), {}};
         for (const TaskStanding& standing : standings_) {
             const CurriculumTask& task = *curriculum.find(standing.task);
             if (task.stage != stage.id || context().task(task.task) == nullptr) continue;

@@ -14,7 +14,7 @@ namespace {
 QString name_of(const JudgedLimit& limit) {
     QString name = metric_text(limit.metric);
     if (!limit.hand.empty()) name += QStringLiteral(", ") + hand_text(limit.hand);
-    if (!limit.tissue.empty()) name += QStringLiteral(", ") + text(limit.tissue);
+    if (!limit.tissue.empty()) name += QStringLiteral(", ") + asset_text(limit.tissue);
     return name;
 }
 

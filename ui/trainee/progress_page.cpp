@@ -203,7 +203,7 @@ void ProgressPage::load() {
                     const MetricDescriptor* descriptor = find_metric(metric.id);
                     QString shown = descriptor == nullptr ? text(metric.id) : text(descriptor->name);
                     if (!metric.hand.empty()) shown += QStringLiteral(", ") + hand_text(metric.hand);
-                    if (!metric.tissue.empty()) shown += QStringLiteral(", ") + text(metric.tissue);
+                    if (!metric.tissue.empty()) shown += QStringLiteral(", ") + asset_text(metric.tissue);
                     metric_->addItem(shown, key);
                 }
             }

@@ -13,9 +13,9 @@ namespace {
 
 /// "Narrow pelvis: 3 attempts, 1 passed".
 QString words_of(const TaskVariant& variant, const database::VariantPractice& practice) {
-    if (practice.attempts == 0) return TaskHeader::tr("%1: not practised yet").arg(text(variant.title));
+    if (practice.attempts == 0) return TaskHeader::tr("%1: not practised yet").arg(asset_text(variant.title));
     return TaskHeader::tr("%1: attempts %2, passed %3")
-        .arg(text(variant.title))
+        .arg(asset_text(variant.title))
         .arg(practice.attempts)
         .arg(practice.passes);
 }
@@ -78,9 +78,9 @@ void TaskHeader::show_task(const std::string& person_id, const std::string& task
     if (pictured_ != task_id) picture_->show_task(*task);
     pictured_ = task_id;
     title_->setText(context_.task_title(task_id));
-    briefing_->setText(text(task->briefing));
+    briefing_->setText(asset_text(task->briefing));
     product_->setText(
-        tr("Outcome: %1 · time limit %2").arg(text(task->product), clock_text(task->time_limit_s)));
+        tr("Outcome: %1 · time limit %2").arg(asset_text(task->product), clock_text(task->time_limit_s)));
     const bool may_perform =
         person_id == context_.session().person_id() &&
         context_.allowed(database::Operation::perform_attempt, database::Subject::person(person_id));

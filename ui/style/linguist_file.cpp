@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/linguist_file.h"
+
+#include <QFile>
+#include <QXmlStreamReader>
+#include <stdexcept>
+
+namespace fulcrum::ui {
+namespace {
+
+QByteArray key(const QByteArray& context, const QByteArray& source) {
+    return context + '\0' + source;
+}
+
+/// The forms of the <translation> that the reader is at; none for an unfinished one.
+QStringList forms_of(QXmlStreamReader& xml) {
+    const bool unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
+    QStringList forms;
+    QString text;
+    while (xml.readNext() != QXmlStreamReader::EndElement && !xml.hasError()) {
+        if (xml.isCharacters()) text += xml.text();
+        if (xml.isStartElement()) forms << xml.readElementText();
+    }
+    if (forms.isEmpty()) forms << text;
+    return unfinished || forms.contains(QString()) ? QStringList() : forms;
+}
+
+}  // namespace
+
+LinguistFile::LinguistFile(const QString& file) {
+    QFile stored(file);
+    if (!stored.open(QIODevice::ReadOnly))
+        throw std::runtime_error("cannot read the translations " + file.toStdString());
+    QXmlStreamReader xml(&stored);
+    QByteArray context, source;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QLatin1String("name")) {
+            context = xml.readElementText().toUtf8();
+        } else if (xml.name() == QLatin1String("source")) {
+            source = xml.readElementText().toUtf8();
+        } else if (xml.name() == QLatin1String("translation")) {
+            const QStringList forms = forms_of(xml);
+            if (!forms.isEmpty()) texts_.insert(key(context, source), forms);
+        }
+    }
+    if (xml.hasError())
+        throw std::runtime_error(file.toStdString() + ":" + std::to_string(xml.lineNumber()) + ": " +
+                                 xml.errorString().toStdString());
+}
+
+QString LinguistFile::translate(const char* context, const char* source, const char* /*disambiguation*/,
+                                int n) const {
+    const auto found = texts_.constFind(key(context, source));
+    if (found == texts_.constEnd()) return {};
+    return n >= 0 && n != 1 ? found->last() : found->first();
+}
+
+}  // namespace fulcrum::ui
