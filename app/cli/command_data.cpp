@@ -11,6 +11,7 @@
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
+#include "assessment/forms/observer_form.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/score.h"
@@ -154,6 +155,7 @@ std::string check_text(const std::string& text, const std::string& file) {
         return "benchmark set of task " + parse_benchmark(text, file).task;
     if (document.contains("stages")) return "curriculum " + parse_curriculum(text, file, task_ids()).name();
     if (document.contains("columns")) return "mapping of traces, " + parse_trace_mapping(text, file).title;
+    if (document.contains("items")) return "observer form " + parse_form(text, file).name();
     return "scene " + parse_scene(text, file).id;
 }
 
@@ -175,6 +177,7 @@ std::string check_file(const std::string& path) {
         return "benchmark set of task " + load_benchmark(path).task;
     if (document.contains("stages")) return "curriculum " + load_curriculum(path, task_ids()).name();
     if (document.contains("columns")) return "mapping of traces, " + load_trace_mapping(path).title;
+    if (document.contains("items")) return "observer form " + load_form(path).name();
     return "scene " + load_scene(path).id;
 }
 
@@ -227,7 +230,8 @@ Command check_command() {
             "FILE...",
             1,
             10000,
-            "Checks scenes, tasks, curricula, benchmark sets, mappings and traces; - reads standard input.",
+            "Checks scenes, tasks, curricula, benchmark sets, observer forms, mappings and traces; - reads "
+            "standard input.",
             {json_option()},
             run_check};
 }

@@ -22,6 +22,7 @@ Command metrics_command();
 Command check_command();
 Command benchmark_command();
 Command tissues_command();
+Command forms_command();
 std::vector<Command> asset_commands();       ///< assets ...
 std::vector<Command> curricula_commands();   ///< curriculum list, move
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
