@@ -10,9 +10,11 @@
 #include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
+#include "ui/style/language.h"
 
 namespace fulcrum::app {
 namespace {
@@ -45,6 +47,9 @@ int parse_and_run(const CommandTable& table, int& argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
     set_plain_formats();
+    const std::optional<ui::Language> language = ui::chosen_language();
+    if (!language) return report("FULCRUM_LANGUAGE is none of: " + names_of(ui::languages), 2);
+    ui::use_language(*language);
     return run(call);
 }
 

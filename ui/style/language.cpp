@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
-#include <QSettings>
 #include <QTranslator>
 #include <memory>
 #include <vector>
@@ -12,8 +11,6 @@
 
 namespace fulcrum::ui {
 namespace {
-
-constexpr const char* setting = "language";
 
 struct InUse {
     Language language = Language::english;
@@ -29,35 +26,20 @@ void install(std::unique_ptr<QTranslator> translator) {
     in_use().translators.push_back(std::move(translator));
 }
 
-Language known(Language language) {
-    if (language != Language::system) return language;
-    return QLocale::system().language() == QLocale::German ? Language::german : Language::english;
-}
-
 }  // namespace
 
-QString language_title(Language language) {
-    const char* title = row_of(languages, language).title;
-    return language == Language::system ? QCoreApplication::translate("fulcrum::ui::languages", title)
-                                        : QString::fromUtf8(title);
-}
-
-Language chosen_language() {
-    const auto* row = find_row(languages, qgetenv("FULCRUM_LANGUAGE").toStdString());
-    if (row == nullptr)
-        row = find_row(languages, QSettings().value(QLatin1String(setting)).toString().toStdString());
-    return row == nullptr ? Language::system : row->kind;
-}
-
-void keep_language(Language language) {
-    QSettings().setValue(QLatin1String(setting), QLatin1String(row_of(languages, language).name));
+std::optional<Language> chosen_language() {
+    const std::string name = qgetenv("FULCRUM_LANGUAGE").toStdString();
+    if (name.empty()) return Language::english;
+    if (const auto* row = find_row(languages, name)) return row->kind;
+    return std::nullopt;
 }
 
 void use_language(Language language) {
     InUse& now = in_use();
     for (const auto& old : now.translators) QCoreApplication::removeTranslator(old.get());
     now.translators.clear();
-    now.language = known(language);
+    now.language = language;
     const bool german = now.language == Language::german;
     if (german) {
         // Qt's own dialogs; in English where the system has no such file.
@@ -66,8 +48,10 @@ void use_language(Language language) {
                           QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
             install(std::move(dialogs));
     }
-    install(std::make_unique<LinguistFile>(german ? QStringLiteral(":/style/translations/fulcrum_de.ts")
-                                                  : QStringLiteral(":/style/translations/fulcrum_en.ts")));
+    const QStringList files = german ? QStringList{QStringLiteral("fulcrum_de"), QStringLiteral("assets_de")}
+                                     : QStringList{QStringLiteral("fulcrum_en")};
+    for (const QString& file : files)
+        install(std::make_unique<LinguistFile>(QStringLiteral(":/style/translations/%1.ts").arg(file)));
     QLocale locale = german ? QLocale(QLocale::German, QLocale::Germany)
                             : QLocale(QLocale::English, QLocale::UnitedKingdom);
     locale.setNumberOptions(QLocale::OmitGroupSeparator);

@@ -9,14 +9,14 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr int side = 96;
+constexpr int picture_side = 96;
 
 /// White with mark 0 where `inside` is true at the pixel's centre, otherwise black with mark 255. Bottom row
 /// first.
 QImage drawn(const std::function<double(double, double)>& inside) {
-    QImage image(side, side, QImage::Format_RGB32);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
+    QImage image(picture_side, picture_side, QImage::Format_RGB32);
+    for (int y = 0; y < picture_side; ++y) {
+        for (int x = 0; x < picture_side; ++x) {
             auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
             row[x] = inside(x + 0.5, y + 0.5) > 0 ? 0x00ffffffU : 0xff000000U;
         }
@@ -29,13 +29,13 @@ double error_along_edge(const QImage& shown, const std::function<double(double, 
     constexpr int samples = 16;
     double sum = 0;
     int count = 0;
-    for (int y = 2; y < side - 2; ++y) {
-        for (int x = 2; x < side - 2; ++x) {
+    for (int y = 2; y < picture_side - 2; ++y) {
+        for (int x = 2; x < picture_side - 2; ++x) {
             int covered = 0;
             for (int k = 0; k < samples * samples; ++k)
                 covered += inside(x + (k % samples + 0.5) / samples, y + (k / samples + 0.5) / samples) > 0;
             if (covered == 0 || covered == samples * samples) continue;
-            const int value = qRed(shown.pixel(x, side - 1 - y));
+            const int value = qRed(shown.pixel(x, picture_side - 1 - y));
             sum += std::abs(value - 255.0 * covered / (samples * samples));
             ++count;
         }
@@ -52,7 +52,8 @@ TEST(EdgeSmoothing, ReducesTheErrorOfSlantedAndRoundEdgesByTwoFifths) {
     };
     for (const auto& shape : shapes) {
         const QImage raw = drawn(shape);
-        QImage plain(side, side, QImage::Format_RGB32), smooth(side, side, QImage::Format_RGB32);
+        QImage plain(picture_side, picture_side, QImage::Format_RGB32),
+            smooth(picture_side, picture_side, QImage::Format_RGB32);
         copy_upright(raw, plain);
         copy_with_smooth_edges(raw, smooth);
         EXPECT_LT(error_along_edge(smooth, shape), 0.6 * error_along_edge(plain, shape));
@@ -62,14 +63,15 @@ TEST(EdgeSmoothing, ReducesTheErrorOfSlantedAndRoundEdgesByTwoFifths) {
 TEST(EdgeSmoothing, DoesNotChangeStraightEdgesAndUnmarkedContrast) {
     const auto half = [](double x, double) { return 48 - x; };
     const QImage raw = drawn(half);
-    QImage plain(side, side, QImage::Format_RGB32), smooth(side, side, QImage::Format_RGB32);
+    QImage plain(picture_side, picture_side, QImage::Format_RGB32),
+        smooth(picture_side, picture_side, QImage::Format_RGB32);
     copy_upright(raw, plain);
     copy_with_smooth_edges(raw, smooth);
     EXPECT_EQ(smooth, plain);
     // Two tissues: the same mark on both sides of a slanted edge.
     QImage tissue = drawn([](double x, double y) { return y - 20 - x / 7; });
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) reinterpret_cast<QRgb*>(tissue.scanLine(y))[x] |= 0xff000000U;
+    for (int y = 0; y < picture_side; ++y) {
+        for (int x = 0; x < picture_side; ++x) reinterpret_cast<QRgb*>(tissue.scanLine(y))[x] |= 0xff000000U;
     }
     copy_upright(tissue, plain);
     copy_with_smooth_edges(tissue, smooth);
@@ -78,12 +80,12 @@ TEST(EdgeSmoothing, DoesNotChangeStraightEdgesAndUnmarkedContrast) {
 
 TEST(EdgeSmoothing, TurnsThePictureUprightAndMakesItOpaque) {
     QImage raw = drawn([](double, double y) { return 10 - y; });
-    QImage shown(side, side, QImage::Format_RGB32);
+    QImage shown(picture_side, picture_side, QImage::Format_RGB32);
     copy_with_smooth_edges(raw, shown);
-    EXPECT_EQ(shown.pixel(5, side - 1), 0xffffffffU);
+    EXPECT_EQ(shown.pixel(5, picture_side - 1), 0xffffffffU);
     EXPECT_EQ(shown.pixel(5, 0), 0xff000000U);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x)
+    for (int y = 0; y < picture_side; ++y) {
+        for (int x = 0; x < picture_side; ++x)
             EXPECT_EQ(reinterpret_cast<const QRgb*>(shown.constScanLine(y))[x] >> 24U, 0xffU);
     }
 }

@@ -106,6 +106,7 @@ class BandsStage {
     }
     const FieldView& field() const { return world.snapshot().field[0]; }
     const std::vector<BandView>& bands() const { return world.snapshot().bands.bands; }
+    const StructuresView& structures() const { return world.snapshot().structures; }
     Vector3 felt(Hand hand) const { return outputs.back().device_force[static_cast<int>(hand)]; }
 
     Scene scene;
