@@ -9,8 +9,10 @@
 #include <sstream>
 
 #include "assessment/pathology/pathology.h"
+#include "tests/ui/reports/pdf_pages.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/report.h"
+#include "ui/style/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -104,6 +106,26 @@ TEST(AttemptReport, CsvJsonAndWordsContainTheSameValues) {
         EXPECT_NEAR(row[9].toDouble(), std::stod(cells[10]), 0.051);
     }
     EXPECT_EQ(findings, 12);
+}
+
+TEST(AttemptReport, InGermanIsAGermanPageWhileTheTablesKeepEveryByte) {
+    const std::string csv = attempt_csv(paper()), json = attempt_json(paper());
+    use_language(Language::german);
+    const std::string csv_in_german = attempt_csv(paper()), json_in_german = attempt_json(paper());
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("attempt.pdf");
+    write_attempt_pdf(paper(), plain(path));
+    use_language(Language::english);
+    EXPECT_EQ(csv_in_german, csv);
+    EXPECT_EQ(json_in_german, json);
+    const QList<QByteArray> pages = pages_of(plain(path));
+    ASSERT_EQ(pages.size(), 1);
+    const QString page = QString::fromUtf8(pages[0]);
+    EXPECT_TRUE(page.contains(QStringLiteral("Pathologiebericht (simuliert)"))) << page.toStdString();
+    EXPECT_FALSE(page.contains(QStringLiteral("Pathology report"))) << page.toStdString();
+    EXPECT_TRUE(page.contains(QStringLiteral("41,5"))) << page.toStdString();
+    const QByteArray kept = qgetenv("FULCRUM_REPORT_PAGE");  // for inspection
+    if (!kept.isEmpty()) QFile::copy(path, QString::fromLocal8Bit(kept + "-de.pdf"));
 }
 
 TEST(AttemptReport, UsesThePathologistsTerms) {

@@ -10,6 +10,7 @@
 
 #include "tests/ui/reports/pdf_pages.h"
 #include "ui/reports/report_sheet.h"
+#include "ui/style/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -145,6 +146,17 @@ TEST(Report, CsvAndJsonContainTheSameValues) {
     }
     EXPECT_EQ(json["n"], 2);
     EXPECT_EQ(json["provenance"]["programme"], "Surgery");
+}
+
+TEST(Report, TablesDoNotDependOnTheLanguage) {
+    const CohortReport report = cohort();
+    const std::string csv = sheet_csv(cohort_sheet(report)), json = cohort_json(report),
+                      dictionary = dictionary_csv(cohort_sheet(report));
+    use_language(Language::german);
+    EXPECT_EQ(sheet_csv(cohort_sheet(report)), csv);
+    EXPECT_EQ(cohort_json(report), json);
+    EXPECT_EQ(dictionary_csv(cohort_sheet(report)), dictionary);
+    use_language(Language::english);
 }
 
 TEST(ReportCsv, HasOneColumnPerMetricHandAndTissue) {
