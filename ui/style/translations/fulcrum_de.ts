@@ -1640,7 +1640,7 @@
     </message>
     <message>
         <source>Circumferential margin</source>
-        <translation>Zirkumf. Resektionsrand (CRM)</translation>
+        <translation>Zirkumf. Rand (CRM)</translation>
     </message>
     <message>
         <source>Least distance between the cut and the edge of the tumour. At 1 mm or less the margin is positive.</source>
@@ -4583,7 +4583,7 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Circumferential margin</source>
-        <translation>Zirkumf. Resektionsrand (CRM)</translation>
+        <translation>Zirkumf. Rand (CRM)</translation>
     </message>
     <message>
         <source>The case has no tumour.</source>
@@ -4695,7 +4695,7 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Divided %</source>
-        <translation>Durchtrennt %</translation>
+        <translation>Getrennt %</translation>
     </message>
     <message>
         <source>Median mm</source>
