@@ -8,10 +8,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <system_error>
 
 #include "database/store/store_state.h"
 #include "tests/database/programme_fixture.h"
@@ -30,6 +32,7 @@ ChildCounters& counters_in(const std::string& folder) {
 
 pid_t start_child(const std::string& name, const std::string& folder, int number) {
     const pid_t child = ::fork();
+    if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (child == 0) {
         ::execl("/proc/self/exe", "test_database", "--child", name.c_str(), folder.c_str(),
                 std::to_string(number).c_str(), static_cast<char*>(nullptr));

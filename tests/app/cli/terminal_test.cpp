@@ -2,6 +2,7 @@
 // The password prompt on a terminal of its own (a pty), and passwords from files.
 #include "app/cli/terminal.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/stat.h>
@@ -9,8 +10,11 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <system_error>
 
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/own_folder.h"
@@ -23,6 +27,8 @@ class Prompt {
   public:
     Prompt() {
         child_ = forkpty(&terminal_, nullptr, nullptr, nullptr);
+        // A signal to -1 would go to every process of the machine.
+        if (child_ < 0) throw std::system_error(errno, std::generic_category(), "forkpty");
         if (child_ == 0) {
             int status = 3;
             try {
@@ -66,7 +72,18 @@ class Prompt {
     pid_t child_ = -1;
 };
 
-TEST(PasswordPrompt, ReadsALineWithoutShowingIt) {
+class PasswordPrompt : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+        const bool usable = terminal >= 0 && grantpt(terminal) == 0 && ptsname(terminal) != nullptr &&
+                            access(ptsname(terminal), R_OK | W_OK) == 0;
+        if (terminal >= 0) close(terminal);
+        if (!usable) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
+    }
+};
+
+TEST_F(PasswordPrompt, ReadsALineWithoutShowingIt) {
     const Prompt prompt;
     prompt.wait_until_silent();
     prompt.type("secret\n");
@@ -75,7 +92,7 @@ TEST(PasswordPrompt, ReadsALineWithoutShowingIt) {
     EXPECT_TRUE(prompt.echoes());
 }
 
-TEST(PasswordPrompt, ControlCRestoresTheTerminal) {
+TEST_F(PasswordPrompt, ControlCRestoresTheTerminal) {
     const Prompt prompt;
     prompt.wait_until_silent();
     prompt.type("sec\x03");
@@ -84,7 +101,7 @@ TEST(PasswordPrompt, ControlCRestoresTheTerminal) {
     EXPECT_TRUE(prompt.echoes());
 }
 
-TEST(PasswordPrompt, EverySignalThatEndsTheProgramRestoresTheTerminal) {
+TEST_F(PasswordPrompt, EverySignalThatEndsTheProgramRestoresTheTerminal) {
     for (const int number : {SIGTERM, SIGQUIT, SIGHUP}) {
         const Prompt prompt;
         prompt.wait_until_silent();
@@ -95,7 +112,7 @@ TEST(PasswordPrompt, EverySignalThatEndsTheProgramRestoresTheTerminal) {
     }
 }
 
-TEST(PasswordPrompt, RefusesAnEmptyLine) {
+TEST_F(PasswordPrompt, RefusesAnEmptyLine) {
     const Prompt prompt;
     prompt.wait_until_silent();
     prompt.type("\n");
