@@ -20,7 +20,7 @@ struct Ribbon {
     DrawnSheet drawn(double thickness, const QVector3D& tint, float share) const;
 };
 
-/// Ribbons that are laid anew for each frame and keep their memory.
+/// The ribbons of one frame; the next frame uses their memory again.
 class Ribbons {
   public:
     /// Before the first next(): the frame points at them, so they must not move.
