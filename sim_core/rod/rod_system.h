@@ -101,6 +101,10 @@ void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodS
 /// Stretching energy of one segment and of the joints, without constraints. Used by the energy report.
 double stretch_energy(const Rod::Tables& tables, const RodShape& shape);
 
+/// Direction of segment j.
+Vector3 tangent_of(const RodState& state, std::size_t j);
+/// The frame with directors d1 and t x d1 along t; d1 and t are of unit length, at right angles.
+Matrix3 frame_of(const Vector3& d1, const Vector3& t);
 Vector3 point_position(const RodShape& shape, const RodPoint& point);
 /// r(s) + blended R X.
 Vector3 wall_position(const RodShape& shape, const RodPoint& point, const Vector3& offset);

@@ -120,6 +120,7 @@ class BowelPart : public Part {
     const Costs& costs() const { return costs_; }
 
   private:
+    static constexpr int planes_remembered = 6;  // a sphere, as SphereCollisionOptions::planes_per_sphere
     struct HandGrasp {
         Jaws jaws;
         GraspState state;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one query behind the cohort's screens and exports, and progress.
+#include <cmath>
+#include <limits>
+
+#include "assessment/metrics/statement_words.h"
+#include "assessment/pathology/pathology.h"
+#include "database/records/report_data.h"
+#include "database/store/score_rows.h"
+#include "tests/database/programme_fixture.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+const CohortRow* row_of(const CohortTable& table, const std::string& login, const std::string& task,
+                        const std::optional<DeviceClass>& device_class) {
+    for (const CohortRow& row : table.rows) {
+        if (row.login == login && row.task_id == task && row.device_class == device_class) return &row;
+    }
+    return nullptr;
+}
+
+TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
+    Programme programme;
+    programme.record("ann", false, 40);
+    programme.record("ann", true, 71.5);
+    programme.record("ann", false, 80);
+    AttemptMeta practice = example_meta(programme.id("ann"));
+    practice.mode = AttemptMode::practice;
+    Recorder(programme.path, programme.session("ann"), practice, programme.clock.options())
+        .finish(example_result(true, 99));
+    AttemptMeta tracked = example_meta(programme.id("ann"));
+    tracked.device_class = DeviceClass::tracked;
+    Recorder(programme.path, programme.session("ann"), tracked, programme.clock.options())
+        .finish(example_result(false, 12));
+    programme.record("ben", false, 5, "B1");
+    programme.record("eve", true, 90);
+    const Session& director = programme.session("director");
+    CohortTableOptions options;
+    options.tasks = {"A2", "B1"};
+    const CohortTable table = Reports(*programme.store).cohort_table(director, programme.cohort, options);
+    EXPECT_EQ(table.people, 2);
+    EXPECT_EQ(table.rows.size(), 5U);
+    const CohortRow* ann = row_of(table, "ann", "A2", DeviceClass::mouse_keyboard);
+    ASSERT_NE(ann, nullptr);
+    EXPECT_EQ(ann->state, TaskState::passed);
+    EXPECT_TRUE(ann->provisional);
+    EXPECT_EQ(ann->attempts, 3);
+    EXPECT_EQ(ann->passes, 1);
+    EXPECT_EQ(ann->not_counting, 1);
+    EXPECT_EQ(ann->best_points, 80);
+    const CohortRow* with_tracked = row_of(table, "ann", "A2", DeviceClass::tracked);
+    ASSERT_NE(with_tracked, nullptr);
+    EXPECT_EQ(with_tracked->state, TaskState::attempted);
+    EXPECT_EQ(with_tracked->best_points, 12);
+    ASSERT_NE(row_of(table, "ann", "B1", std::nullopt), nullptr);
+    EXPECT_EQ(row_of(table, "ann", "B1", std::nullopt)->state, TaskState::open);
+    ASSERT_NE(row_of(table, "ben", "B1", DeviceClass::mouse_keyboard), nullptr);
+    EXPECT_EQ(row_of(table, "ben", "B1", DeviceClass::mouse_keyboard)->state, TaskState::attempted);
+    EXPECT_EQ(row_of(table, "eve", "A2", DeviceClass::mouse_keyboard), nullptr);
+    EXPECT_EQ(table.benchmark_sets, std::vector<std::string>{"A2-operators@1"});
+    EXPECT_EQ(table.metric_versions, (std::vector<std::string>{"path_len@1", "sparc@2"}));
+    EXPECT_EQ(table.audit_head, Audit(*programme.store).head());
+    EXPECT_EQ(Reports(*programme.store).cohort_table(director, programme.cohort).tasks,
+              (std::vector<std::string>{"A2", "B1"}));
+    const auto personal =
+        Reports(*programme.store).person_table(programme.session("ann"), programme.id("ann"), {"A2", "B1"});
+    ASSERT_EQ(personal.size(), 3U);
+    EXPECT_EQ(personal[0].best_points, 80);
+}
+
+TEST(Progress, AnAttemptWithoutAScoreHidesNoVersions) {
+    Programme programme;
+    programme.record_broken("ann");
+    programme.open();
+    programme.clock.pass_s(60);
+    programme.record("ann");
+    const PersonProgress progress =
+        Reports(*programme.store).person_progress(programme.session("ann"), programme.id("ann"), "A2");
+    EXPECT_EQ(progress.metric_versions, (std::vector<std::string>{"path_len@1", "sparc@2"}));
+    ASSERT_EQ(progress.series[0].points.size(), 2U);
+    EXPECT_EQ(progress.series[0].points[0].state, AttemptState::interrupted);
+    EXPECT_FALSE(progress.series[0].points[0].counting);
+}
+
+TEST(Progress, OrdersAttemptsByTimeWithinADeviceClass) {
+    Programme programme;
+    std::vector<std::string> recorded;
+    for (const double points : {10.0, 30.0, 20.0}) {
+        recorded.push_back(programme.record("ann", points > 25, points));
+        programme.clock.pass_s(600);
+    }
+    const PersonProgress progress =
+        Reports(*programme.store).person_progress(programme.session("ann"), programme.id("ann"), "A2");
+    ASSERT_EQ(progress.series.size(), 1U);
+    ASSERT_EQ(progress.series[0].points.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(progress.series[0].points[i].attempt_id, recorded[i]);
+        EXPECT_EQ(progress.series[0].points[i].number, static_cast<int>(i) + 1);
+        EXPECT_EQ(progress.series[0].points[i].metrics.size(), 2U);
+    }
+    EXPECT_EQ(progress.state, TaskState::passed);
+    EXPECT_EQ(progress.series[0].device_class, DeviceClass::mouse_keyboard);
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test
