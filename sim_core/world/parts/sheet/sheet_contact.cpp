@@ -45,21 +45,34 @@ SheetPlace SheetPart::place_in(std::int32_t triangle, const Vector3& weights) co
 
 SheetPlace SheetPart::closest(const Vector3& point) const noexcept {
     double least = std::numeric_limits<double>::infinity();
-    std::int32_t triangle = -1;
+    const auto on = [&](const Triangle& v) {
+        return closest_point_on_triangle(point, state_.positions[at(v[0])], state_.positions[at(v[1])],
+                                         state_.positions[at(v[2])]);
+    };
+    // A bound beyond what rounding can do to the distance, so that the first of the closest is found all the
+    // same.
+    for (const std::size_t k : recent_) {
+        if (k < visible_.size())
+            least = std::min(least,
+                             (1 + 1e-9) * (on(visible_[k].vertices).position - point).squaredNorm() + 1e-30);
+    }
+    std::size_t closest = visible_.size();
     Vector3 weights = Vector3::Zero();
-    for (const std::int32_t t : visible_) {
-        const Triangle& v = surface_.triangle(t).vertices;
-        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
-                      &c = state_.positions[at(v[2])];
-        if (box_distance(point, a, b, c) >= least) continue;
-        const TrianglePoint found = closest_point_on_triangle(point, a, b, c);
+    for (std::size_t k = 0; k < visible_.size(); ++k) {
+        const Triangle& v = visible_[k].vertices;
+        if (box_distance(point, state_.positions[at(v[0])], state_.positions[at(v[1])],
+                         state_.positions[at(v[2])]) >= least)
+            continue;
+        const TrianglePoint found = on(v);
         const double distance = (found.position - point).squaredNorm();
         if (distance >= least) continue;
         least = distance;
-        triangle = t;
+        closest = k;
         weights = found.barycentric;
     }
-    return triangle < 0 ? SheetPlace() : place_in(triangle, weights);
+    if (closest == visible_.size()) return SheetPlace();
+    if (recent_[0] != closest) recent_ = {closest, recent_[0]};
+    return place_in(visible_[closest].number, weights);
 }
 
 SheetPlace SheetPart::find_in_root(std::int32_t root, const Vector3& barycentric,
@@ -99,8 +112,8 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
     const double blend = std::max(2.5 * radius, spec_.spacing);
     near_.clear();
     Vector3 normal = Vector3::Zero();
-    for (const std::int32_t t : visible_) {
-        const Triangle& v = surface_.triangle(t).vertices;
+    for (const VisibleTriangle& t : visible_) {
+        const Triangle& v = t.vertices;
         const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
                       &c = state_.positions[at(v[2])];
         if (box_distance(near.point, a, b, c) > blend * blend) continue;
@@ -113,8 +126,8 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
     near.normal = normal.norm() > 1e-18 ? Vector3(normal.normalized()) : Vector3(Vector3::UnitZ());
     near.gap = (tip - near.point).dot(near.normal);
     near.cover = cover_under(tip - near.gap * near.normal, near.normal, radius, [&](const Vector3& sample) {
-        for (const std::int32_t t : near_) {
-            const Triangle& v = surface_.triangle(t).vertices;
+        for (const VisibleTriangle& t : near_) {
+            const Triangle& v = t.vertices;
             if (covers(sample, near.normal, state_.positions[at(v[0])], state_.positions[at(v[1])],
                        state_.positions[at(v[2])]))
                 return true;
@@ -127,15 +140,15 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
 template <typename Visit>
 bool SheetPart::visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept {
     const Vector3 way = to - from;
-    for (const std::int32_t t : visible_) {
-        const Triangle& v = surface_.triangle(t).vertices;
+    for (const VisibleTriangle& t : visible_) {
+        const Triangle& v = t.vertices;
         const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
                       &c = state_.positions[at(v[2])];
         const Vector3 n = (b - a).cross(c - a);
         const double before = (from - a).dot(n), after = (to - a).dot(n);
         if (before * after > 0 || before == after) continue;
         const double share = before / (before - after);
-        if (covers(from + share * way, n, a, b, c) && visit(t, share)) return true;
+        if (covers(from + share * way, n, a, b, c) && visit(t.number, share)) return true;
     }
     return false;
 }
@@ -273,8 +286,8 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
 // m2 of both sides of what is visible, by the middles of its triangles.
 double SheetPart::area_in(const JawBox& box) const noexcept {
     double area = 0;
-    for (const std::int32_t t : visible_) {
-        const Triangle& v = surface_.triangle(t).vertices;
+    for (const VisibleTriangle& t : visible_) {
+        const Triangle& v = t.vertices;
         const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
                       &c = state_.positions[at(v[2])];
         if (box.contains((a + b + c) / 3)) area += (b - a).cross(c - a).norm();

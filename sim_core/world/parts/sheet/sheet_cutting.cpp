@@ -429,8 +429,8 @@ void SheetPart::note_loose(std::uint32_t tick) noexcept {
         if (piece.fixed || state_.loose[at(fragment)] != 0) continue;
         add_event(tick, EventKind::piece_fallen, -1, piece.area, 0);
     }
-    for (const std::int32_t t : visible_) {
-        const std::int32_t fragment = surface_.fragment_of_triangle(t);
+    for (const VisibleTriangle& t : visible_) {
+        const std::int32_t fragment = surface_.fragment_of_triangle(t.number);
         if (state_.membrane.pieces[at(fragment)].isolated && state_.loose[at(fragment)] == 0)
             state_.loose[at(fragment)] = 1;
     }

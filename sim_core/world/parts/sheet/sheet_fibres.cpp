@@ -74,15 +74,15 @@ SheetFibres::Tip SheetPart::find_end(const Vector3& reached, double direction) c
     tip.direction = direction;
     const Vector3 wanted = reached + direction * beyond * Vector3::UnitX();
     double nearest = off_by * off_by;
-    for (const std::int32_t t : visible_) {
+    for (const VisibleTriangle& t : visible_) {
         // By places at rest: what lies beside the cut now may come from its other lip.
-        const Triangle& corners = surface_.triangle(t).vertices;
+        const Triangle& corners = t.vertices;
         Vector3 points[3];
         for (std::size_t c = 0; c < 3; ++c) points[c] = rest(state_.bindings[at(corners[c])]);
         const TrianglePoint foot = closest_point_on_triangle(wanted, points[0], points[1], points[2]);
         const double distance = (foot.position - wanted).squaredNorm();
         if (!(distance < nearest)) continue;
-        const SheetPlace found = place_in(t, foot.barycentric);
+        const SheetPlace found = place_in(t.number, foot.barycentric);
         if (found.fragment < 0) continue;
         nearest = distance;
         tip.root = surface_.fragment(found.fragment).root;

@@ -148,7 +148,7 @@ void SheetPart::bind(std::int32_t vertex) noexcept {
 void SheetPart::list_visible() noexcept {
     visible_.clear();
     for (std::int32_t t = 0; t < surface_.triangle_count(); ++t) {
-        if (surface_.visible(t)) visible_.push_back(t);
+        if (surface_.visible(t)) visible_.push_back({t, surface_.triangle(t).vertices});
     }
 }
 
@@ -237,9 +237,9 @@ void SheetPart::drop_loose(std::uint32_t tick) noexcept {
         if (surface_.fragment_of_triangle(t) != due) continue;
         const std::int32_t piece = surface_.piece_of_triangle(t);
         if (jaws_hold(piece)) {  // it hangs in the jaws: asked again when it has fallen for as long
-            for (const std::int32_t v : visible_) {
-                if (surface_.piece_of_triangle(v) == piece)
-                    state_.loose[at(surface_.fragment_of_triangle(v))] = 1;
+            for (const VisibleTriangle& v : visible_) {
+                if (surface_.piece_of_triangle(v.number) == piece)
+                    state_.loose[at(surface_.fragment_of_triangle(v.number))] = 1;
             }
             return;
         }
@@ -358,8 +358,8 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         view.triangle_count = static_cast<std::int32_t>(visible_.size());
         view.triangles.used = view.roots.used = visible_.size();
         for (std::size_t k = 0; k < visible_.size(); ++k) {
-            view.triangles[k] = surface_.triangle(visible_[k]).vertices;
-            view.roots[k] = surface_.triangle(visible_[k]).root;
+            view.triangles[k] = visible_[k].vertices;
+            view.roots[k] = surface_.triangle(visible_[k].number).root;
         }
         view.visible_area = surface_.area_visible();
         view.removed_area = surface_.area_removed();

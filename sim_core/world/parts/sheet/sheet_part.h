@@ -272,7 +272,15 @@ class SheetPart : public Part, public HeatedSheet {
     SheetAction actions_[hand_count];  ///< of the step
     std::array<int, hand_count> tip_link_ = {-1, -1}, jaw_link_ = {-1, -1};
     MembraneCut cut_;
-    std::vector<std::int32_t> visible_, near_;
+    /// With its corners: searches walk all of them, and the surface's rows are eight times as large.
+    struct VisibleTriangle {
+        std::int32_t number = -1;
+        Triangle vertices;
+    };
+    std::vector<VisibleTriangle> visible_, near_;
+    /// Places in visible_ that were closest to the last points asked for: a search that begins there looks at
+    /// few others. They change no result.
+    mutable std::array<std::size_t, hand_count> recent_ = {};
     std::vector<std::uint8_t> touched_;  ///< by root
     std::uint32_t faults_ = 0, tick_ = 0;
     // Both blades' tracks in the most parts that they can be told in, four events each, and what else happens
