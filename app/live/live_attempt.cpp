@@ -7,6 +7,7 @@
 #include "app/live/attempt_recording.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
+#include "app/live/world_products.h"
 #include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
 #include "database/rows/packed_bytes.h"
@@ -30,10 +31,6 @@ struct RecordWorld {
     bool is_event = false;
     Event event;
     StepRecord step;
-};
-struct View {
-    WorldSnapshot snapshot;
-    TaskDisplay display;
 };
 /// Alignment of the devices with the instruments while a device is lost.
 struct Watched {
@@ -64,8 +61,7 @@ struct LiveAttempt::State : public AttemptSink {
     Ring<TickOutput> world_ring{world_ring_ticks};
     Ring<RecordTick> record_ring{record_ring_ticks};
     Ring<RecordWorld> record_world_ring{record_ring_ticks};
-    TripleBuffer<LocalModels> models;
-    TripleBuffer<View> view, rig_view;
+    WorldProducts products;
     TripleBuffer<Watched> watched;
     Signal may_begin, ticks_ready;
     DeviceWatch watch;  // haptic thread
@@ -104,10 +100,7 @@ struct LiveAttempt::State : public AttemptSink {
             hands = engine->loop().last_input();
         }
         targets = engine->initial_snapshot().targets;
-        models.fill(engine->world().local_models());
-        const View start{engine->initial_snapshot(), engine->display()};
-        view.fill(start);
-        rig_view.fill(start);
+        products.fill(*engine, dynamic_cast<ObservingRig*>(request.rig.get()) != nullptr);
         engine->use_devices(request.meta.force_devices);
         built.store(true);
     }
@@ -150,7 +143,11 @@ void LiveAttempt::State::run_haptic() noexcept {
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
     const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
     const auto period = static_cast<std::int64_t>(1e9 / engine->scene().tick_rate);
-    if (observer != nullptr) observer->observe(rig_view.value().snapshot, rig_view.value().display);
+    const auto observe = [&] {
+        const View& seen = products.rig_view.value();
+        observer->observe(seen.snapshot, seen.display);
+    };
+    if (observer != nullptr) observe();
     std::int64_t deadline = now_ns() + period;
     TickAccount account(period);
     std::int64_t last_duration = 0;
@@ -173,9 +170,8 @@ void LiveAttempt::State::run_haptic() noexcept {
         deadline += period;
 
         if (tick % ticks_per_step == 1U % ticks_per_step) {
-            if (models.update()) engine->adopt(models.value());
-            if (observer != nullptr && rig_view.update())
-                observer->observe(rig_view.value().snapshot, rig_view.value().display);
+            if (products.models.update()) engine->adopt(products.models.value());
+            if (observer != nullptr && products.rig_view.update()) observe();
         }
         RigSample input;
         input.tick = tick;
@@ -224,15 +220,7 @@ void LiveAttempt::State::run_world() noexcept {
                 late.detail = static_cast<std::int32_t>(count - ticks_per_step);
                 on_event(late);
             }
-            const StepProducts products = engine->step(outputs.data(), count, *this);
-            models.write_slot() = *products.models;
-            models.publish();
-            for (TripleBuffer<View>* buffer : {&view, &rig_view}) {
-                View& slot = buffer->write_slot();
-                slot.snapshot = *products.snapshot;
-                slot.display = *products.display;
-                buffer->publish();
-            }
+            products.publish(engine->step(outputs.data(), count, *this));
             counters.step_ends(now_ns() - begin);
             outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
             if (engine->ended()) {
@@ -403,13 +391,13 @@ void LiveAttempt::start() {
 }
 
 bool LiveAttempt::update() {
-    return state_->view.update();
+    return state_->products.view.update();
 }
 const WorldSnapshot& LiveAttempt::snapshot() const {
-    return state_->view.value().snapshot;
+    return state_->products.view.value().snapshot;
 }
 const TaskDisplay& LiveAttempt::display() const {
-    return state_->view.value().display;
+    return state_->products.view.value().display;
 }
 
 ui::LoopHealth LiveAttempt::health() const {
