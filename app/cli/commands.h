@@ -25,6 +25,7 @@ Command tissues_command();
 Command forms_command();
 std::vector<Command> asset_commands();       ///< assets ...
 std::vector<Command> curricula_commands();   ///< curriculum list, move
+std::vector<Command> roster_commands();      ///< people import, cohort import
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
 std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab

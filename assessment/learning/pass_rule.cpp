@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <locale>
 #include <map>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -106,11 +108,28 @@ PassRule parse_pass_rule(const std::string& text) {
     return rule;
 }
 
-OperatingPoint operating_point(const PassRule& rule, double q, int attempts) {
+std::string pass_rule_text(const PassRule& rule) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    switch (rule.kind) {
+        case PassRuleKind::in_a_row:
+            text << "row:" << rule.k;
+            break;
+        case PassRuleKind::k_of_n:
+            text << "of:" << rule.k << ',' << rule.n;
+            break;
+        case PassRuleKind::lc_cusum:
+            text << "lc-cusum:" << rule.p0 << ',' << rule.p1 << ',' << rule.h;
+            break;
+    }
+    return text.str();
+}
+
+std::vector<double> operating_curve(const PassRule& rule, double q, int attempts) {
     std::map<State, double> now{{{0, 0}, 1.0}};
-    OperatingPoint point;
-    double moment = 0;
-    for (int t = 1; t <= attempts && !now.empty(); ++t) {
+    std::vector<double> curve;
+    double met = 0;
+    for (int t = 1; t <= attempts; ++t) {
         std::map<State, double> next;
         double met_now = 0;
         for (const auto& [state, chance] : now) {
@@ -125,10 +144,22 @@ OperatingPoint operating_point(const PassRule& rule, double q, int attempts) {
                 }
             }
         }
-        point.declared += met_now;
-        moment += t * met_now;
-        if (!point.median_attempts && point.declared >= 0.5) point.median_attempts = t;
+        met += met_now;
+        curve.push_back(met);
         now = std::move(next);
+    }
+    return curve;
+}
+
+OperatingPoint operating_point(const PassRule& rule, double q, int attempts) {
+    OperatingPoint point;
+    double moment = 0;
+    int t = 0;
+    for (const double declared : operating_curve(rule, q, attempts)) {
+        ++t;
+        moment += t * (declared - point.declared);
+        point.declared = declared;
+        if (!point.median_attempts && declared >= 0.5) point.median_attempts = t;
     }
     if (point.declared > 0) point.mean_attempts_if_declared = moment / point.declared;
     return point;

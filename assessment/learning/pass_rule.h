@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fulcrum {
 
@@ -23,6 +24,8 @@ struct PassRule {
 
 /// "row:K", "of:K,N" or "lc-cusum:P0,P1,H", 1 <= K <= 60, N <= 16. Throws InputError.
 PassRule parse_pass_rule(const std::string& text);
+/// The text that parse_pass_rule() reads as the rule; numbers with at most six digits.
+std::string pass_rule_text(const PassRule& rule);
 /// What an attempt adds to the sum of LC-CUSUM: ln((1 - p0)/(1 - p1)) for a pass, ln(p0/p1) for a failure.
 /// The sum starts at 0 and never falls below it.
 double lc_cusum_step(const PassRule& rule, bool passed);
@@ -37,5 +40,7 @@ struct OperatingPoint {
 /// Exact, by dynamic programming on whole-number states. `q`: chance of a pass, 0 to 1; `attempts` 1 to 1000.
 /// Learning and the condition of two days are left out.
 OperatingPoint operating_point(const PassRule& rule, double q, int attempts);
+/// Chance that T <= t for t = 1 to `attempts`; as operating_point().
+std::vector<double> operating_curve(const PassRule& rule, double q, int attempts);
 
 }  // namespace fulcrum

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statistics of a curriculum against published values, exact cases and simulation.
 #include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
+#include <algorithm>
 
 #include <chrono>
 #include <cmath>
@@ -86,6 +88,20 @@ TEST(OperatingCurve, HasItsClosedForms) {
     EXPECT_EQ(*sure.median_attempts, 10);
     EXPECT_EQ(operating_point(parse_pass_rule("of:4,5"), 1, 30).median_attempts, 4)
         << "met before five attempts";
+}
+
+TEST(OperatingCurve, EndsAtThePointAndNeverFalls) {
+    for (const char* text : {"row:3", "of:4,5", "of:8,16", "lc-cusum:0.1,0.3,2.5"}) {
+        const PassRule rule = parse_pass_rule(text);
+        const std::vector<double> curve = operating_curve(rule, 0.7, 40);
+        ASSERT_EQ(curve.size(), 40U);
+        EXPECT_TRUE(std::is_sorted(curve.begin(), curve.end())) << text;
+        for (const int attempts : {1, 7, 40})
+            EXPECT_EQ(curve[static_cast<std::size_t>(attempts - 1)],
+                      operating_point(rule, 0.7, attempts).declared)
+                << text;
+        EXPECT_EQ(pass_rule_text(rule), text) << "the text of a rule is read as the rule";
+    }
 }
 
 TEST(OperatingCurve, TakesLessThan50Milliseconds) {

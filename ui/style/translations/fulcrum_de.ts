@@ -2971,6 +2971,80 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::CurriculumPage</name>
+    <message>
+        <source>When a trainee is proficient in a task follows from its pass rule. Choose a task, move the sliders, and see what another rule would do.</source>
+        <translation>Wann eine Aufgabe sicher beherrscht wird, folgt aus ihrer Bestehensregel. Wählen Sie eine Aufgabe, bewegen Sie die Regler und sehen Sie, was eine andere Regel bewirken würde.</translation>
+    </message>
+    <message>
+        <source>Tasks of the curriculum</source>
+        <translation>Aufgaben des Curriculums</translation>
+    </message>
+    <message>
+        <source>Back to the rule in force</source>
+        <translation>Zurück zur geltenden Regel</translation>
+    </message>
+    <message>
+        <source>Exact for trainees who pass every attempt with the same chance. Learning, the two days and the variants that a rule may ask for are left out: they delay it further.</source>
+        <translation>Genau für Trainierende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen, die zwei Tage und die Varianten, die eine Regel verlangen kann, sind nicht berücksichtigt: Sie verzögern es weiter.</translation>
+    </message>
+    <message>
+        <source>New version</source>
+        <translation>Neue Version</translation>
+    </message>
+    <message>
+        <source>File of the new version</source>
+        <translation>Datei der neuen Version</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1, Version %2</translation>
+    </message>
+    <message>
+        <source>tried: %1</source>
+        <translation>erprobt: %1</translation>
+    </message>
+    <message>
+        <source>Stage %1: %2</source>
+        <translation>Stufe %1: %2</translation>
+    </message>
+    <message>
+        <source>open from the start</source>
+        <translation>von Anfang an offen</translation>
+    </message>
+    <message>
+        <source>opens after %1</source>
+        <translation>öffnet nach %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>passes on %n variants</source>
+        <translation>
+            <numerusform>Bestandene in %n Variante</numerusform>
+            <numerusform>Bestandene in %n Varianten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>attempts with %1</source>
+        <translation>Versuche mit %1</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Change the rule of a task first.</source>
+        <translation>Ändern Sie zuerst die Regel einer Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Wrote %1. It takes effect once it is installed: the manual says how.</source>
+        <translation>%1 wurde geschrieben. Sie gilt, sobald sie installiert ist: Das Handbuch sagt, wie.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::DebriefPage</name>
     <message>
         <source>← Back</source>
@@ -3572,6 +3646,132 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ImportCard</name>
+    <message>
+        <source>new account</source>
+        <translation>neues Konto</translation>
+    </message>
+    <message>
+        <source>gets a role</source>
+        <translation>erhält eine Rolle</translation>
+    </message>
+    <message>
+        <source>is there already</source>
+        <translation>ist schon da</translation>
+    </message>
+    <message>
+        <source>not imported: the account is deactivated</source>
+        <translation>nicht importiert: Das Konto ist deaktiviert</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Import a list</source>
+        <translation>Eine Liste importieren</translation>
+    </message>
+    <message>
+        <source>A folder with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. Nobody is renamed, deactivated or removed.</source>
+        <translation>Ein Ordner mit OneRoster-CSV-Dateien oder eine CSV-Datei mit den Spalten login, name, role und cohort. Niemand wird umbenannt, deaktiviert oder entfernt.</translation>
+    </message>
+    <message>
+        <source>One-time passwords</source>
+        <translation>Einmalpasswörter</translation>
+    </message>
+    <message>
+        <source>New file for the one-time passwords</source>
+        <translation>Neue Datei für die Einmalpasswörter</translation>
+    </message>
+    <message>
+        <source>File or folder of the list</source>
+        <translation>Datei oder Ordner der Liste</translation>
+    </message>
+    <message>
+        <source>File …</source>
+        <translation>Datei …</translation>
+    </message>
+    <message>
+        <source>Folder …</source>
+        <translation>Ordner …</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>List of people</source>
+        <translation>Liste von Personen</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new accounts</source>
+        <translation>
+            <numerusform>%n neues Konto</numerusform>
+            <numerusform>%n neue Konten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people get a role</source>
+        <translation>
+            <numerusform>%n Person erhält eine Rolle</numerusform>
+            <numerusform>%n Personen erhalten eine Rolle</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n are there already</source>
+        <translation>
+            <numerusform>%n ist schon da</numerusform>
+            <numerusform>%n sind schon da</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out</source>
+        <translation>
+            <numerusform>%n ausgelassen</numerusform>
+            <numerusform>%n ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped. The accounts that were made have their passwords in the file; an import of the same list makes the others.</source>
+        <translation>Abgebrochen. Die Passwörter der angelegten Konten stehen in der Datei; ein Import derselben Liste legt die übrigen an.</translation>
+    </message>
+    <message>
+        <source>Making accounts …</source>
+        <translation>Konten werden angelegt …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accounts were made.</source>
+        <translation>
+            <numerusform>%n Konto wurde angelegt.</numerusform>
+            <numerusform>%n Konten wurden angelegt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their one-time passwords are in %1, valid for 24 hours. Hand them over and delete the file.</source>
+        <translation>Ihre Einmalpasswörter stehen in %1 und gelten 24 Stunden. Geben Sie sie weiter und löschen Sie die Datei.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::JobBar</name>
     <message>
         <source>Cancel</source>
@@ -3940,6 +4140,103 @@ Kennzahlen: %2</translation>
     <message>
         <source>Passed at least once, of those who tried, with the 95 % interval. Days from the first attempt that counts: median over people (Kaplan and Meier), with its 95 % interval. Provisional limits allow a pass, never proficiency.</source>
         <translation>Mindestens einmal bestanden, von denen, die es versucht haben, mit dem 95-%-Intervall. Tage ab dem ersten Versuch, der zählt: Median über die Personen (Kaplan und Meier) mit seinem 95-%-Intervall. Mit vorläufigen Grenzwerten ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PassRuleChart</name>
+    <message>
+        <source>attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>passes %1 %</source>
+        <translation>besteht %1 %</translation>
+    </message>
+    <message>
+        <source>Chance of being declared proficient, by number of attempts</source>
+        <translation>Wahrscheinlichkeit, dass „sicher beherrscht“ festgestellt wird, nach Anzahl der Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PassRuleDesigner</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes in a row</source>
+        <translation>
+            <numerusform>%n bestandener in Folge</numerusform>
+            <numerusform>%n bestandene in Folge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 passes among the last %2 attempts</source>
+        <translation>%1 bestandene unter den letzten %2 Versuchen</translation>
+    </message>
+    <message>
+        <source>LC-CUSUM %1 % / %2 %, limit %3</source>
+        <translation>LC-CUSUM %1 % / %2 %, Grenze %3</translation>
+    </message>
+    <message>
+        <source>Kind of rule</source>
+        <translation>Art der Regel</translation>
+    </message>
+    <message>
+        <source>Passes in a row</source>
+        <translation>Bestandene in Folge</translation>
+    </message>
+    <message>
+        <source>Passes among the last attempts</source>
+        <translation>Bestandene unter den letzten Versuchen</translation>
+    </message>
+    <message>
+        <source>LC-CUSUM</source>
+        <translation>LC-CUSUM</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Bestandene</translation>
+    </message>
+    <message>
+        <source>Among the last</source>
+        <translation>Unter den letzten</translation>
+    </message>
+    <message>
+        <source>Acceptable failures</source>
+        <translation>Annehmbare Misserfolge</translation>
+    </message>
+    <message>
+        <source>Unacceptable failures</source>
+        <translation>Nicht annehmbare</translation>
+    </message>
+    <message>
+        <source>Limit of the sum</source>
+        <translation>Grenze der Summe</translation>
+    </message>
+    <message>
+        <source>Chance of being declared proficient</source>
+        <translation>Wahrscheinlichkeit, dass „sicher beherrscht“ festgestellt wird</translation>
+    </message>
+    <message>
+        <source>%1 attempts</source>
+        <translation>%1 Versuche</translation>
+    </message>
+    <message>
+        <source>Half after</source>
+        <translation>Hälfte nach</translation>
+    </message>
+    <message>
+        <source>Dashed, and in brackets: the rule in force, %1.</source>
+        <translation>Gestrichelt und in Klammern: die geltende Regel, %1.</translation>
+    </message>
+    <message>
+        <source>Every pass raises a sum, every failure lowers it more, never below 0; who reaches the limit is proficient.</source>
+        <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
+    </message>
+    <message>
+        <source>This is the rule in force.</source>
+        <translation>Das ist die geltende Regel.</translation>
     </message>
 </context>
 <context>
@@ -6019,6 +6316,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Tissue</source>
         <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Curriculum</source>
+        <translation>Curriculum</translation>
     </message>
 </context>
 <context>

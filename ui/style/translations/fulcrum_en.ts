@@ -12,4 +12,62 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>fulcrum::ui::PassRuleDesigner</name>
+    <message numerus="yes">
+        <source>%n passes in a row</source>
+        <translation>
+            <numerusform>%n pass</numerusform>
+            <numerusform>%n passes in a row</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::CurriculumPage</name>
+    <message numerus="yes">
+        <source>passes on %n variants</source>
+        <translation>
+            <numerusform>passes on %n variant</numerusform>
+            <numerusform>passes on %n variants</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ImportCard</name>
+    <message numerus="yes">
+        <source>%n new accounts</source>
+        <translation>
+            <numerusform>%n new account</numerusform>
+            <numerusform>%n new accounts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people get a role</source>
+        <translation>
+            <numerusform>%n person gets a role</numerusform>
+            <numerusform>%n people get a role</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n are there already</source>
+        <translation>
+            <numerusform>%n is there already</numerusform>
+            <numerusform>%n are there already</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out</source>
+        <translation>
+            <numerusform>%n left out</numerusform>
+            <numerusform>%n left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accounts were made.</source>
+        <translation>
+            <numerusform>%n account was made.</numerusform>
+            <numerusform>%n accounts were made.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pass rule to play with: its kind and numbers by sliders, and at once what it does to trainees who pass
+// 90, 70 and 50 % of their attempts, beside the rule in force. Picture first, the same as a table below it.
+#pragma once
+
+#include <QWidget>
+
+#include "assessment/learning/pass_rule.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class PassRuleChart;
+
+/// "5 passes in a row", "4 passes among the last 5 attempts", "LC-CUSUM: ...".
+QString pass_rule_words(const PassRule& rule);
+
+class PassRuleDesigner : public QWidget {
+    Q_OBJECT
+  public:
+    explicit PassRuleDesigner(QWidget* parent = nullptr);
+    /// `in_force`: the curriculum's; `tried`: what the sliders show.
+    void show_rule(const PassRule& in_force, const PassRule& tried);
+    const PassRule& tried() const { return tried_; }
+
+  signals:
+    /// By the person, not by show_rule().
+    void changed();
+
+  private:
+    struct Dial {
+        QWidget* row = nullptr;
+        QSlider* slider = nullptr;
+        QLabel *name = nullptr, *value = nullptr;
+    };
+    Dial make_dial(const QString& name, const char* object);
+    void set_dials();
+    void read_dials();
+    void refresh();
+
+    PassRule in_force_, tried_;
+    bool setting_ = false;
+    QComboBox* kind_;
+    Dial passes_, among_, acceptable_, unacceptable_, limit_;
+    PassRuleChart* chart_;
+    QTableWidget* table_;
+    QLabel* words_;
+};
+
+}  // namespace fulcrum::ui
