@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
+#include "ui/administration/import_card.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -67,6 +68,9 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     table_->setMinimumHeight(240);
     layout->addWidget(table_);
     layout->addWidget(build_editor());
+    import_ = new ImportCard(context);
+    connect(import_, &ImportCard::imported, this, &PeoplePage::fill);
+    layout->addWidget(import_);
     picker_ =
         new QCheckBox(tr("Show the people who signed in here in the last 30 days on the sign-in screen"));
     picker_->setObjectName(QStringLiteral("sign_in_picker"));
@@ -137,6 +141,10 @@ void PeoplePage::enter() {
     new_name_->setFocus();
     picker_->setVisible(context().allowed(database::Operation::manage_settings));
     context().guarded([&] { picker_->setChecked(database::People(context().store()).sign_in_picker()); });
+}
+
+void PeoplePage::leave() {
+    import_->stop();
 }
 
 void PeoplePage::fill() {

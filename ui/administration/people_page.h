@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accounts: add people, give and take roles, one-time passwords, deactivate; the sign-in picker. No scores
-// here.
+// Accounts: add people, alone or from a list, give and take roles, one-time passwords, deactivate; the
+// sign-in picker. No scores here.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,14 @@ class QTableWidget;
 
 namespace fulcrum::ui {
 
+class ImportCard;
+
 class PeoplePage : public Page {
     Q_OBJECT
   public:
     explicit PeoplePage(Context& context);
     void enter() override;
+    void leave() override;
 
   private:
     QFrame* build_editor();
@@ -43,6 +46,7 @@ class PeoplePage : public Page {
     QFrame *editor_ = nullptr, *secret_ = nullptr;
     QPushButton* active_ = nullptr;
     QCheckBox* picker_ = nullptr;
+    ImportCard* import_ = nullptr;
 };
 
 }  // namespace fulcrum::ui

@@ -11,6 +11,7 @@
 
 #include "assessment/task/task.h"
 #include "database/records/report_data.h"
+#include "database/rows/csv_text.h"
 #include "sim_core/numerics/name_table.h"
 #include "ui/services/application_services.h"
 
@@ -115,9 +116,7 @@ std::vector<std::string> write_report(const database::Store& store, const databa
 /// Throws the StoreError that says why a report's file cannot be written.
 [[noreturn]] void fail_output(const std::string& path, const std::system_error& error);
 
-/// A text cell that no spreadsheet takes for a formula, quoted where CSV needs it.
-std::string csv_text(const std::string& cell);
-/// Shortest decimal that reads back as the same number; empty for none.
-std::string csv_number(const std::optional<double>& value);
+using database::csv_number;
+using database::csv_text;
 
 }  // namespace fulcrum::ui

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/roster/csv_rows.h"
+
+#include <QString>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::uintmax_t largest = std::uintmax_t{16} << 20U;  // bytes
+
+std::string lower(std::string word) {
+    for (char& c : word) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return word;
+}
+
+std::string trimmed(const std::string& cell) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+    const auto begin = std::find_if_not(cell.begin(), cell.end(), blank);
+    const auto end = std::find_if_not(cell.rbegin(), std::make_reverse_iterator(begin), blank).base();
+    return {begin, end};
+}
+
+/// One cell after the other; says whether a cell was the last of its row.
+class Cells {
+  public:
+    Cells(const std::string& text, const std::string& file) : text_(text), file_(file) {
+        if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) at_ = 3;
+    }
+    bool more() const { return at_ < text_.size(); }
+    int line() const { return line_; }
+    std::string next(bool& last) {
+        std::string cell;
+        bool quoted = false;
+        if (more() && text_[at_] == '"') {
+            quoted = true;
+            cell = in_quotes();
+        }
+        while (more() && text_[at_] != ',' && text_[at_] != '\n') cell += text_[at_++];
+        last = !more() || text_[at_] == '\n';
+        if (more()) {
+            if (text_[at_] == '\n') ++line_;
+            ++at_;
+        }
+        if (last && !cell.empty() && cell.back() == '\r') cell.pop_back();
+        return quoted ? cell : trimmed(cell);
+    }
+
+  private:
+    std::string in_quotes() {
+        const int begun = line_;
+        std::string cell;
+        for (++at_; more(); ++at_) {
+            if (text_[at_] == '\n') ++line_;
+            if (text_[at_] != '"') {
+                cell += text_[at_];
+            } else if (at_ + 1 < text_.size() && text_[at_ + 1] == '"') {
+                cell += '"';
+                ++at_;
+            } else {
+                ++at_;
+                return cell;
+            }
+        }
+        throw InputError(file_, std::to_string(begun), "a quote begins here and does not end",
+                         "end the cell with a quote");
+    }
+
+    const std::string& text_;
+    const std::string& file_;
+    std::size_t at_ = 0;
+    int line_ = 1;
+};
+
+}  // namespace
+
+CsvRows CsvRows::load(const std::string& path) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    std::error_code error;
+    const bool regular = std::filesystem::is_regular_file(path, error);
+    std::ifstream in(path, std::ios::binary);
+    if (!regular || !in)
+        throw InputError(path, "", "cannot be read", "name a file that exists and may be read");
+    if (std::filesystem::file_size(path, error) > largest)
+        throw InputError(name, "", "is larger than 16 MiB", "divide it");
+    return parse({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, name);
+}
+
+CsvRows CsvRows::parse(const std::string& text, const std::string& file) {
+    if (QString::fromUtf8(text.data(), static_cast<int>(text.size())).toUtf8().toStdString() != text &&
+        text.compare(0, 3, "\xEF\xBB\xBF") != 0)
+        throw InputError(file, "", "is not UTF-8", "save it as UTF-8");
+    CsvRows table;
+    table.file_ = file;
+    Cells cells(text, file);
+    while (cells.more()) {
+        Row row;
+        row.line = cells.line();
+        for (bool last = false; !last;) row.cells.push_back(cells.next(last));
+        if (row.cells.size() == 1 && row.cells[0].empty()) continue;  // an empty line
+        if (table.columns_.empty()) {
+            for (std::string& cell : row.cells) cell = lower(cell);
+            table.columns_ = row.cells;
+            std::sort(row.cells.begin(), row.cells.end());
+            const auto twice = std::adjacent_find(row.cells.begin(), row.cells.end());
+            if (twice != row.cells.end())
+                throw InputError(file, "1", "column '" + *twice + "' is there twice",
+                                 "name each column once");
+        } else if (row.cells.size() != table.columns_.size()) {
+            throw InputError(file, std::to_string(row.line),
+                             "has " + std::to_string(row.cells.size()) + " cells where the first row has " +
+                                 std::to_string(table.columns_.size()),
+                             "write as many; quote a cell that contains a comma");
+        } else {
+            table.rows_.push_back(std::move(row));
+        }
+    }
+    if (table.columns_.empty()) throw InputError(file, "", "is empty", "begin with a row of column names");
+    return table;
+}
+
+std::size_t CsvRows::index_of(const std::string& column) const {
+    return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), lower(column)) -
+                                    columns_.begin());
+}
+
+bool CsvRows::has(const std::string& column) const {
+    return index_of(column) < columns_.size();
+}
+
+const std::string& CsvRows::cell(std::size_t row, const std::string& column) const {
+    static const std::string nothing;
+    const std::size_t index = index_of(column);
+    return index < columns_.size() ? rows_[row].cells[index] : nothing;
+}
+
+std::string CsvRows::place(std::size_t row) const {
+    return file_ + ":" + std::to_string(line(row));
+}
+
+void CsvRows::require(const std::vector<std::string>& columns) const {
+    for (const std::string& column : columns) {
+        if (!has(column)) throw InputError(file_, "1", "has no column " + column, "add it to the first row");
+    }
+}
+
+}  // namespace fulcrum::database
