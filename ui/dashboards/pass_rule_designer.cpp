@@ -54,7 +54,7 @@ QString pass_rule_words(const PassRule& rule) {
         case PassRuleKind::lc_cusum:
             break;
     }
-    return PassRuleDesigner::tr("LC-CUSUM %1 % / %2 %, limit %3")
+    return PassRuleDesigner::tr("LC-CUSUM %1/%2 %, limit %3")
         .arg(figure(100 * rule.p0), figure(100 * rule.p1), figure(rule.h));
 }
 

@@ -4175,8 +4175,8 @@ Kennzahlen: %2</translation>
         <translation>%1 bestandene unter den letzten %2 Versuchen</translation>
     </message>
     <message>
-        <source>LC-CUSUM %1 % / %2 %, limit %3</source>
-        <translation>LC-CUSUM %1 % / %2 %, Grenze %3</translation>
+        <source>LC-CUSUM %1/%2 %, limit %3</source>
+        <translation>LC-CUSUM %1/%2 %, Grenze %3</translation>
     </message>
     <message>
         <source>Kind of rule</source>
