@@ -208,6 +208,7 @@ void CapsuleBodies::find_springs(const std::vector<BodyState>& bodies, const Bod
             const double scale = grip.damping + h * grip.stiffness;
             spring.softness = 1 / (h * scale);
             spring.goal = speed - grip.stiffness / scale * stretch;
+            spring.most = h * grip.most;
             spring.impulse.setZero();
             spring.inverse =
                 (answer(grip.body, spring.arm) + spring.softness * Matrix3::Identity()).inverse();
@@ -224,8 +225,12 @@ void CapsuleBodies::shift(BodyState& body, std::int32_t index, const Vector3& ar
 void CapsuleBodies::pull(std::vector<BodyState>& bodies, Spring& spring) const noexcept {
     BodyState& body = bodies[static_cast<std::size_t>(spring.body)];
     const Vector3 speed = body.velocity + body.spin.cross(spring.arm);
-    const Vector3 more = spring.inverse * (spring.goal - speed - spring.softness * spring.impulse);
-    spring.impulse += more;
+    const Vector3 before = spring.impulse;
+    spring.impulse += spring.inverse * (spring.goal - speed - spring.softness * spring.impulse);
+    // Another hand or a post may take the body along within the step.
+    const double size = spring.impulse.norm();
+    if (size > spring.most) spring.impulse *= spring.most / size;
+    const Vector3 more = spring.impulse - before;
     shift(body, spring.body, spring.arm, more);
 }
 

@@ -67,6 +67,7 @@ struct BodyGrip {
     std::array<Vector3, grip_points> target{};  ///< m, and at its end
     double stiffness = 0;                       ///< N/m, of each
     double damping = 0;                         ///< N s/m, of each
+    double most = 1e9;                          ///< N, of each: beyond it the body slides in the jaws
     Vector3 force = Vector3::Zero();            ///< N, jaws on body, mean of the last step; written by step()
 };
 
@@ -118,7 +119,7 @@ class CapsuleBodies {
         std::int32_t body = -1, hand = 0;
         Vector3 arm = Vector3::Zero(), goal = Vector3::Zero(), impulse = Vector3::Zero();
         Matrix3 inverse = Matrix3::Zero();
-        double softness = 0;
+        double softness = 0, most = 0;  ///< s/kg; N s
     };
 
     void begin_substep(std::vector<BodyState>& bodies, double h) noexcept;

@@ -68,6 +68,7 @@ void AttemptsPage::enter() {
     fill_filters();
     cohort_->setVisible(!own);
     person_->setVisible(!own);
+    table_->setColumnHidden(0, own);  // a trainee sees their own
     fill_requests();
     fill_cut_off();
     load();
@@ -285,7 +286,7 @@ void AttemptsPage::load() {
         }
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_, {1, 2, 6, 7, 8});
+    fit_columns(table_, {0, 1, 2, 6, 7, 8});
     if (!attempts_.empty()) table_->setCurrentCell(0, 0);
     count_->setText(attempts_.size() >= 500 ? tr("the newest 500")
                                             : tr("attempts: %1").arg(attempts_.size()));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -164,6 +165,33 @@ TEST(CapsuleBodies, AreStableInHoldsOfAnyStiffness) {
                   2.01 * 0.003 * gravity / stiffness + 1e-4)
             << stiffness;
     }
+}
+
+// The other hand, much stronger, takes the body along within one step.
+TEST(CapsuleBodies, AreHeldByNoMoreThanTheJawsHold) {
+    Bench bench;
+    const BodyState body = bench.add(Vector3(0, 0, 0.1));
+    for (int hand = 0; hand < hand_count; ++hand) {
+        BodyGrip& grip = bench.grips[hand];
+        grip.body = 0;
+        grip.count = 1;
+        grip.stiffness = 800;
+        grip.damping = 0.5;
+        grip.at[0] = Vector3(hand == 0 ? -0.009 : 0.009, 0, 0);
+        grip.last[0] = grip.target[0] = body.position + grip.at[0];
+    }
+    bench.grips[0].most = 1.5;
+    bench.grips[1].most = 40;
+    double largest = 0;
+    for (int step = 0; step < 20; ++step) {
+        bench.grips[1].last[0] = bench.grips[1].target[0];
+        bench.grips[1].target[0] += Vector3(0.002, 0, 0);
+        bench.run(dt);
+        largest = std::max(largest, bench.grips[0].force.norm());
+        EXPECT_LE(bench.grips[0].force.norm(), 1.5 + 1e-9) << step;
+    }
+    EXPECT_GT(largest, 1.499) << "it was pulled to what it holds";
+    EXPECT_GT(bench.bodies[0].position.x(), 0.03) << "and the body went with the stronger hand";
 }
 
 TEST(CapsuleBodies, PinnedByAnInstrumentPushBackAsItsSpring) {

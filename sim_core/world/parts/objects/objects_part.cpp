@@ -123,6 +123,7 @@ void ObjectsPart::follow_jaws(int number, const StepInput& input) noexcept {
     grip.at = hand.at;
     grip.stiffness = hand.jaws.stiffness();
     grip.damping = tissue_.damping / grip_points;
+    grip.most = hand.jaws.most();
     for (std::size_t i = 0; i < hand.at.size(); ++i) {
         const Jaws::Point& point = hand.jaws.point(static_cast<int>(i));
         grip.target[i] = point.target;
