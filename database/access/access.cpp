@@ -55,6 +55,9 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::read_tissues,            "read_tissues",               programme, programme, programme, none,      programme, false},
     {Operation::set_tissues,             "set_tissues",                none,      programme, none,      none,      none,      false},
     {Operation::accept_assets,           "accept_assets",              none,      programme, none,      none,      none,      false},
+    {Operation::rate,                    "rate",                       none,      cohort,    programme, none,      none,      true},
+    {Operation::read_ratings,            "read_ratings",               own,       cohort,    programme, none,      none,      false},
+    {Operation::release_ratings,         "release_ratings",            none,      cohort,    programme, none,      none,      true},
 }};
 // clang-format on
 

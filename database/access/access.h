@@ -60,9 +60,12 @@ enum class Operation : std::uint8_t {
     manage_settings,  ///< programme name, sign-in picker on or off
     read_tissues,     ///< what the site says of a task's tissues
     set_tissues,
-    accept_assets,  ///< scenes, tasks, benchmark sets and curricula of the site for assessed attempts
+    accept_assets,    ///< scenes, tasks, benchmark sets and curricula of the site for assessed attempts
+    rate,             ///< fill in and hand in an observer form; never of one's own attempt
+    read_ratings,     ///< forms that were handed in; trainees: those that were released
+    release_ratings,  ///< show the trainee the forms that were handed in; never of one's own attempt
 };
-inline constexpr int operation_count = 33;
+inline constexpr int operation_count = 36;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

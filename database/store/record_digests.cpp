@@ -115,6 +115,20 @@ const std::vector<RecordRow> record_kinds = {
      "move of curriculum",
      "SELECT id FROM curriculum_move",
      {"SELECT id, person_id, curriculum, author_id, time, reason FROM curriculum_move WHERE id = ?"}},
+    {RecordKind::rating,
+     "rating",
+     "SELECT id FROM rating WHERE handed_in <> 0",
+     {"SELECT id, attempt_id, rater_id, form, form_digest, blinding, begun, handed_in, remark FROM rating "
+      "WHERE id = ? AND handed_in <> 0",
+      "SELECT number, item, value FROM rating_item WHERE rating_id = ? ORDER BY number"}},
+    {RecordKind::form,
+     "form",
+     "SELECT DISTINCT form_digest FROM rating WHERE handed_in <> 0",
+     {"SELECT digest, text FROM form_text WHERE digest = ?"}},
+    {RecordKind::rating_release,
+     "release of rating",
+     "SELECT rating_id FROM rating_release",
+     {"SELECT rating_id, person_id, time FROM rating_release WHERE rating_id = ?"}},
 };
 
 const RecordRow& record_row(RecordKind kind) {

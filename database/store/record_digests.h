@@ -33,6 +33,9 @@ enum class RecordKind : std::uint8_t {
     decision,
     asset,  ///< accepted by the programme; id: its digest
     curriculum_move,
+    rating,  ///< a form that was handed in, with its answers
+    form,    ///< of a rating that was handed in; id: its digest
+    rating_release,
 };
 
 struct RecordName {

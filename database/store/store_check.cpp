@@ -163,7 +163,7 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
     });
     // An older store has not got all of it; opening it for writing brings it up to date.
     constexpr int with_attempts = 2, with_pathology = 5, with_scenes = 6, with_decisions = 7,
-                  with_records = 15, with_signatures = 14;
+                  with_records = 16, with_signatures = 14;
     const int schema = store.found_schema();
     if (schema >= with_signatures)
         look(0.4, 0.4, "signatures",

@@ -50,6 +50,9 @@ inline const Expected expected_table[] = {
     {Operation::read_tissues, "ppp-p"},
     {Operation::set_tissues, "-p---"},
     {Operation::accept_assets, "-p---"},
+    {Operation::rate, "-cp--"},
+    {Operation::read_ratings, "ocp--"},
+    {Operation::release_ratings, "-cp--"},
 };
 
 inline Scope scope_of_letter(char letter) {
@@ -81,11 +84,17 @@ inline bool covers(Scope scope, const Relation& relation) {
            (scope == Scope::synthetic && relation.synthetic);
 }
 
-/// The whole rule: the scope covers the relation, and nobody voids or reassigns their own attempt.
+/// What nobody does to themselves.
+inline bool expected_never_own(Operation operation) {
+    return operation == Operation::void_attempt || operation == Operation::reassign_attempt ||
+           operation == Operation::decide_standing || operation == Operation::rate ||
+           operation == Operation::release_ratings;
+}
+
+/// The whole rule: the scope covers the relation, and nobody voids, reassigns or rates their own attempt.
 inline bool expected_allowed(Operation operation, Role role, const Relation& relation) {
-    const bool never_own = operation == Operation::void_attempt || operation == Operation::reassign_attempt ||
-                           operation == Operation::decide_standing;
-    return covers(expected_scope(operation, role), relation) && !(never_own && relation.own);
+    return covers(expected_scope(operation, role), relation) &&
+           !(expected_never_own(operation) && relation.own);
 }
 
 }  // namespace fulcrum::database::test

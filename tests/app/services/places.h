@@ -83,6 +83,12 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"save_tissues"};
         case Operation::accept_assets:
             return {};
+        case Operation::rate:
+            return {"rating_begin", "rating_form"};
+        case Operation::read_ratings:
+            return {"rating_shown"};
+        case Operation::release_ratings:
+            return {"ratings_release"};
     }
     return {};
 }
@@ -101,6 +107,9 @@ inline const char* window_leaves_out(Operation operation, Role role) {
         return "scored in the background at the educator's sign-in; it is shown on the trainee's home page";
     if (role == Role::educator && operation == Operation::accept_assets)
         return "benchmark sets of the site are built on the command line, and accepted there";
+    if (operation == Operation::rate || operation == Operation::read_ratings ||
+        operation == Operation::release_ratings)
+        return "no page for ratings yet";
     return nullptr;
 }
 
@@ -153,6 +162,9 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::request_correction:
         case Operation::read_requests:
         case Operation::manage_settings:
+        case Operation::rate:
+        case Operation::read_ratings:
+        case Operation::release_ratings:
             return {};
     }
     return {};

@@ -3,6 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "assessment/assets/assets.h"
+#include "database/records/ratings.h"
 #include "database/records/standings.h"
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
@@ -22,9 +24,7 @@ TEST(AccessTable, EveryOperationOnceAndEveryCellAsWritten) {
                 << operation_name(operation) << " " << role_name(role);
             for (int bits = 0; bits < 8; ++bits) {
                 const Relation relation{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
-                const bool own_forbidden = relation.own && (operation == Operation::void_attempt ||
-                                                            operation == Operation::reassign_attempt ||
-                                                            operation == Operation::decide_standing);
+                const bool own_forbidden = relation.own && expected_never_own(operation);
                 EXPECT_EQ(permits(role, operation, relation),
                           !own_forbidden && covers(expected_scope(operation, role), relation))
                     << operation_name(operation) << " " << role_name(role) << " " << bits;
@@ -40,6 +40,11 @@ TEST(AccessTable, AdministratorsSeeNoScoresTracesOrReviews) {
           Operation::export_person, Operation::export_cohort, Operation::perform_attempt}) {
         EXPECT_EQ(scope_of(Role::administrator, operation), Scope::none) << operation_name(operation);
     }
+}
+
+const ObserverForm& goals() {
+    static const ObserverForm form = load_form(asset_path("forms/goals.json"));
+    return form;
 }
 
 /// One person, one finished attempt with a sent and an unsent comment, one interrupted attempt, one cohort.
@@ -221,6 +226,12 @@ class EveryCell : public ::testing::Test {
                     AcceptedAssets(*programme.store)
                         .accept(session, {"benchmarks/A2.json", std::to_string(++backups)}, "our experts");
                 };
+            case Operation::rate:
+                return [=] { Ratings(*programme.store).begin(session, target.attempt, goals()); };
+            case Operation::read_ratings:
+                return [=] { Ratings(*programme.store).of_attempt(session, target.attempt); };
+            case Operation::release_ratings:
+                return [=] { Ratings(*programme.store).release(session, target.attempt); };
         }
         return F();
     }
@@ -266,9 +277,7 @@ TEST_F(EveryCell, TheStoreAnswersAsTheTableSays) {
                                    target.cohort == programme.cohort;
                 }
                 const Scope scope = expected_scope(operation, session.role());
-                const bool own_forbidden = relation.own && (operation == Operation::void_attempt ||
-                                                            operation == Operation::reassign_attempt ||
-                                                            operation == Operation::decide_standing);
+                const bool own_forbidden = relation.own && expected_never_own(operation);
                 const bool expected = about_nobody(operation) ? scope != Scope::none
                                                               : covers(scope, relation) && !own_forbidden;
 

@@ -3,6 +3,8 @@
 #include <sqlite3.h>
 #include <zstd.h>
 
+#include "assessment/assets/assets.h"
+#include "database/records/ratings.h"
 #include "database/records/standings.h"
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
@@ -37,6 +39,7 @@ class Forgery : public ::testing::Test {
         Tissues(*p.store).set(educator, "B2", 0, {{"flap", {{"cut_energy", 400.0}}}}, "softer");
         ids["{decision}"] = Standings(*p.store).decide(educator, p.id("ann"), "A2",
                                                        StandingOverride::Kind::proficient, "seen in theatre");
+        add_rating(p);
         p.people().issue_one_time_password(p.session("administrator"), p.id("eve"));
         p.people().set_active(p.session("administrator"), p.id("other_educator"), false);
         ids["{cohort}"] = p.cohort;
@@ -51,6 +54,16 @@ class Forgery : public ::testing::Test {
     static void TearDownTestSuite() {
         made.reset();
         ids.clear();
+    }
+    static void add_rating(const Programme& p) {
+        const Ratings ratings(*p.store);
+        const Session& educator = p.session("educator");
+        const ObserverForm form = load_form(asset_path("forms/goals.json"));
+        ids["{rating}"] = ratings.begin(educator, ids["{passed}"], form);
+        ratings.answer(educator, ids["{rating}"], FormAnswers(5, 3), std::vector<bool>(5, true), "steady");
+        ratings.hand_in(educator, ids["{rating}"]);
+        ratings.release(educator, ids["{passed}"]);
+        ids["{form}"] = text_digest(form.text);
     }
     static std::string record_of_robot(const std::string& person) {
         AttemptMeta meta = example_meta(person);
@@ -210,6 +223,22 @@ const std::vector<Edit> edits = {
     {"INSERT INTO comment VALUES ('forged', '{passed}', '{educator}', 1, 'Excellent.', 1, 1, 0)",
      "comment forged: there without a row of the audit log"},
     {"DELETE FROM correction_request", "correction request {request}: gone"},
+    {"UPDATE rating_item SET value = 5 WHERE number = 2", "rating {rating} of attempt {passed}: changed"},
+    {"DELETE FROM rating_item WHERE number = 4", "rating {rating} of attempt {passed}: changed"},
+    {"INSERT INTO rating_item VALUES ('{rating}', 5, 'sixth', 5)",
+     "rating {rating} of attempt {passed}: changed"},
+    {"UPDATE rating SET rater_id = '{other_educator}'", "rating {rating} of attempt {passed}: changed"},
+    {"UPDATE rating SET attempt_id = '{failed}'", "rating {rating} of attempt {passed}: changed"},
+    {"UPDATE rating SET blinding = 'lifted'", "rating {rating} of attempt {passed}: changed"},
+    {"UPDATE rating SET remark = 'poor'", "rating {rating} of attempt {passed}: changed"},
+    {"UPDATE rating SET handed_in = 0", "rating {rating} of attempt {passed}: gone"},
+    {"DELETE FROM rating_release; DELETE FROM rating_item; DELETE FROM rating",
+     "rating {rating} of attempt {passed}: gone"},
+    {"INSERT INTO rating VALUES ('forged', '{passed}', '{educator}', 'goals@1', '{form}', 'kept', 1, 1, '')",
+     "rating forged: there without a row of the audit log"},
+    {"UPDATE form_text SET text = '{}'", "form {form} of attempt {passed}: changed"},
+    {"DELETE FROM rating_release", "release of rating {rating} of attempt {passed}: gone"},
+    {"UPDATE rating_release SET time = 1", "release of rating {rating} of attempt {passed}: changed"},
     {"UPDATE tissue_value SET value = 1", "tissues of task B2 1: changed"},
     {"INSERT INTO tissue_setting VALUES ('B2', 2, '{educator}', 1, 'softer still')",
      "tissues of task B2 2: there without a row of the audit log"},

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/records/ratings.h"
+
+#include <algorithm>
+#include <set>
+
+#include "database/records/attempt_query.h"
+#include "database/rows/crypto.h"
+#include "database/rows/enum_column.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::size_t longest_remark = 4000;
+
+const char* const rating_columns =
+    "SELECT r.id, r.attempt_id, r.rater_id, p.display_name, r.form_digest, r.blinding, r.begun, r.handed_in, "
+    "r.remark, COALESCE(l.time, 0) FROM rating r JOIN person p ON p.id = r.rater_id JOIN attempt a ON a.id = "
+    "r.attempt_id LEFT JOIN rating_release l ON l.rating_id = r.id ";
+
+/// Reads forms once each.
+class Forms {
+  public:
+    explicit Forms(Connection& connection) : connection_(connection) {}
+    const ObserverForm& of(const std::string& digest) {
+        const auto known = forms_.find(digest);
+        if (known != forms_.end()) return known->second;
+        Query row(connection_, "SELECT text FROM form_text WHERE digest = ?");
+        row.bind(digest);
+        if (!row.next())
+            throw StoreError(StoreErrorKind::corrupt, "the form " + digest + " of a rating is gone",
+                             "restore the newest backup");
+        return forms_.emplace(digest, parse_form(row.text(0), "form " + digest)).first->second;
+    }
+
+  private:
+    Connection& connection_;
+    std::map<std::string, ObserverForm> forms_;
+};
+
+void read_answers(Connection& connection, RatingRow& row) {
+    row.answers.assign(row.form.items.size(), std::nullopt);
+    row.answered.assign(row.form.items.size(), false);
+    Query items(connection, "SELECT number, value FROM rating_item WHERE rating_id = ? ORDER BY number");
+    items.bind(row.id);
+    while (items.next()) {
+        const auto number = static_cast<std::size_t>(items.integer(0));
+        if (number >= row.answers.size())
+            throw StoreError(StoreErrorKind::corrupt, "rating " + row.id + " has more answers than its form",
+                             "restore the newest backup");
+        row.answered[number] = true;
+        if (!items.is_null(1)) row.answers[number] = static_cast<int>(items.integer(1));
+    }
+}
+
+std::vector<RatingRow> read_ratings(Connection& connection, Query& rows) {
+    std::vector<RatingRow> ratings;
+    Forms forms(connection);
+    while (rows.next()) {
+        RatingRow row;
+        row.id = rows.text(0);
+        row.attempt_id = rows.text(1);
+        row.rater_id = rows.text(2);
+        row.rater_name = rows.text(3);
+        row.form = forms.of(rows.text(4));
+        row.blinding = enum_of(rows.text(5), blindings, "blinding of rating " + row.id);
+        row.begun = rows.integer(6);
+        row.handed_in = rows.integer(7);
+        row.remark = rows.text(8);
+        row.released = rows.integer(9);
+        ratings.push_back(std::move(row));
+    }
+    for (RatingRow& row : ratings) read_answers(connection, row);
+    return ratings;
+}
+
+/// What the session may see of all forms of one attempt.
+AttemptRatings shown_to(const Session& session, std::vector<RatingRow> all) {
+    const auto own = [&](const RatingRow& row) { return row.rater_id == session.person_id(); };
+    const bool rating_alone = std::any_of(all.begin(), all.end(), [&](const RatingRow& row) {
+        return own(row) && row.handed_in == 0 && row.form.blind;
+    });
+    const bool has_rated = std::any_of(all.begin(), all.end(),
+                                       [&](const RatingRow& row) { return own(row) && row.handed_in > 0; });
+    AttemptRatings shown;
+    for (RatingRow& row : all) {
+        if (row.handed_in == 0 && !own(row)) continue;
+        bool visible = own(row);
+        if (session.role() == Role::trainee) {
+            visible = row.released > 0;
+        } else if (!visible && !rating_alone) {
+            visible = has_rated || row.released > 0 || !row.form.blind;
+        }
+        if (visible)
+            shown.rows.push_back(std::move(row));
+        else
+            ++shown.hidden;
+    }
+    std::stable_sort(shown.rows.begin(), shown.rows.end(), [](const RatingRow& a, const RatingRow& b) {
+        return (a.handed_in == 0) > (b.handed_in == 0);
+    });
+    return shown;
+}
+
+RatingRow require_own_draft(const Store& store, const Session& rater, const std::string& rating_id) {
+    Query rows(store.connection(), QString(rating_columns) + "WHERE r.id = ?");
+    rows.bind(rating_id);
+    std::vector<RatingRow> found = read_ratings(store.connection(), rows);
+    if (found.empty())
+        throw StoreError(StoreErrorKind::not_found, "no rating " + rating_id, "open the attempt again");
+    require_attempt(store, rater, Operation::rate, found[0].attempt_id);
+    if (found[0].rater_id != rater.person_id())
+        throw AccessDenied("rate", role_name(rater.role()), "someone else's form");
+    if (found[0].handed_in > 0)
+        throw StoreError(StoreErrorKind::conflict, "the form was handed in already",
+                         "what was handed in is never changed");
+    return std::move(found[0]);
+}
+
+void require_ratable(const Store& store, const std::string& attempt_id) {
+    const AttemptSummary attempt = query_attempt(store, attempt_id);
+    if (attempt.state == AttemptState::voided || attempt.state == AttemptState::running)
+        throw StoreError(
+            StoreErrorKind::conflict,
+            attempt.state == AttemptState::voided ? "the attempt is voided" : "the attempt has not ended",
+            "rate an attempt that has ended and counts");
+}
+
+std::string store_form(Connection& connection, const ObserverForm& form) {
+    const std::string digest = text_digest(form.text);
+    Query known(connection, "SELECT 1 FROM form_text WHERE digest = ?");
+    known.bind(digest);
+    if (!known.next())
+        Query(connection, "INSERT INTO form_text (digest, text) VALUES (?, ?)")
+            .bind(digest)
+            .bind(form.text)
+            .run();
+    return digest;
+}
+
+bool has_seen(Connection& connection, const Session& rater, const std::string& attempt_id) {
+    Query seen(connection, "SELECT 1 FROM rating_seen WHERE attempt_id = ? AND person_id = ?");
+    seen.bind(attempt_id).bind(rater.person_id());
+    return seen.next();
+}
+
+void check_answers(const ObserverForm& form, const FormAnswers& answers, const std::vector<bool>& answered,
+                   const std::string& remark) {
+    if (answers.size() != form.items.size() || answered.size() != form.items.size())
+        throw StoreError(StoreErrorKind::bad_value,
+                         "the form " + form.name() + " has another number of items",
+                         "give one answer an item");
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const FormItem& item = form.items[i];
+        if (answers[i] && (*answers[i] < item.lowest || *answers[i] > item.highest))
+            throw StoreError(
+                StoreErrorKind::bad_value,
+                item.title + ": " + std::to_string(*answers[i]) + " is outside the scale",
+                "rate from " + std::to_string(item.lowest) + " to " + std::to_string(item.highest));
+        if (answered[i] && !answers[i] && !item.optional)
+            throw StoreError(StoreErrorKind::bad_value, item.title + " must be rated",
+                             "only optional items can be left as not seen");
+    }
+    if (remark.size() > longest_remark)
+        throw StoreError(StoreErrorKind::bad_value, "a remark has at most 4,000 characters", "shorten it");
+}
+
+}  // namespace
+
+std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) const {
+    store_.require(rater, Operation::rate);
+    Query rows(
+        store_.connection(),
+        "SELECT a.id, a.task_id, a.variant, a.started, a.duration_s, (SELECT COUNT(*) FROM rating r WHERE "
+        "r.attempt_id = a.id AND r.handed_in > 0), (SELECT COUNT(*) FROM rating r WHERE r.attempt_id = a.id "
+        "AND r.handed_in > 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating r WHERE r.attempt_id = a.id "
+        "AND r.handed_in = 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating_seen s WHERE s.attempt_id = "
+        "a.id AND s.person_id = ?) FROM attempt a JOIN person p ON p.id = a.person_id WHERE a.state <> "
+        "'running' AND a.person_id <> ? AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = "
+        "a.id) AND " +
+            QString(store_.is_demo() ? "1 = 1" : "p.kind = 'real'") + " AND " +
+            visible_people(rater, Operation::rate, "a.person_id") + " ORDER BY a.started DESC, a.id LIMIT ?");
+    for (int i = 0; i < 4; ++i) rows.bind(rater.person_id());
+    bind_visible_people(rows, rater, Operation::rate);
+    rows.bind(limit);
+    std::vector<RatableAttempt> attempts;
+    while (rows.next())
+        attempts.push_back({rows.text(0), rows.text(1), rows.text(2), rows.integer(3), rows.real(4),
+                            static_cast<int>(rows.integer(5)), static_cast<int>(rows.integer(6)),
+                            rows.flag(7), !rows.flag(8)});
+    return attempts;
+}
+
+AttemptRatings Ratings::of_attempt(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_ratings, attempt_id);
+    Query rows(store_.connection(),
+               QString(rating_columns) + "WHERE r.attempt_id = ? ORDER BY r.handed_in, r.id");
+    rows.bind(attempt_id);
+    return shown_to(session, read_ratings(store_.connection(), rows));
+}
+
+std::map<std::string, AttemptRatings> Ratings::of_person(const Session& session, const std::string& person_id,
+                                                         const std::string& task_id) const {
+    store_.require(session, Operation::read_ratings, Subject::person(person_id));
+    Query rows(store_.connection(), QString(rating_columns) +
+                                        "WHERE a.person_id = ? AND (? = '' OR a.task_id = ?) ORDER BY "
+                                        "r.handed_in, r.id");
+    rows.bind(person_id).bind(task_id).bind(task_id);
+    std::map<std::string, std::vector<RatingRow>> by_attempt;
+    for (RatingRow& row : read_ratings(store_.connection(), rows)) {
+        std::vector<RatingRow>& list = by_attempt[row.attempt_id];
+        list.push_back(std::move(row));
+    }
+    std::map<std::string, AttemptRatings> shown;
+    for (auto& [attempt, list] : by_attempt) {
+        AttemptRatings one = shown_to(session, std::move(list));
+        if (!one.rows.empty() || one.hidden > 0) shown.emplace(attempt, std::move(one));
+    }
+    return shown;
+}
+
+bool Ratings::is_blind(const Session& rater, const std::string& attempt_id) const {
+    Query row(
+        store_.connection(),
+        "SELECT 1 FROM rating WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND blinding = 'kept'");
+    row.bind(attempt_id).bind(rater.person_id());
+    return row.next();
+}
+
+void Ratings::note_seen(const Session& rater, const std::string& attempt_id) const {
+    const std::string person = person_of(store_, attempt_id);
+    if (store_.is_read_only() || !store_.allowed(rater, Operation::rate, Subject::person(person))) return;
+    Connection& connection = store_.connection();
+    if (has_seen(connection, rater, attempt_id) && !is_blind(rater, attempt_id)) return;
+    Transaction transaction(connection);
+    if (!has_seen(connection, rater, attempt_id))
+        Query(connection, "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?)")
+            .bind(attempt_id)
+            .bind(rater.person_id())
+            .bind(store_.now())
+            .run();
+    Query(connection,
+          "UPDATE rating SET blinding = 'lifted' WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND "
+          "blinding = 'kept'")
+        .bind(attempt_id)
+        .bind(rater.person_id())
+        .run();
+    transaction.commit();
+}
+
+std::string Ratings::begin(const Session& rater, const std::string& attempt_id,
+                           const ObserverForm& form) const {
+    require_attempt(store_, rater, Operation::rate, attempt_id);
+    require_ratable(store_, attempt_id);
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    {
+        Query own(connection, "SELECT form, handed_in FROM rating WHERE attempt_id = ? AND rater_id = ?");
+        own.bind(attempt_id).bind(rater.person_id());
+        while (own.next()) {
+            const bool same = own.text(0).substr(0, own.text(0).find('@')) == form.id;
+            if (same || own.integer(1) == 0)
+                throw StoreError(StoreErrorKind::conflict,
+                                 own.integer(1) == 0 ? "a form of yours for this attempt is not handed in yet"
+                                                     : "you handed in this form for this attempt already",
+                                 "complete that one, or choose another form");
+        }
+    }
+    const Blinding blinding = !form.blind                               ? Blinding::not_asked
+                              : has_seen(connection, rater, attempt_id) ? Blinding::lifted
+                                                                        : Blinding::kept;
+    const std::string digest = store_form(connection, form);
+    std::string id = random_uuid();
+    Query(connection,
+          "INSERT INTO rating (id, attempt_id, rater_id, form, form_digest, blinding, begun) VALUES (?, ?, "
+          "?, ?, "
+          "?, ?, ?)")
+        .bind(id)
+        .bind(attempt_id)
+        .bind(rater.person_id())
+        .bind(form.name())
+        .bind(digest)
+        .bind(row_of(blindings, blinding).name)
+        .bind(store_.now())
+        .run();
+    transaction.commit();
+    return id;
+}
+
+void Ratings::answer(const Session& rater, const std::string& rating_id, const FormAnswers& answers,
+                     const std::vector<bool>& answered, const std::string& remark) const {
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    const RatingRow draft = require_own_draft(store_, rater, rating_id);
+    check_answers(draft.form, answers, answered, remark);
+    Query(connection, "DELETE FROM rating_item WHERE rating_id = ?").bind(rating_id).run();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        if (!answered[i]) continue;
+        Query row(connection, "INSERT INTO rating_item (rating_id, number, item, value) VALUES (?, ?, ?, ?)");
+        row.bind(rating_id).bind(static_cast<std::int64_t>(i)).bind(draft.form.items[i].id);
+        if (answers[i])
+            row.bind(*answers[i]);
+        else
+            row.bind_null();
+        row.run();
+    }
+    Query(connection, "UPDATE rating SET remark = ? WHERE id = ?").bind(remark).bind(rating_id).run();
+    transaction.commit();
+}
+
+void Ratings::discard(const Session& rater, const std::string& rating_id) const {
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    require_own_draft(store_, rater, rating_id);
+    Query(connection, "DELETE FROM rating_item WHERE rating_id = ?").bind(rating_id).run();
+    Query(connection, "DELETE FROM rating WHERE id = ?").bind(rating_id).run();
+    transaction.commit();
+}
+
+void Ratings::hand_in(const Session& rater, const std::string& rating_id) const {
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    const RatingRow draft = require_own_draft(store_, rater, rating_id);
+    require_ratable(store_, draft.attempt_id);
+    if (const auto left = first_unanswered(draft.form, draft.answers, draft.answered))
+        throw StoreError(StoreErrorKind::bad_value, draft.form.items[*left].title + " is not rated yet",
+                         "rate every item of the form");
+    Query(connection, "UPDATE rating SET handed_in = ? WHERE id = ?")
+        .bind(store_.now())
+        .bind(rating_id)
+        .run();
+    // The answers stay out of the chain's payload: the administrator reads the chain, not the ratings.
+    Audit(store_).append(rater, rating_id, "rating.hand_in",
+                         json_object({{"attempt", draft.attempt_id},
+                                      {"blinding", row_of(blindings, draft.blinding).name},
+                                      {"form", draft.form.name()}}),
+                         {{RecordKind::rating, rating_id}, {RecordKind::form, text_digest(draft.form.text)}});
+    transaction.commit();
+}
+
+int Ratings::release(const Session& educator, const std::string& attempt_id) const {
+    require_attempt(store_, educator, Operation::release_ratings, attempt_id);
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    std::vector<std::string> ids;
+    {
+        Query rows(
+            connection,
+            "SELECT r.id FROM rating r WHERE r.attempt_id = ? AND r.handed_in > 0 AND NOT EXISTS (SELECT 1 "
+            "FROM rating_release l WHERE l.rating_id = r.id) ORDER BY r.handed_in, r.id");
+        rows.bind(attempt_id);
+        while (rows.next()) ids.push_back(rows.text(0));
+    }
+    for (const std::string& id : ids) {
+        Query(connection, "INSERT INTO rating_release (rating_id, person_id, time) VALUES (?, ?, ?)")
+            .bind(id)
+            .bind(educator.person_id())
+            .bind(store_.now())
+            .run();
+        Audit(store_).append(educator, id, "rating.release", json_object({{"attempt", attempt_id}}),
+                             {{RecordKind::rating_release, id}});
+    }
+    transaction.commit();
+    return static_cast<int>(ids.size());
+}
+
+std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
+    store_.require(rater, Operation::rate);
+    Query rows(store_.connection(),
+               QString(rating_columns) +
+                   "JOIN person w ON w.id = a.person_id WHERE r.handed_in > 0 AND NOT EXISTS (SELECT 1 FROM "
+                   "attempt_void v WHERE v.attempt_id = a.id) AND " +
+                   (store_.is_demo() ? "1 = 1" : "w.kind = 'real'") + " AND " +
+                   visible_people(rater, Operation::rate, "a.person_id") +
+                   " ORDER BY r.form, r.handed_in, r.id");
+    bind_visible_people(rows, rater, Operation::rate);
+    std::map<std::string, std::vector<RaterScore>> scores;
+    std::map<std::string, FormAgreement> forms;
+    for (const RatingRow& row : read_ratings(store_.connection(), rows)) {
+        FormAgreement& form = forms[row.form.name()];
+        form.form = row.form.name();
+        form.title = row.form.title;
+        ++form.forms;
+        if (const std::optional<double> share = form_share(row.form, row.answers))
+            scores[form.form].push_back({row.attempt_id, row.rater_id, *share});
+    }
+    std::vector<FormAgreement> result;
+    for (auto& [name, form] : forms) {
+        const RatingTable table = largest_complete_table(scores[name]);
+        form.attempts = static_cast<int>(table.targets.size());
+        form.raters = static_cast<int>(table.raters.size());
+        form.icc = agreement_of(table);
+        result.push_back(std::move(form));
+    }
+    return result;
+}
+
+}  // namespace fulcrum::database
