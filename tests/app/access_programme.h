@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "assessment/assets/assets.h"
+#include "database/records/ratings.h"
 #include "database/records/reviews.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
@@ -17,7 +19,8 @@ using fulcrum::database::test::expected_allowed;
 using fulcrum::database::test::expected_scope;
 using fulcrum::database::test::Programme;
 
-/// A person whose data are requested, with an attempt, a comment on it, a requested correction and a cohort.
+/// A person whose data are requested (Ann also with a rating that is released, and one that is not), with an
+/// attempt, a comment on it, a requested correction and a cohort.
 struct Target {
     std::string login, person, attempt, comment, cohort_id, cohort;
 };
@@ -41,6 +44,9 @@ class AccessProgramme : public Programme {
             make_target("eve", session("eve"), id("eve"), elsewhere, "Elsewhere", &session("other_educator"));
         own = make_target("educator", *teacher, id("educator"), cohort, "Year 1", nullptr);
         synthetic = make_target("synthetic-robot", session("station"), robot.id, "", "", nullptr);
+        rate(session("director"), "goals");
+        Ratings(*store).release(*educator, ann.attempt);
+        rate(*educator, "osats");
     }
 
     /// The person of that role who makes the request.
@@ -93,6 +99,15 @@ class AccessProgramme : public Programme {
     std::optional<Session> educator, teacher;
 
   private:
+    /// A rating of Ann's attempt.
+    void rate(const Session& rater, const std::string& form) const {
+        const ObserverForm used = load_form(asset_path("forms/" + form + ".json"));
+        const Ratings ratings(*store);
+        const std::string id = ratings.begin(rater, ann.attempt, used);
+        ratings.answer(rater, id, FormAnswers(used.items.size(), 3),
+                       std::vector<bool>(used.items.size(), true), "");
+        ratings.hand_in(rater, id);
+    }
     Target make_target(const std::string& login, const Session& performer, const std::string& person,
                        const std::string& cohort_id, const std::string& cohort_name, const Session* author) {
         AttemptMeta meta = example_meta(person);

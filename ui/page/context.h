@@ -64,6 +64,8 @@ class Context : public QObject {
     void interrupted_scored();
     /// `time_s` < 0: from the start.
     void debrief_wanted(const QString& attempt_id, double time_s);
+    /// The debrief without name and score, to rate the attempt blind.
+    void rating_wanted(const QString& attempt_id);
     void progress_wanted(const QString& person_id, const QString& task_id);
     /// The page that explains the metrics, at this one; from there back to a moment of an attempt ("": none).
     void metric_wanted(const QString& metric_id, const QString& attempt_id, double time_s);

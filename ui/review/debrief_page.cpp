@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QTabWidget>
 
+#include "database/records/ratings.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/report_export.h"
 #include "ui/review/actions_card.h"
@@ -14,6 +15,7 @@
 #include "ui/review/metrics_table.h"
 #include "ui/review/path_view.h"
 #include "ui/review/pathology_card.h"
+#include "ui/review/ratings_card.h"
 #include "ui/review/replay_panel.h"
 #include "ui/review/trace_panel.h"
 #include "ui/style/text.h"
@@ -35,10 +37,15 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     auto* content = new QVBoxLayout(content_);
     content->setContentsMargins(0, 0, 0, 0);
     content->setSpacing(14);
-    content->addWidget(build_head());
+    blind_head_ = build_blind_head();
+    content->addWidget(blind_head_);
+    head_ = build_head();
+    content->addWidget(head_);
 
     replay_block_ = build_replay();
     content->addWidget(replay_block_);
+    ratings_ = new RatingsCard(context);
+    content->addWidget(ratings_);
     comments_ = new CommentsCard(context);
     content->addWidget(comments_);
     content->addWidget(build_tabs());
@@ -50,6 +57,22 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     outer->addWidget(scrolled(body, 1240));
 
     connect_parts();
+}
+
+QWidget* DebriefPage::build_blind_head() {
+    QFrame* card = make_card(6);
+    blind_title_ = make_label({}, "title");
+    card_layout(card)->addWidget(blind_title_);
+    QLabel* why = make_label(
+        tr("To be rated blind: the person's name, the score and the ratings of others stay hidden until you "
+           "have handed in your rating."));
+    why->setObjectName(QStringLiteral("rating_blind_notice"));
+    card_layout(card)->addWidget(why);
+    QPushButton* lift =
+        make_button(tr("Show name and score; my rating is then not blind"), "lift_blinding", "link");
+    connect(lift, &QPushButton::clicked, this, &DebriefPage::lift_blinding);
+    card_layout(card)->addWidget(lift, 0, Qt::AlignLeft);
+    return card;
 }
 
 QWidget* DebriefPage::build_replay() {
@@ -101,6 +124,7 @@ void DebriefPage::connect_parts() {
     connect(traces_, &TracePanel::time_chosen, this, &DebriefPage::go_to);
     connect(path_, &PathView::time_chosen, this, &DebriefPage::show_moment);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::show_moment);
+    connect(ratings_, &RatingsCard::handed_in, this, &DebriefPage::lift_blinding);
     connect(replay_, &ReplayPanel::time_changed, this, &DebriefPage::time_changed);
     connect(replay_, &ReplayPanel::practice_wanted, this,
             [this](const std::shared_ptr<const ReplayMoment>& from) {
@@ -188,10 +212,41 @@ void DebriefPage::open(const std::string& attempt_id, double time_s) {
     leave();
     attempt_id_ = attempt_id;
     wanted_time_ = time_s;
+    blind_ = false;
+    load();
+}
+
+void DebriefPage::open_to_rate(const std::string& attempt_id) {
+    leave();
+    attempt_id_ = attempt_id;
+    wanted_time_ = -1;
+    blind_ = true;
+    load();
+}
+
+void DebriefPage::lift_blinding() {
+    blind_ = false;
+    context().guarded(
+        [&] { database::Ratings(context().store()).note_seen(context().session(), attempt_id_); });
+    show_parts();
+    ratings_->open(model_->summary);
+}
+
+void DebriefPage::show_parts() {
+    blind_head_->setVisible(blind_);
+    for (QWidget* part : {head_, static_cast<QWidget*>(comments_), static_cast<QWidget*>(tabs_)})
+        part->setVisible(!blind_);
+}
+
+void DebriefPage::load() {
     std::optional<Scene> scene;
     database::AttemptSummary attempt;
-    if (!context().guarded(
-            [&] { attempt = database::Attempts(context().store()).read(context().session(), attempt_id); })) {
+    if (!context().guarded([&] {
+            attempt = database::Attempts(context().store()).read(context().session(), attempt_id_);
+            const database::Ratings ratings(context().store());
+            blind_ = blind_ || ratings.is_blind(context().session(), attempt_id_);
+            if (!blind_) ratings.note_seen(context().session(), attempt_id_);
+        })) {
         return;
     }
     if (context().task(attempt.meta.task_id) != nullptr) {
@@ -200,7 +255,7 @@ void DebriefPage::open(const std::string& attempt_id, double time_s) {
     auto loaded = std::make_shared<std::optional<AttemptModel>>();
     job_ = BackgroundJob::run(
         this,
-        [loaded, scene, attempt_id, path = context().store().path(),
+        [loaded, scene, attempt_id = attempt_id_, path = context().store().path(),
          session = context().session()](const Progress& progress) {
             database::StoreOptions options;
             options.read_only = true;
@@ -227,6 +282,7 @@ void DebriefPage::enter() {
 void DebriefPage::leave() {
     if (job_ != nullptr) job_->cancel();
     job_ = nullptr;
+    ratings_->leave();
     replay_->close();
     model_.reset();
     content_->hide();
@@ -247,6 +303,8 @@ void DebriefPage::show_model() {
     path_->set_attempt(*model_);
     actions_->open(model_->summary);
     comments_->open(attempt_id_, model_->summary.meta.person_id);
+    ratings_->open(model_->summary);
+    show_parts();
     replay_->open(model_, context().task(model_->summary.meta.task_id));
     go_to(std::max(0.0, wanted_time_));
     read_record();
@@ -299,6 +357,7 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
 void DebriefPage::fill_head() {
     const database::AttemptSummary& attempt = model_->summary;
     title_->setText(context().task_title(attempt.meta.task_id));
+    blind_title_->setText(title_->text());
     const bool voided = attempt.state == AttemptState::voided;
     const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
     QString verdict_words = verdict(passed, attempt.provisional);

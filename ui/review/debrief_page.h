@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After an attempt, for the trainee, the educator and the director alike: verdict, one sentence of advice,
 // four numbers and the product first; then, on one screen, the replay next to force, speed and events, which
-// move together; comments; everything else in tabs. Every penalty leads to its moment.
+// move together; ratings; comments; everything else in tabs. Every penalty leads to its moment. Whoever rates
+// the attempt blind sees the replay and their form until it is handed in.
 #pragma once
 
 #include <QStringList>
@@ -25,6 +26,7 @@ class JobBar;
 class MetricsTable;
 class PathView;
 class PathologyCard;
+class RatingsCard;
 class ReplayPanel;
 class TracePanel;
 
@@ -34,6 +36,8 @@ class DebriefPage : public Page {
     explicit DebriefPage(Context& context);
     /// Reads the attempt off the UI thread; `time_s` < 0: from the start.
     void open(const std::string& attempt_id, double time_s);
+    /// Without name and score, for somebody who has not seen them yet.
+    void open_to_rate(const std::string& attempt_id);
     void enter() override;
     void leave() override;
     /// The charts stand; the replay may still be waiting for the rest of the record.
@@ -47,6 +51,11 @@ class DebriefPage : public Page {
     void ready();
 
   private:
+    void load();
+    QWidget* build_blind_head();
+    /// Shows name and score from now on; a rating that is begun later is not blind.
+    void lift_blinding();
+    void show_parts();
     QWidget* build_head();
     QLayout* build_numbers();
     QWidget* build_replay();  ///< next to the traces
@@ -72,10 +81,11 @@ class DebriefPage : public Page {
     std::shared_ptr<const AttemptModel> model_;
     std::string attempt_id_;
     double wanted_time_ = -1;
+    bool blind_ = false;  ///< name and score stay hidden
     BackgroundJob* job_ = nullptr;
     JobBar* job_bar_;
-    QWidget* content_;
-    QLabel *title_, *verdict_, *about_, *notes_, *advice_, *product_;
+    QWidget *content_, *head_, *blind_head_;
+    QLabel *blind_title_, *title_, *verdict_, *about_, *notes_, *advice_, *product_;
     QLabel *number_[4], *number_title_[4], *number_why_[4];
     QPushButton* number_explain_[4];
     QPushButton* back_;
@@ -88,6 +98,7 @@ class DebriefPage : public Page {
     TracePanel* traces_;
     PathView* path_;
     CommentsCard* comments_;
+    RatingsCard* ratings_;
     ActionsCard* actions_;
 };
 

@@ -220,6 +220,11 @@ void MainWindow::connect_context() {
         debrief->open(plain(attempt_id), time_s);
         show_page(debrief);
     });
+    connect(&context_, &Context::rating_wanted, this, [this](const QString& attempt_id) {
+        auto* debrief = page<DebriefPage>();
+        debrief->open_to_rate(plain(attempt_id));
+        show_page(debrief);
+    });
     connect(&context_, &Context::progress_wanted, this,
             [this](const QString& person_id, const QString& task_id) {
                 page<ProgressPage>()->show_person(plain(person_id), plain(task_id));

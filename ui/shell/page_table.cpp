@@ -12,6 +12,7 @@
 #include "ui/dashboards/attempts_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
+#include "ui/dashboards/to_rate_page.h"
 #include "ui/trainee/home_page.h"
 #include "ui/trainee/metrics_page.h"
 #include "ui/trainee/progress_page.h"
@@ -39,6 +40,7 @@ const std::vector<PageEntry>& page_table() {
         entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My attempts"),    {trainee}),
         entry<CohortPage>  ("rail_cohort",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Cohorts"),        {educator, director}),
         entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Attempts"),       {educator, director}),
+        entry<ToRatePage>  ("rail_rate",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Rate"),           {educator, director}),
         entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Progress"),       {educator, director}),
         entry<CurriculumPage>("rail_curriculum", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Curriculum"), {educator, director}),
         entry<MetricsPage> ("rail_metrics",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Metrics"),        {trainee, educator, director}),

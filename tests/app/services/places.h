@@ -84,7 +84,7 @@ inline std::vector<const char*> window_places(Operation operation) {
         case Operation::accept_assets:
             return {};
         case Operation::rate:
-            return {"rating_begin", "rating_form"};
+            return {"rating_begin"};
         case Operation::read_ratings:
             return {"rating_shown"};
         case Operation::release_ratings:
@@ -107,9 +107,6 @@ inline const char* window_leaves_out(Operation operation, Role role) {
         return "scored in the background at the educator's sign-in; it is shown on the trainee's home page";
     if (role == Role::educator && operation == Operation::accept_assets)
         return "benchmark sets of the site are built on the command line, and accepted there";
-    if (operation == Operation::rate || operation == Operation::read_ratings ||
-        operation == Operation::release_ratings)
-        return "no page for ratings yet";
     return nullptr;
 }
 

@@ -38,6 +38,10 @@ void WindowAccess::expect_debrief(const Target& target, const std::string& cell)
               allowed(Operation::read_comment, target) && !target.comment.empty())
         << cell;
     EXPECT_EQ(sees(*window, "comment_text"), allowed(Operation::comment, target)) << cell;
+    const bool rated = target.attempt == programme.ann.attempt;
+    EXPECT_EQ(sees(*window, "rating_shown"), rated && allowed(Operation::read_ratings, target)) << cell;
+    EXPECT_EQ(sees(*window, "rating_begin"), allowed(Operation::rate, target)) << cell;
+    EXPECT_EQ(sees(*window, "ratings_release"), rated && allowed(Operation::release_ratings, target)) << cell;
     choose_tab(*window, "debrief_tabs", "Corrections");
     EXPECT_EQ(sees(*window, "void_attempt"), allowed(Operation::void_attempt, target)) << cell;
     EXPECT_EQ(sees(*window, "reassign_attempt"), allowed(Operation::reassign_attempt, target)) << cell;
@@ -108,6 +112,7 @@ TEST_F(WindowAccess, ListsShowThePeopleAndCohortsThatTheTableAllows) {
         EXPECT_EQ(sees(*window, "rail_assign"), allowed_at_all(Operation::manage_cohorts)) << who;
         EXPECT_EQ(sees(*window, "rail_cohort"), allowed_at_all(Operation::read_cohort_table)) << who;
         EXPECT_EQ(sees(*window, "rail_attempts"), allowed_at_all(Operation::read_attempt)) << who;
+        EXPECT_EQ(sees(*window, "rail_rate"), allowed_at_all(Operation::rate)) << who;
         EXPECT_EQ(sees(*window, "rail_progress"), allowed_at_all(Operation::read_progress)) << who;
         EXPECT_EQ(sees(*window, "rail_home"), allowed_at_all(Operation::perform_attempt)) << who;
         EXPECT_EQ(sees(*window, "rail_password"), allowed_at_all(Operation::change_password)) << who;
@@ -237,7 +242,7 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
     };
     look();
     for (const char* rail : {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign",
-                             "rail_cohort", "rail_attempts", "rail_progress", "rail_tissues"}) {
+                             "rail_cohort", "rail_attempts", "rail_rate", "rail_progress", "rail_tissues"}) {
         if (!sees(*window, rail)) continue;
         click(*window, rail);
         if (auto* people = window->current_page()->findChild<QTableWidget*>("people_table"))

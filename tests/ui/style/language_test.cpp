@@ -140,7 +140,7 @@ TEST(German, EveryTextOfTasksCurriculaAndScenesIsInTheFile) {
             EXPECT_TRUE(known.contains(text(node.get<std::string>())))
                 << file.toStdString() << ", " << name << ": \"" << node.get<std::string>() << '"';
         };
-    for (const char* folder : {"assets/tasks", "assets/curricula", "assets/scenes"}) {
+    for (const char* folder : {"assets/tasks", "assets/curricula", "assets/scenes", "assets/forms"}) {
         QDirIterator files(QString::fromStdString(test::source_path(folder)), {"*.json"}, QDir::Files);
         while (files.hasNext()) {
             const QString path = files.next();

@@ -732,5 +732,265 @@
         <source>wall</source>
         <translation>Wand</translation>
     </message>
+    <message>
+        <source>GOALS, laparoscopic skills</source>
+        <translation>GOALS, laparoskopische Fertigkeiten</translation>
+    </message>
+    <message>
+        <source>Depth perception</source>
+        <translation>Tiefenwahrnehmung</translation>
+    </message>
+    <message>
+        <source>Often misses the target or goes past it, and takes long to correct</source>
+        <translation>Verfehlt das Ziel oft oder gerät darüber hinaus und braucht lange zum Korrigieren</translation>
+    </message>
+    <message>
+        <source>Sometimes misses the target, and corrects at once</source>
+        <translation>Verfehlt das Ziel gelegentlich und korrigiert sofort</translation>
+    </message>
+    <message>
+        <source>Reaches the target directly and in the right plane</source>
+        <translation>Erreicht das Ziel direkt und in der richtigen Ebene</translation>
+    </message>
+    <message>
+        <source>Bimanual dexterity</source>
+        <translation>Beidhändiges Geschick</translation>
+    </message>
+    <message>
+        <source>Works with one hand and leaves the other idle, or the hands get in each other&apos;s way</source>
+        <translation>Arbeitet mit einer Hand und lässt die andere ruhen, oder die Hände behindern einander</translation>
+    </message>
+    <message>
+        <source>Uses both hands, but they seldom help each other</source>
+        <translation>Benutzt beide Hände, doch sie unterstützen einander selten</translation>
+    </message>
+    <message>
+        <source>Both hands complement each other and expose the field well</source>
+        <translation>Beide Hände ergänzen einander und stellen das Feld gut dar</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Effizienz</translation>
+    </message>
+    <message>
+        <source>Unsure: many tentative movements, changes aim often, or persists without progress</source>
+        <translation>Unsicher: viele tastende Bewegungen, wechselt oft das Vorgehen oder beharrt ohne Fortschritt</translation>
+    </message>
+    <message>
+        <source>Slow, but the steps are planned and follow each other</source>
+        <translation>Langsam, aber die Schritte sind geplant und folgen aufeinander</translation>
+    </message>
+    <message>
+        <source>Confident and economical; keeps to the step, or changes the approach when that is better</source>
+        <translation>Sicher und sparsam; bleibt beim Schritt oder wechselt das Vorgehen, wenn es besser ist</translation>
+    </message>
+    <message>
+        <source>Tissue handling</source>
+        <translation>Umgang mit Gewebe</translation>
+    </message>
+    <message>
+        <source>Rough: tears tissue, injures what is near, loses the grasp often</source>
+        <translation>Grob: reißt Gewebe ein, verletzt Benachbartes, verliert oft den Griff</translation>
+    </message>
+    <message>
+        <source>Mostly careful, with slight injury such as some bleeding or a lost grasp</source>
+        <translation>Meist vorsichtig, mit leichten Verletzungen wie etwas Blutung oder verlorenem Griff</translation>
+    </message>
+    <message>
+        <source>Careful throughout: the right traction and hardly any injury</source>
+        <translation>Durchgehend vorsichtig: richtiger Zug und kaum Verletzungen</translation>
+    </message>
+    <message>
+        <source>Autonomy</source>
+        <translation>Selbstständigkeit</translation>
+    </message>
+    <message>
+        <source>Cannot complete the task, even with verbal guidance</source>
+        <translation>Kann die Aufgabe auch mit mündlicher Anleitung nicht beenden</translation>
+    </message>
+    <message>
+        <source>Completes the task safely with some guidance</source>
+        <translation>Beendet die Aufgabe sicher mit etwas Anleitung</translation>
+    </message>
+    <message>
+        <source>Completes the task safely without guidance</source>
+        <translation>Beendet die Aufgabe sicher ohne Anleitung</translation>
+    </message>
+    <message>
+        <source>OSATS, global rating scale</source>
+        <translation>OSATS, globale Beurteilungsskala</translation>
+    </message>
+    <message>
+        <source>Respect for tissue</source>
+        <translation>Schonung des Gewebes</translation>
+    </message>
+    <message>
+        <source>Uses needless force, or injures tissue by wrong use of instruments</source>
+        <translation>Wendet unnötige Kraft an oder verletzt Gewebe durch falschen Gebrauch der Instrumente</translation>
+    </message>
+    <message>
+        <source>Handles tissue with care, but injures it by accident at times</source>
+        <translation>Behandelt Gewebe sorgsam, verletzt es aber gelegentlich versehentlich</translation>
+    </message>
+    <message>
+        <source>Handles tissue well at all times, with the least possible injury</source>
+        <translation>Behandelt Gewebe jederzeit gut, mit geringstmöglicher Verletzung</translation>
+    </message>
+    <message>
+        <source>Time and motion</source>
+        <translation>Zeit und Bewegung</translation>
+    </message>
+    <message>
+        <source>Many movements that serve nothing</source>
+        <translation>Viele Bewegungen ohne Zweck</translation>
+    </message>
+    <message>
+        <source>Efficient, with some needless movements</source>
+        <translation>Effizient, mit einigen unnötigen Bewegungen</translation>
+    </message>
+    <message>
+        <source>No needless movement, the greatest efficiency</source>
+        <translation>Keine unnötige Bewegung, größte Effizienz</translation>
+    </message>
+    <message>
+        <source>Instrument handling</source>
+        <translation>Umgang mit Instrumenten</translation>
+    </message>
+    <message>
+        <source>Moves instruments hesitantly or awkwardly, again and again</source>
+        <translation>Führt Instrumente immer wieder zögerlich oder ungeschickt</translation>
+    </message>
+    <message>
+        <source>Uses instruments competently, at times stiff or awkward</source>
+        <translation>Gebraucht Instrumente gekonnt, gelegentlich steif oder ungeschickt</translation>
+    </message>
+    <message>
+        <source>Moves instruments fluently, without awkwardness</source>
+        <translation>Führt Instrumente flüssig und geschickt</translation>
+    </message>
+    <message>
+        <source>Knowledge of instruments</source>
+        <translation>Kenntnis der Instrumente</translation>
+    </message>
+    <message>
+        <source>Often chooses the wrong instrument, or does not know what it is for</source>
+        <translation>Wählt oft das falsche Instrument oder kennt seinen Zweck nicht</translation>
+    </message>
+    <message>
+        <source>Knows most instruments and chooses a suitable one</source>
+        <translation>Kennt die meisten Instrumente und wählt ein geeignetes</translation>
+    </message>
+    <message>
+        <source>Clearly knows every instrument needed and its use</source>
+        <translation>Kennt alle nötigen Instrumente und ihren Gebrauch sicher</translation>
+    </message>
+    <message>
+        <source>Use of assistants</source>
+        <translation>Einsatz der Assistenz</translation>
+    </message>
+    <message>
+        <source>Places assistants badly, or does not use them</source>
+        <translation>Setzt die Assistenz schlecht ein oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Uses assistants well for most of the time</source>
+        <translation>Setzt die Assistenz meist gut ein</translation>
+    </message>
+    <message>
+        <source>Uses assistants to best advantage at all times</source>
+        <translation>Setzt die Assistenz jederzeit bestmöglich ein</translation>
+    </message>
+    <message>
+        <source>Flow of operation and forward planning</source>
+        <translation>Ablauf der Operation und Vorausplanung</translation>
+    </message>
+    <message>
+        <source>Stops often, or seems not to know the next step</source>
+        <translation>Hält oft inne oder scheint den nächsten Schritt nicht zu kennen</translation>
+    </message>
+    <message>
+        <source>Plans ahead to some extent, with steady progress</source>
+        <translation>Plant teilweise voraus und kommt stetig voran</translation>
+    </message>
+    <message>
+        <source>Has planned the course: each movement leads to the next without effort</source>
+        <translation>Hat den Ablauf geplant: Jede Bewegung führt mühelos zur nächsten</translation>
+    </message>
+    <message>
+        <source>Knowledge of the procedure</source>
+        <translation>Kenntnis des Eingriffs</translation>
+    </message>
+    <message>
+        <source>Knows too little; needs instruction at most steps</source>
+        <translation>Weiß zu wenig; braucht bei den meisten Schritten Anweisungen</translation>
+    </message>
+    <message>
+        <source>Knows all important steps</source>
+        <translation>Kennt alle wichtigen Schritte</translation>
+    </message>
+    <message>
+        <source>Knows every step of the procedure thoroughly</source>
+        <translation>Kennt jeden Schritt des Eingriffs gründlich</translation>
+    </message>
+    <message>
+        <source>GAS, steps of a laparoscopic colorectal resection</source>
+        <translation>GAS, Schritte einer laparoskopischen kolorektalen Resektion</translation>
+    </message>
+    <message>
+        <source>Theatre set-up</source>
+        <translation>Vorbereitung des Operationssaals</translation>
+    </message>
+    <message>
+        <source>Exposure of the operating field</source>
+        <translation>Darstellung des Operationsfelds</translation>
+    </message>
+    <message>
+        <source>Dissection of the vascular pedicle</source>
+        <translation>Präparation des Gefäßstiels</translation>
+    </message>
+    <message>
+        <source>Mobilisation of the colon</source>
+        <translation>Mobilisation des Kolons</translation>
+    </message>
+    <message>
+        <source>Mobilisation of the splenic or hepatic flexure</source>
+        <translation>Mobilisation der linken oder rechten Kolonflexur</translation>
+    </message>
+    <message>
+        <source>Mesorectal dissection</source>
+        <translation>Mesorektale Dissektion</translation>
+    </message>
+    <message>
+        <source>Transection and extraction of the specimen</source>
+        <translation>Durchtrennung und Bergung des Präparats</translation>
+    </message>
+    <message>
+        <source>Anastomosis</source>
+        <translation>Anastomose</translation>
+    </message>
+    <message>
+        <source>The trainee could not do this step; somebody else did it</source>
+        <translation>Die Person konnte diesen Schritt nicht ausführen; jemand anderes hat es getan</translation>
+    </message>
+    <message>
+        <source>The trainee did part of it; somebody else did the rest</source>
+        <translation>Die Person hat einen Teil ausgeführt, jemand anderes den Rest</translation>
+    </message>
+    <message>
+        <source>The trainee did it with much verbal support</source>
+        <translation>Die Person hat es mit viel mündlicher Unterstützung ausgeführt</translation>
+    </message>
+    <message>
+        <source>The trainee did it with little verbal support</source>
+        <translation>Die Person hat es mit wenig mündlicher Unterstützung ausgeführt</translation>
+    </message>
+    <message>
+        <source>The trainee did it safely, without help</source>
+        <translation>Die Person hat es sicher und ohne Hilfe ausgeführt</translation>
+    </message>
+    <message>
+        <source>The trainee did it proficiently; it could hardly be done better</source>
+        <translation>Die Person hat es meisterhaft ausgeführt; besser geht es kaum</translation>
+    </message>
 </context>
 </TS>

@@ -3146,6 +3146,14 @@ Kennzahlen: %2</translation>
         <source>Explain: %1</source>
         <translation>Erklären: %1</translation>
     </message>
+    <message>
+        <source>To be rated blind: the person&apos;s name, the score and the ratings of others stay hidden until you have handed in your rating.</source>
+        <translation>Blind zu beurteilen: Name, Bewertung und die Beurteilungen anderer bleiben verborgen, bis Sie Ihre Beurteilung abgegeben haben.</translation>
+    </message>
+    <message>
+        <source>Show name and score; my rating is then not blind</source>
+        <translation>Name und Bewertung zeigen; meine Beurteilung ist dann nicht blind</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ExportRow</name>
@@ -3769,6 +3777,17 @@ Kennzahlen: %2</translation>
     <message>
         <source>Their one-time passwords are in %1, valid for 24 hours. Hand them over and delete the file.</source>
         <translation>Ihre Einmalpasswörter stehen in %1 und gelten 24 Stunden. Geben Sie sie weiter und löschen Sie die Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ItemChoice</name>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>this was not seen</source>
+        <translation>das war nicht zu sehen</translation>
     </message>
 </context>
 <context>
@@ -4572,6 +4591,92 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>experts (mean ± one standard deviation)</source>
         <translation>Experten (Mittelwert ± eine Standardabweichung)</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RatingEditor</name>
+    <message>
+        <source>Notes on this rating</source>
+        <translation>Notizen zu dieser Beurteilung</translation>
+    </message>
+    <message>
+        <source>Notes: what you saw, and one thing to try</source>
+        <translation>Notizen: was Sie gesehen haben, und ein Vorschlag</translation>
+    </message>
+    <message>
+        <source>Hand in the rating</source>
+        <translation>Beurteilung abgeben</translation>
+    </message>
+    <message>
+        <source>Discard the draft</source>
+        <translation>Entwurf verwerfen</translation>
+    </message>
+    <message>
+        <source>The draft is kept. A rating that was handed in is never changed.</source>
+        <translation>Der Entwurf bleibt erhalten. Eine abgegebene Beurteilung wird nicht mehr geändert.</translation>
+    </message>
+    <message>
+        <source>Total: %1</source>
+        <translation>Summe: %1</translation>
+    </message>
+    <message>
+        <source>Total so far: %1 · items left: %2</source>
+        <translation>Summe bisher: %1 · offene Punkte: %2</translation>
+    </message>
+    <message>
+        <source>Not rated yet: %1.</source>
+        <translation>Noch nicht beurteilt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RatingsCard</name>
+    <message>
+        <source>Show the ratings to the trainee</source>
+        <translation>Beurteilungen für Lernende freigeben</translation>
+    </message>
+    <message>
+        <source>The rating is handed in.</source>
+        <translation>Die Beurteilung ist abgegeben.</translation>
+    </message>
+    <message>
+        <source>Observer form</source>
+        <translation>Beurteilungsbogen</translation>
+    </message>
+    <message>
+        <source>Rate with this form</source>
+        <translation>Mit diesem Bogen beurteilen</translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation>Beurteilungen</translation>
+    </message>
+    <message>
+        <source>Ratings (%1)</source>
+        <translation>Beurteilungen (%1)</translation>
+    </message>
+    <message>
+        <source>Ratings by others: %1. You see them once you have handed in yours.</source>
+        <translation>Beurteilungen anderer: %1. Sie sehen sie, sobald Sie Ihre abgegeben haben.</translation>
+    </message>
+    <message>
+        <source>Ratings that are not shown to you: %1.</source>
+        <translation>Beurteilungen, die Ihnen nicht gezeigt werden: %1.</translation>
+    </message>
+    <message>
+        <source>Show those that the trainee sees, without rating (%1)</source>
+        <translation>Freigegebene Beurteilungen zeigen, ohne selbst zu beurteilen (%1)</translation>
+    </message>
+    <message>
+        <source>shown to the trainee</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>not shown to the trainee</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>Ratings that the trainee sees from now on: %1.</source>
+        <translation>Neu freigegebene Beurteilungen: %1.</translation>
     </message>
 </context>
 <context>
@@ -5710,6 +5815,69 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ToRatePage</name>
+    <message>
+        <source>Rate attempts</source>
+        <translation>Versuche beurteilen</translation>
+    </message>
+    <message>
+        <source>Names and scores are left out here. An attempt whose name and score you have not opened is rated blind.</source>
+        <translation>Namen und Bewertungen fehlen hier. Ein Versuch, dessen Namen und Bewertung Sie nicht geöffnet haben, wird blind beurteilt.</translation>
+    </message>
+    <message>
+        <source>Also those that I have rated</source>
+        <translation>Auch die von mir beurteilten</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation>Beurteilungen</translation>
+    </message>
+    <message>
+        <source>Your ratings</source>
+        <translation>Ihre Beurteilungen</translation>
+    </message>
+    <message>
+        <source>Blind</source>
+        <translation>Blind</translation>
+    </message>
+    <message>
+        <source>Open to rate</source>
+        <translation>Zum Beurteilen öffnen</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Attempts: %1</source>
+        <translation>Versuche: %1</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::TracePanel</name>
     <message>
         <source>left hand</source>
@@ -5954,6 +6122,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Tissue values: all</source>
         <translation>Gewebewerte: alle</translation>
     </message>
+    <message>
+        <source>Rating handed in</source>
+        <translation>Beurteilung abgegeben</translation>
+    </message>
+    <message>
+        <source>Rating shown to the trainee</source>
+        <translation>Beurteilung für Lernende freigegeben</translation>
+    </message>
+    <message>
+        <source>Ratings: all</source>
+        <translation>Beurteilungen: alle</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::concerns</name>
@@ -6188,6 +6368,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>You may not %1 as %2.</source>
         <translation>Als %2 dürfen Sie das nicht: %1.</translation>
     </message>
+    <message>
+        <source>rate this attempt</source>
+        <translation>diesen Versuch beurteilen</translation>
+    </message>
+    <message>
+        <source>see the ratings of this attempt</source>
+        <translation>die Beurteilungen dieses Versuchs sehen</translation>
+    </message>
+    <message>
+        <source>show the ratings of this attempt to the trainee</source>
+        <translation>die Beurteilungen dieses Versuchs freigeben</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::learning_curve</name>
@@ -6320,6 +6512,69 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Curriculum</source>
         <translation>Curriculum</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Beurteilen</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ratings</name>
+    <message>
+        <source>poor</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>moderate</source>
+        <translation>mäßig</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>excellent</source>
+        <translation>ausgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>blind</source>
+        <translation>blind</translation>
+    </message>
+    <message>
+        <source>not blind</source>
+        <translation>nicht blind</translation>
+    </message>
+    <message>
+        <source>The raters gave the same ratings.</source>
+        <translation>Die Beurteilungen stimmen überein.</translation>
+    </message>
+    <message>
+        <source>The raters differ most in &quot;%1&quot;: %2 to %3.</source>
+        <translation>Die größte Abweichung liegt bei „%1“: %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Agreement of raters with %1: not known yet. It takes two attempts that the same two people rated.</source>
+        <translation>Übereinstimmung der Beurteilenden mit %1: noch nicht bekannt. Dazu braucht es zwei Versuche, die dieselben zwei Personen beurteilt haben.</translation>
+    </message>
+    <message>
+        <source>Agreement of raters with %1: cannot be computed, because all their ratings are equal.</source>
+        <translation>Übereinstimmung der Beurteilenden mit %1: nicht berechenbar, weil alle Beurteilungen gleich sind.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Agreement of raters with %1: %2. ICC(2,1) %3, 95 % interval %4 to %5 (%6 raters, %7 attempts).</source>
+        <translation>Übereinstimmung der Beurteilenden mit %1: %2. ICC(2,1) %3, 95-%-Intervall %4 bis %5 (Beurteilende: %6, Versuche: %7).</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dashboards/to_rate_page.h"
+
+#include <QCheckBox>
+#include <algorithm>
+
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+using database::RatableAttempt;
+
+ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(12);
+    layout->addWidget(make_label(tr("Rate attempts"), "title"));
+    layout->addWidget(make_label(
+        tr("Names and scores are left out here. An attempt whose name and score you have not opened "
+           "is rated blind."),
+        "muted"));
+    auto* row = new QHBoxLayout;
+    rated_ = new QCheckBox(tr("Also those that I have rated"));
+    rated_->setObjectName(QStringLiteral("to_rate_rated"));
+    connect(rated_, &QCheckBox::toggled, this, &ToRatePage::fill);
+    row->addWidget(rated_);
+    row->addStretch();
+    count_ = make_label({}, "muted");
+    row->addWidget(count_);
+    layout->addLayout(row);
+    table_ = make_table({tr("Task"), tr("Variant"), tr("Started"), tr("Recorded"), tr("Ratings"),
+                         tr("Your ratings"), tr("Blind")},
+                        "to_rate_table");
+    table_->setMinimumHeight(360);
+    layout->addWidget(table_, 1);
+    connect(table_, &QTableWidget::itemActivated, this,
+            [this](QTableWidgetItem* item) { open_row(item->row()); });
+    open_ = make_button(tr("Open to rate"), "to_rate_open", "primary");
+    connect(open_, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
+    layout->addWidget(open_, 0, Qt::AlignLeft);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+}
+
+void ToRatePage::enter() {
+    fill();
+    table_->setFocus();
+}
+
+void ToRatePage::fill() {
+    attempts_.clear();
+    context().guarded([&] { attempts_ = database::Ratings(context().store()).to_rate(context().session()); });
+    if (!rated_->isChecked())
+        attempts_.erase(std::remove_if(attempts_.begin(), attempts_.end(),
+                                       [](const RatableAttempt& one) { return one.own_handed_in > 0; }),
+                        attempts_.end());
+    table_->setRowCount(static_cast<int>(attempts_.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const RatableAttempt& one = attempts_[static_cast<std::size_t>(row)];
+        QString own = one.own_handed_in > 0 ? QString::number(one.own_handed_in) : QStringLiteral("–");
+        if (one.own_draft) own = tr("draft");
+        const QString cells[] = {context().task_title(one.task_id), text(one.variant),
+                                 local_time(one.started),           clock_text(one.duration_s),
+                                 QString::number(one.handed_in),    own,
+                                 one.blind ? tr("yes") : tr("no")};
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            const bool number = column == 3 || column == 4;
+            table_->setItem(
+                row, column,
+                make_cell(cells[column], (number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        }
+    }
+    fit_columns(table_, {2, 3, 4});
+    if (table_->rowCount() > 0) table_->setCurrentCell(0, 0);
+    open_->setEnabled(table_->rowCount() > 0);
+    count_->setText(tr("Attempts: %1").arg(table_->rowCount()));
+}
+
+void ToRatePage::open_row(int row) {
+    if (row < 0 || row >= table_->rowCount()) return;
+    const RatableAttempt& one = attempts_[static_cast<std::size_t>(row)];
+    const QString id = text(one.attempt_id);
+    if (one.blind) {
+        emit context().rating_wanted(id);
+    } else {
+        emit context().debrief_wanted(id, -1);
+    }
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_to_rate_page.cpp"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attempts to be rated with an observer form, newest first, without names and scores, so that whoever opens
+// one here can rate it blind.
+#pragma once
+
+#include <vector>
+
+#include "database/records/ratings.h"
+#include "ui/page/context.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class ToRatePage : public Page {
+    Q_OBJECT
+  public:
+    explicit ToRatePage(Context& context);
+    void enter() override;
+
+  private:
+    void fill();
+    void open_row(int row);
+
+    std::vector<database::RatableAttempt> attempts_;  ///< a row each
+    QCheckBox* rated_;
+    QLabel* count_;
+    QTableWidget* table_;
+    QPushButton* open_;
+};
+
+}  // namespace fulcrum::ui
