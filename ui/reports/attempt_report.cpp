@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One attempt on paper and as data: verdict, gates, figures and, where it leaves a specimen, the pathology
-// report.
+// One attempt on paper and as data: verdict, gates, figures, where it leaves a specimen the pathology report,
+// and the ratings that the trainee is shown.
 #include <QCoreApplication>
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
+#include "ui/reports/rating_words.h"
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_texts.h"
 #include "ui/reports/specimen_map.h"
@@ -134,16 +137,107 @@ void pathology(Sheet& sheet, const PathologyReport& report) {
     sheet.paragraph(pathology_legend(report));
 }
 
+using Rated = std::vector<const database::RatingRow*>;
+
+/// A table of one form: its items by raters, then the totals and what raters wrote.
+void rating_table(Sheet& sheet, const Rated& raters) {
+    constexpr int longest_remark = 400;
+    const ObserverForm& form = raters.front()->form;
+    sheet.font(9, true);
+    sheet.paragraph(form_text(form.title));
+    std::vector<double> shares{0.40};
+    QStringList names{ReportTexts::tr("item")}, totals{ReportTexts::tr("total")};
+    for (const database::RatingRow* one : raters) {
+        shares.push_back(0.60 / static_cast<double>(raters.size()));
+        names << text(one->rater_name);
+        totals << rating_sum_text(form, one->answers);
+    }
+    Columns columns(sheet, shares, 1);
+    sheet.font(8, true, paper_palette().muted);
+    columns.row(names);
+    sheet.rule();
+    sheet.font(8);
+    for (std::size_t i = 0; i < form.items.size(); ++i) {
+        QStringList cells{form_text(form.items[i].title)};
+        for (const database::RatingRow* one : raters)
+            cells << rating_answer_text(form.items[i], one->answers[i]);
+        columns.row(cells);
+    }
+    sheet.font(8, true);
+    columns.row(totals);
+    sheet.font(8);
+    for (const database::RatingRow* one : raters) {
+        QString remark = text(one->remark).simplified();
+        if (remark.size() > longest_remark) remark = remark.left(longest_remark) + QStringLiteral(" …");
+        const QString line =
+            beside({text(one->rater_name), local_time(one->handed_in), blinding_text(one->blinding), remark});
+        sheet.paragraph(line);
+    }
+    sheet.skip(3);
+}
+
+void ratings(Sheet& sheet, const AttemptPaper& paper, const QString& n) {
+    constexpr std::size_t most_in_a_table = 5;
+    std::map<std::string, Rated> by_form;
+    for (const database::RatingRow& one : paper.ratings) by_form[one.form.name()].push_back(&one);
+    bool titled = false;
+    for (const auto& [name, all] : by_form) {
+        for (std::size_t first = 0; first < all.size(); first += most_in_a_table) {
+            const Rated some(
+                all.begin() + static_cast<std::ptrdiff_t>(first),
+                all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), first + most_in_a_table)));
+            const double lines = static_cast<double>(some.front()->form.items.size() + 4 + 5 * some.size());
+            if (sheet.y() + lines * Sheet::mm(4.2) > sheet.height() - Sheet::mm(24)) {
+                footer(sheet, paper.provenance, n);
+                sheet.new_page();
+                if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
+            }
+            if (!titled) {
+                sheet.skip(2);
+                sheet.font(12, true);
+                sheet.paragraph(ReportTexts::tr("Ratings with observer forms"));
+                titled = true;
+            }
+            rating_table(sheet, some);
+        }
+    }
+}
+
+nlohmann::ordered_json rating_json(const database::RatingRow& rating) {
+    using Json = nlohmann::ordered_json;
+    Json items = Json::array();
+    for (std::size_t i = 0; i < rating.form.items.size(); ++i) {
+        const FormItem& item = rating.form.items[i];
+        items.push_back({{"id", item.id},
+                         {"title", item.title},
+                         {"value", rating.answers[i] ? Json(*rating.answers[i]) : Json(nullptr)},
+                         {"lowest", item.lowest},
+                         {"highest", item.highest}});
+    }
+    const FormSum sum = form_sum(rating.form, rating.answers);
+    return {{"form", rating.form.name()},
+            {"title", rating.form.title},
+            {"rater", rating.rater_name},
+            {"blinding", row_of(database::blindings, rating.blinding).name},
+            {"handed_in", database::iso_utc(rating.handed_in)},
+            {"released", database::iso_utc(rating.released)},
+            {"sum", sum.answered == 0 ? Json(nullptr) : Json(sum.sum)},
+            {"sum_lowest", sum.lowest},
+            {"sum_highest", sum.highest},
+            {"items", std::move(items)},
+            {"remark", rating.remark.empty() ? Json(nullptr) : Json(rating.remark)}};
+}
+
 /// One line of the CSV: a figure of the attempt, its place where it belongs to one.
 void csv_row(std::string& csv, const AttemptPaper& paper, const std::string& figure,
              const std::string& version, const std::string& hand, const std::string& tissue,
              const std::string& level, const std::string& sector, const std::optional<double>& value,
-             const std::string& unit, const Statement& absent_because) {
+             const std::string& unit, const Statement& absent_because, const std::string& rater = {}) {
     const database::AttemptMeta& meta = paper.report.attempt.meta;
     for (const std::string& cell :
          {csv_text(meta.id), csv_text(paper.report.attempt.person_login), csv_text(meta.task_id),
           database::iso_utc(meta.started), csv_text(figure), version, hand, csv_text(tissue), level, sector,
-          csv_number(value), csv_text(unit), csv_text(words_of(absent_because))})
+          csv_number(value), csv_text(unit), csv_text(words_of(absent_because)), csv_text(rater)})
         csv += cell + ",";
     csv.back() = '\r';
     csv += '\n';
@@ -169,6 +263,16 @@ void csv_finding(std::string& csv, const AttemptPaper& paper, const SectorFindin
     row("pathology.defect", finding.defect, 1e3, "mm");
 }
 
+void csv_rating(std::string& csv, const AttemptPaper& paper, const database::RatingRow& rating) {
+    const std::string form = "rating." + rating.form.id + ".", version = std::to_string(rating.form.version);
+    for (std::size_t i = 0; i < rating.form.items.size(); ++i) {
+        const std::optional<int>& answer = rating.answers[i];
+        csv_row(csv, paper, form + rating.form.items[i].id, version, "", "", "", "",
+                answer ? std::optional<double>(*answer) : std::nullopt, "-",
+                answer ? Statement() : Statement::plain("not seen"), rating.rater_name);
+    }
+}
+
 }  // namespace
 
 AttemptPaper gather_attempt(const database::Store& store, const database::Session& session,
@@ -185,6 +289,10 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
     paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
     for (const TaskDefinition& task : tasks)
         if (task.id == paper.task.id) paper.task = {task.id, task.title, task.stage};
+    const database::Subject person = database::Subject::person(paper.report.attempt.meta.person_id);
+    if (store.allowed(session, database::Operation::read_ratings, person))
+        for (const database::RatingRow& row : database::Ratings(store).of_attempt(session, attempt_id).rows)
+            if (row.released > 0) paper.ratings.push_back(row);
     return paper;
 }
 
@@ -195,15 +303,17 @@ void write_attempt_pdf(const AttemptPaper& paper, const std::string& path) {
     head(sheet, paper);
     if (paper.report.score) gates(sheet, *paper.report.score);
     if (paper.report.pathology) pathology(sheet, *paper.report.pathology);
-    footer(sheet, paper.provenance, ReportTexts::tr("attempt %1").arg(text(paper.report.attempt.meta.id)));
+    const QString n = ReportTexts::tr("attempt %1").arg(text(paper.report.attempt.meta.id));
+    ratings(sheet, paper, n);
+    footer(sheet, paper.provenance, n);
     sheet.finish();
 }
 
 std::string attempt_csv(const AttemptPaper& paper) {
     std::string csv =
         "attempt_id,login,task,started_utc,figure,version,hand,tissue,level,sector,value,unit,absent_"
-        "because\r\n"
-        "-,-,-,-,-,-,-,-,-,-,as unit says,-,-\r\n";
+        "because,rater\r\n"
+        "-,-,-,-,-,-,-,-,-,-,as unit says,-,-,-\r\n";
     if (paper.report.score) {
         for (const database::MetricRow& metric : paper.report.score->metrics)
             csv_row(csv, paper, metric.id, std::to_string(metric.version), metric.hand, metric.tissue, "", "",
@@ -216,6 +326,7 @@ std::string attempt_csv(const AttemptPaper& paper) {
         for (const SectorFinding& finding : paper.report.pathology->sectors)
             csv_finding(csv, paper, finding, version);
     }
+    for (const database::RatingRow& rating : paper.ratings) csv_rating(csv, paper, rating);
     return csv;
 }
 
@@ -245,6 +356,8 @@ std::string attempt_json(const AttemptPaper& paper) {
         for (const database::MetricRow& metric : paper.report.score->metrics)
             metrics.push_back(metric_json(metric));
     }
+    Json ratings = Json::array();
+    for (const database::RatingRow& rating : paper.ratings) ratings.push_back(rating_json(rating));
     const Json document = {
         {"report", "attempt"},
         {"attempt", attempt.meta.id},
@@ -266,6 +379,7 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"metrics", std::move(metrics)},
         {"pathology",
          paper.report.pathology ? Json::parse(pathology_json(*paper.report.pathology)) : Json(nullptr)},
+        {"ratings", std::move(ratings)},
         {"provenance", provenance_json(paper.provenance)}};
     return document.dump(2) + "\n";
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assessment/task/task.h"
+#include "database/records/ratings.h"
 #include "database/records/report_data.h"
 #include "database/rows/csv_text.h"
 #include "sim_core/numerics/name_table.h"
@@ -53,6 +54,7 @@ struct AttemptPaper {
     ReportProvenance provenance;
     ReportTask task;
     database::AttemptReport report;
+    std::vector<database::RatingRow> ratings;  ///< those that the trainee is shown, by handing in
 };
 
 enum class ReportFormat { pdf, csv, xlsx, json, xapi };
@@ -90,7 +92,7 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
 
 std::string person_json(const PersonReport& report);
 std::string cohort_json(const CohortReport& report);
-/// One line a figure: metrics, then the pathology report by level and sector.
+/// One line a figure: metrics, the pathology report by level and sector, then ratings by rater and item.
 std::string attempt_csv(const AttemptPaper& paper);
 std::string attempt_json(const AttemptPaper& paper);
 /// Written to a temporary file first. Throw StoreError (failed) when it cannot be written.

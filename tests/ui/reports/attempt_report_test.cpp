@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "assessment/assets/assets.h"
 #include "assessment/pathology/pathology.h"
 #include "tests/ui/reports/pdf_pages.h"
 #include "ui/reports/pathology_words.h"
@@ -96,7 +97,7 @@ TEST(AttemptReport, CsvJsonAndWordsContainTheSameValues) {
                 cells.back() += c;
             }
         }
-        ASSERT_EQ(cells.size(), 13U) << line;
+        ASSERT_EQ(cells.size(), 14U) << line;
         if (cells[4] != "pathology.defect" || cells[8] == "all") continue;
         const nlohmann::json& finding = json["pathology"]["findings"][static_cast<std::size_t>(findings++)];
         EXPECT_EQ(std::to_string(finding["level"].get<int>() + 1), cells[8]);
@@ -106,6 +107,78 @@ TEST(AttemptReport, CsvJsonAndWordsContainTheSameValues) {
         EXPECT_NEAR(row[9].toDouble(), std::stod(cells[10]), 0.051);
     }
     EXPECT_EQ(findings, 12);
+}
+
+database::RatingRow rating(const char* form, const char* rater, FormAnswers answers) {
+    database::RatingRow row;
+    row.form = load_form(asset_path("forms/" + std::string(form) + ".json"));
+    row.rater_name = rater;
+    row.blinding = database::Blinding::kept;
+    row.handed_in = 1'763'610'000'000;
+    row.released = 1'763'620'000'000;
+    row.answers = std::move(answers);
+    row.answered.assign(row.answers.size(), true);
+    return row;
+}
+
+/// The attempt with two GOALS ratings and one OSATS rating, in which an item was not seen.
+AttemptPaper rated_paper() {
+    AttemptPaper one = paper();
+    one.ratings = {rating("goals", "Ed Educator", {4, 3, 2, 5, 3}),
+                   rating("goals", "Ida Instructor", {5, 4, 4, 4, 4}),
+                   rating("osats", "=Ed", {4, 4, 4, std::nullopt, 3, 3, 3})};
+    one.ratings[1].remark = "Calm hands.";
+    return one;
+}
+
+TEST(AttemptReport, RatingsAreInCsvAndJson) {
+    const AttemptPaper one = rated_paper();
+    const nlohmann::json ratings = nlohmann::json::parse(attempt_json(one))["ratings"];
+    ASSERT_EQ(ratings.size(), 3U);
+    EXPECT_EQ(ratings[0]["form"], "goals@1");
+    EXPECT_EQ(ratings[0]["sum"], 17);
+    EXPECT_EQ(ratings[0]["sum_highest"], 25);
+    EXPECT_EQ(ratings[0]["blinding"], "kept");
+    EXPECT_TRUE(ratings[0]["remark"].is_null());
+    EXPECT_EQ(ratings[1]["remark"], "Calm hands.");
+    EXPECT_TRUE(ratings[2]["items"][3]["value"].is_null());
+    EXPECT_EQ(ratings[2]["sum"], 21);
+    const std::string csv = attempt_csv(one);
+    const auto lines_with = [&](const std::string& part) {
+        std::istringstream rows(csv);
+        std::vector<std::string> found;
+        for (std::string line; std::getline(rows, line);)
+            if (line.find(part) != std::string::npos) found.push_back(line);
+        return found;
+    };
+    EXPECT_EQ(lines_with(",rating.goals.").size(), 10U);
+    const auto efficiency = lines_with(",rating.goals.efficiency,1,,,,,");
+    ASSERT_EQ(efficiency.size(), 2U);
+    EXPECT_NE(efficiency[0].find(",2,-,,Ed Educator"), std::string::npos) << efficiency[0];
+    EXPECT_NE(efficiency[1].find(",4,-,,Ida Instructor"), std::string::npos) << efficiency[1];
+    const auto unseen = lines_with(",rating.osats.knowledge_of_instruments,");
+    ASSERT_EQ(unseen.size(), 1U);
+    EXPECT_NE(unseen[0].find(",,-,not seen,'=Ed"), std::string::npos) << unseen[0];
+    EXPECT_TRUE(nlohmann::json::parse(attempt_json(paper()))["ratings"].empty());
+}
+
+TEST(AttemptReport, RatingsArePrintedAndMoveToAPageOfTheirOwnWhereThereIsNoRoom) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("rated.pdf");
+    AttemptPaper one = rated_paper();
+    write_attempt_pdf(one, plain(path));
+    const QList<QByteArray> pages = pages_of(plain(path));
+    ASSERT_EQ(pages.size(), 2) << "the pathology report fills the first";
+    EXPECT_FALSE(pages[0].contains("Ida Instructor"));
+    for (const char* words : {"Ratings with observer forms", "Depth perception", "Ida Instructor", "17 of 25",
+                              "Calm hands.", "not seen", "blind"})
+        EXPECT_TRUE(pages[1].contains(words)) << words;
+    for (const QByteArray& page : pages) EXPECT_TRUE(page.contains("attempt a1")) << "its foot";
+    const QByteArray kept = qgetenv("FULCRUM_REPORT_PAGE");  // for inspection
+    if (!kept.isEmpty()) QFile::copy(path, QString::fromLocal8Bit(kept + "-rated.pdf"));
+    one.report.pathology.reset();
+    write_attempt_pdf(one, plain(path));
+    EXPECT_EQ(pages_of(plain(path)).size(), 1);
 }
 
 TEST(AttemptReport, InGermanIsAGermanPageWhileTheTablesKeepEveryByte) {

@@ -18,6 +18,7 @@
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
 #include "ui/reports/rating_words.h"
+#include "ui/reports/report.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/item_choice.h"
 #include "ui/review/rating_profile.h"
@@ -250,6 +251,10 @@ TEST_F(RatingPages, TheSecondRaterSeesTheFirstOnlyAfterwardsAndTheTraineeOnceRel
     ASSERT_TRUE(wait_for([&] { return sees(*window, "rating_agreement"); }));
     EXPECT_TRUE(shown("rating_agreement")[0].contains("not known yet"));
 
+    const auto in_report = [&] {
+        return gather_attempt(*services.store(), *tara, id, services.tasks(), "0.1.0").ratings.size();
+    };
+    EXPECT_EQ(in_report(), 0U);
     act_as(*tara);
     open_debrief(id);
     EXPECT_FALSE(sees(*window, "ratings_card")) << "nothing is released";
@@ -257,6 +262,7 @@ TEST_F(RatingPages, TheSecondRaterSeesTheFirstOnlyAfterwardsAndTheTraineeOnceRel
     open_debrief(id);
     click(*window, "ratings_release");
     EXPECT_EQ(complaint(), "Ratings that the trainee sees from now on: 2.");
+    EXPECT_EQ(in_report(), 2U);
     EXPECT_FALSE(sees(*window, "ratings_release"));
     EXPECT_TRUE(shown("rating_shown")[0].endsWith(" · shown to the trainee"));
     bring(*find<QWidget>(*window, "rating_profile"));

@@ -5263,6 +5263,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>tumour</source>
         <translation>Tumor</translation>
     </message>
+    <message>
+        <source>item</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Ratings with observer forms</source>
+        <translation>Beurteilungen mit Beurteilungsbögen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ScenePicture</name>
