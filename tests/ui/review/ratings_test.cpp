@@ -354,7 +354,7 @@ TEST_F(RatingPages, FormsAreInGerman) {
     EXPECT_EQ(shown("rating_total"), QStringList("Summe bisher: – · offene Punkte: 5"));
     EXPECT_EQ(find<ItemChoice>(*window, "rating_item_efficiency")->accessibleName(), "Effizienz");
     EXPECT_EQ(find<QRadioButton>(*window, "rate_efficiency_3")->accessibleName(),
-              "Effizienz: 3 von 5. Langsam, aber die Schritte sind geplant und folgen aufeinander");
+              "Effizienz: 3 von 5. Braucht Zeit, aber jeder Schritt folgt einem Plan");
     bring(*find<QPushButton>(*window, "rating_hand_in"));
     keep_picture(*window, "rating-german");
 }

@@ -741,80 +741,80 @@
         <translation>Tiefenwahrnehmung</translation>
     </message>
     <message>
-        <source>Often misses the target or goes past it, and takes long to correct</source>
-        <translation>Verfehlt das Ziel oft oder gerät darüber hinaus und braucht lange zum Korrigieren</translation>
+        <source>The tip often ends up in front of the target or behind it, and finding it takes long</source>
+        <translation>Die Spitze landet oft vor oder hinter dem Ziel, und es zu finden dauert lange</translation>
     </message>
     <message>
-        <source>Sometimes misses the target, and corrects at once</source>
-        <translation>Verfehlt das Ziel gelegentlich und korrigiert sofort</translation>
+        <source>The tip is sometimes too short or too far, and is corrected at once</source>
+        <translation>Die Spitze ist manchmal zu kurz oder zu weit und wird sofort korrigiert</translation>
     </message>
     <message>
-        <source>Reaches the target directly and in the right plane</source>
-        <translation>Erreicht das Ziel direkt und in der richtigen Ebene</translation>
+        <source>The tip arrives where it was aimed at, at the right depth</source>
+        <translation>Die Spitze kommt dort an, wohin gezielt wurde, in der richtigen Tiefe</translation>
     </message>
     <message>
         <source>Bimanual dexterity</source>
         <translation>Beidhändiges Geschick</translation>
     </message>
     <message>
-        <source>Works with one hand and leaves the other idle, or the hands get in each other&apos;s way</source>
-        <translation>Arbeitet mit einer Hand und lässt die andere ruhen, oder die Hände behindern einander</translation>
+        <source>One hand does the work while the other is idle or in the way</source>
+        <translation>Eine Hand arbeitet, die andere ruht oder ist im Weg</translation>
     </message>
     <message>
-        <source>Uses both hands, but they seldom help each other</source>
-        <translation>Benutzt beide Hände, doch sie unterstützen einander selten</translation>
+        <source>Both hands work, mostly one after the other</source>
+        <translation>Beide Hände arbeiten, meist eine nach der anderen</translation>
     </message>
     <message>
-        <source>Both hands complement each other and expose the field well</source>
-        <translation>Beide Hände ergänzen einander und stellen das Feld gut dar</translation>
+        <source>One hand always prepares what the other does next</source>
+        <translation>Eine Hand bereitet stets vor, was die andere als Nächstes tut</translation>
     </message>
     <message>
         <source>Efficiency</source>
         <translation>Effizienz</translation>
     </message>
     <message>
-        <source>Unsure: many tentative movements, changes aim often, or persists without progress</source>
-        <translation>Unsicher: viele tastende Bewegungen, wechselt oft das Vorgehen oder beharrt ohne Fortschritt</translation>
+        <source>Many tries with little result; jumps between aims, or repeats what does not work</source>
+        <translation>Viele Anläufe mit wenig Ergebnis; springt zwischen Zielen oder wiederholt, was nicht gelingt</translation>
     </message>
     <message>
-        <source>Slow, but the steps are planned and follow each other</source>
-        <translation>Langsam, aber die Schritte sind geplant und folgen aufeinander</translation>
+        <source>Takes time, but each step follows a plan</source>
+        <translation>Braucht Zeit, aber jeder Schritt folgt einem Plan</translation>
     </message>
     <message>
-        <source>Confident and economical; keeps to the step, or changes the approach when that is better</source>
-        <translation>Sicher und sparsam; bleibt beim Schritt oder wechselt das Vorgehen, wenn es besser ist</translation>
+        <source>Goes straight through the steps, and tries another approach in good time where one fails</source>
+        <translation>Geht geradewegs durch die Schritte und wählt rechtzeitig ein anderes Vorgehen, wo eines nicht gelingt</translation>
     </message>
     <message>
         <source>Tissue handling</source>
         <translation>Umgang mit Gewebe</translation>
     </message>
     <message>
-        <source>Rough: tears tissue, injures what is near, loses the grasp often</source>
-        <translation>Grob: reißt Gewebe ein, verletzt Benachbartes, verliert oft den Griff</translation>
+        <source>Tissue tears or bleeds from force that was not needed, or slips out of the jaws again and again</source>
+        <translation>Gewebe reißt oder blutet durch unnötige Kraft oder gleitet immer wieder aus den Branchen</translation>
     </message>
     <message>
-        <source>Mostly careful, with slight injury such as some bleeding or a lost grasp</source>
-        <translation>Meist vorsichtig, mit leichten Verletzungen wie etwas Blutung oder verlorenem Griff</translation>
+        <source>A gentle hand with a few lapses: a little bleeding, a grasp lost</source>
+        <translation>Eine schonende Hand mit einzelnen Fehlern: etwas Blutung, ein verlorener Griff</translation>
     </message>
     <message>
-        <source>Careful throughout: the right traction and hardly any injury</source>
-        <translation>Durchgehend vorsichtig: richtiger Zug und kaum Verletzungen</translation>
+        <source>Traction suits the tissue; nothing is harmed that could be spared</source>
+        <translation>Der Zug passt zum Gewebe; nichts wird verletzt, was geschont werden kann</translation>
     </message>
     <message>
         <source>Autonomy</source>
         <translation>Selbstständigkeit</translation>
     </message>
     <message>
-        <source>Cannot complete the task, even with verbal guidance</source>
-        <translation>Kann die Aufgabe auch mit mündlicher Anleitung nicht beenden</translation>
+        <source>Does not get to the end of the task, however much is explained</source>
+        <translation>Kommt nicht ans Ende der Aufgabe, so viel auch erklärt wird</translation>
     </message>
     <message>
-        <source>Completes the task safely with some guidance</source>
-        <translation>Beendet die Aufgabe sicher mit etwas Anleitung</translation>
+        <source>Gets to the end safely when helped with words at some points</source>
+        <translation>Kommt sicher ans Ende, mit mündlicher Hilfe an einigen Stellen</translation>
     </message>
     <message>
-        <source>Completes the task safely without guidance</source>
-        <translation>Beendet die Aufgabe sicher ohne Anleitung</translation>
+        <source>Gets to the end safely without a word of help</source>
+        <translation>Kommt sicher ans Ende, ohne ein Wort der Hilfe</translation>
     </message>
     <message>
         <source>OSATS, global rating scale</source>
@@ -825,112 +825,112 @@
         <translation>Schonung des Gewebes</translation>
     </message>
     <message>
-        <source>Uses needless force, or injures tissue by wrong use of instruments</source>
-        <translation>Wendet unnötige Kraft an oder verletzt Gewebe durch falschen Gebrauch der Instrumente</translation>
+        <source>Pulls, crushes or tears more than once where a gentle hold would do</source>
+        <translation>Zieht, quetscht oder reißt mehrfach, wo ein schonender Griff genügt</translation>
     </message>
     <message>
-        <source>Handles tissue with care, but injures it by accident at times</source>
-        <translation>Behandelt Gewebe sorgsam, verletzt es aber gelegentlich versehentlich</translation>
+        <source>Gentle for the most part; a few marks on tissue that could have been avoided</source>
+        <translation>Meist schonend; einige vermeidbare Spuren am Gewebe</translation>
     </message>
     <message>
-        <source>Handles tissue well at all times, with the least possible injury</source>
-        <translation>Behandelt Gewebe jederzeit gut, mit geringstmöglicher Verletzung</translation>
+        <source>Gentle throughout; tissue that was not operated on looks untouched</source>
+        <translation>Durchgehend schonend; nicht operiertes Gewebe sieht unberührt aus</translation>
     </message>
     <message>
         <source>Time and motion</source>
         <translation>Zeit und Bewegung</translation>
     </message>
     <message>
-        <source>Many movements that serve nothing</source>
-        <translation>Viele Bewegungen ohne Zweck</translation>
+        <source>The hands move for long stretches without a result</source>
+        <translation>Die Hände bewegen sich lange ohne Ergebnis</translation>
     </message>
     <message>
-        <source>Efficient, with some needless movements</source>
-        <translation>Effizient, mit einigen unnötigen Bewegungen</translation>
+        <source>Makes progress, with detours now and then</source>
+        <translation>Kommt voran, mit Umwegen hin und wieder</translation>
     </message>
     <message>
-        <source>No needless movement, the greatest efficiency</source>
-        <translation>Keine unnötige Bewegung, größte Effizienz</translation>
+        <source>Every movement has a purpose and a short path</source>
+        <translation>Jede Bewegung hat einen Zweck und einen kurzen Weg</translation>
     </message>
     <message>
         <source>Instrument handling</source>
         <translation>Umgang mit Instrumenten</translation>
     </message>
     <message>
-        <source>Moves instruments hesitantly or awkwardly, again and again</source>
-        <translation>Führt Instrumente immer wieder zögerlich oder ungeschickt</translation>
+        <source>Instruments look like a hindrance: fumbling, stops, unsuitable angles</source>
+        <translation>Instrumente wirken wie ein Hindernis: Nesteln, Stocken, ungeeignete Winkel</translation>
     </message>
     <message>
-        <source>Uses instruments competently, at times stiff or awkward</source>
-        <translation>Gebraucht Instrumente gekonnt, gelegentlich steif oder ungeschickt</translation>
+        <source>Instruments do what is wanted, sometimes at the second try</source>
+        <translation>Instrumente tun, was gewollt ist, manchmal im zweiten Anlauf</translation>
     </message>
     <message>
-        <source>Moves instruments fluently, without awkwardness</source>
-        <translation>Führt Instrumente flüssig und geschickt</translation>
+        <source>Instruments look like an extension of the hands</source>
+        <translation>Instrumente wirken wie eine Verlängerung der Hände</translation>
     </message>
     <message>
         <source>Knowledge of instruments</source>
         <translation>Kenntnis der Instrumente</translation>
     </message>
     <message>
-        <source>Often chooses the wrong instrument, or does not know what it is for</source>
-        <translation>Wählt oft das falsche Instrument oder kennt seinen Zweck nicht</translation>
+        <source>Asks for unsuitable instruments, or does not know their names and uses</source>
+        <translation>Verlangt ungeeignete Instrumente oder kennt Namen und Zweck nicht</translation>
     </message>
     <message>
-        <source>Knows most instruments and chooses a suitable one</source>
-        <translation>Kennt die meisten Instrumente und wählt ein geeignetes</translation>
+        <source>Chooses well for the common steps, hesitates at the rarer ones</source>
+        <translation>Wählt bei den häufigen Schritten gut, zögert bei den selteneren</translation>
     </message>
     <message>
-        <source>Clearly knows every instrument needed and its use</source>
-        <translation>Kennt alle nötigen Instrumente und ihren Gebrauch sicher</translation>
+        <source>Asks for the right instrument in good time, at every step</source>
+        <translation>Verlangt bei jedem Schritt rechtzeitig das richtige Instrument</translation>
     </message>
     <message>
         <source>Use of assistants</source>
         <translation>Einsatz der Assistenz</translation>
     </message>
     <message>
-        <source>Places assistants badly, or does not use them</source>
-        <translation>Setzt die Assistenz schlecht ein oder gar nicht</translation>
+        <source>Assistants are idle, or their help gets in the way</source>
+        <translation>Die Assistenz ist untätig, oder ihre Hilfe stört</translation>
     </message>
     <message>
-        <source>Uses assistants well for most of the time</source>
-        <translation>Setzt die Assistenz meist gut ein</translation>
+        <source>Gives assistants a task at the main steps</source>
+        <translation>Gibt der Assistenz bei den wichtigsten Schritten eine Aufgabe</translation>
     </message>
     <message>
-        <source>Uses assistants to best advantage at all times</source>
-        <translation>Setzt die Assistenz jederzeit bestmöglich ein</translation>
+        <source>Directs assistants ahead of each step, so that the exposure is always there</source>
+        <translation>Leitet die Assistenz vor jedem Schritt an, sodass die Darstellung immer steht</translation>
     </message>
     <message>
         <source>Flow of operation and forward planning</source>
         <translation>Ablauf der Operation und Vorausplanung</translation>
     </message>
     <message>
-        <source>Stops often, or seems not to know the next step</source>
-        <translation>Hält oft inne oder scheint den nächsten Schritt nicht zu kennen</translation>
+        <source>Interrupts the work again and again to decide what comes next</source>
+        <translation>Unterbricht die Arbeit immer wieder, um zu entscheiden, was als Nächstes kommt</translation>
     </message>
     <message>
-        <source>Plans ahead to some extent, with steady progress</source>
-        <translation>Plant teilweise voraus und kommt stetig voran</translation>
+        <source>Works steadily through the routine parts, pauses at the difficult ones</source>
+        <translation>Arbeitet stetig durch die üblichen Teile, hält bei den schwierigen inne</translation>
     </message>
     <message>
-        <source>Has planned the course: each movement leads to the next without effort</source>
-        <translation>Hat den Ablauf geplant: Jede Bewegung führt mühelos zur nächsten</translation>
+        <source>One step prepares the next; there are no gaps</source>
+        <translation>Ein Schritt bereitet den nächsten vor; es gibt keine Lücken</translation>
     </message>
     <message>
         <source>Knowledge of the procedure</source>
         <translation>Kenntnis des Eingriffs</translation>
     </message>
     <message>
-        <source>Knows too little; needs instruction at most steps</source>
-        <translation>Weiß zu wenig; braucht bei den meisten Schritten Anweisungen</translation>
+        <source>Has to be led through most steps</source>
+        <translation>Muss durch die meisten Schritte geführt werden</translation>
     </message>
     <message>
-        <source>Knows all important steps</source>
-        <translation>Kennt alle wichtigen Schritte</translation>
+        <source>Does the main steps in the right order, misses details</source>
+        <translation>Führt die wichtigsten Schritte in der richtigen Reihenfolge aus, lässt Einzelheiten aus</translation>
     </message>
     <message>
-        <source>Knows every step of the procedure thoroughly</source>
-        <translation>Kennt jeden Schritt des Eingriffs gründlich</translation>
+        <source>Does all steps in the right order and can say why</source>
+        <translation>Führt alle Schritte in der richtigen Reihenfolge aus und kann sie begründen</translation>
     </message>
     <message>
         <source>GAS, steps of a laparoscopic colorectal resection</source>
@@ -989,8 +989,8 @@
         <translation>Die Person hat es sicher und ohne Hilfe ausgeführt</translation>
     </message>
     <message>
-        <source>The trainee did it proficiently; it could hardly be done better</source>
-        <translation>Die Person hat es meisterhaft ausgeführt; besser geht es kaum</translation>
+        <source>The trainee did it as an expert would</source>
+        <translation>Die Person hat es ausgeführt, wie es erfahrene Operierende tun</translation>
     </message>
 </context>
 </TS>
