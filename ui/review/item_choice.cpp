@@ -14,6 +14,8 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr int unseen = 1000;  // no scale reaches it
+constexpr int points_in_a_row = 11;
+constexpr std::size_t anchors_in_a_row = 6;
 
 const FormAnchor* anchor_of(const FormItem& item, int rating) {
     for (const FormAnchor& anchor : item.anchors)
@@ -50,7 +52,7 @@ ItemChoice::ItemChoice(const FormItem& item, bool with_anchors, QWidget* parent)
     set_answer(std::nullopt, false);
 }
 
-void ItemChoice::add_point(QGridLayout* row, int column, int id, const QString& shown,
+void ItemChoice::add_point(QGridLayout* grid, int number, int id, const QString& shown,
                            const QString& meaning) {
     auto* point = new QRadioButton(shown);
     point->setObjectName(id == unseen ? QStringLiteral("rate_%1_unseen").arg(text(item_.id))
@@ -62,15 +64,17 @@ void ItemChoice::add_point(QGridLayout* row, int column, int id, const QString& 
     if (!meaning.isEmpty()) point->setToolTip(meaning);
     point->setCursor(Qt::PointingHandCursor);
     group_->addButton(point, id);
-    row->addWidget(point, 0, column, Qt::AlignCenter);
-    row->setColumnStretch(column, 1);
+    const int column = number % points_in_a_row;
+    grid->addWidget(point, number / points_in_a_row, column, Qt::AlignCenter);
+    grid->setColumnStretch(column, 1);
 }
 
 QWidget* ItemChoice::build_anchors() {
     auto* words = new QWidget;
-    auto* row = new QHBoxLayout(words);
+    const bool rows = item_.anchors.size() > anchors_in_a_row;
+    auto* row = new QBoxLayout(rows ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, words);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(18);
+    row->setSpacing(rows ? 0 : 18);
     const std::size_t last = item_.anchors.size() - 1;
     const bool every_point =
         item_.anchors.size() == static_cast<std::size_t>(item_.highest - item_.lowest + 1);
@@ -84,7 +88,7 @@ QWidget* ItemChoice::build_anchors() {
         const Qt::Alignment side = every_point || (i > 0 && i < last) ? Qt::AlignHCenter
                                    : i == 0                           ? Qt::AlignLeft
                                                                       : Qt::AlignRight;
-        label->setAlignment(side | Qt::AlignTop);
+        label->setAlignment((rows ? Qt::AlignLeft : side) | Qt::AlignTop);
         row->addWidget(label, 1);
     }
     return words;

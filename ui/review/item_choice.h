@@ -35,7 +35,7 @@ class ItemChoice : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    void add_point(QGridLayout* row, int column, int id, const QString& shown, const QString& meaning);
+    void add_point(QGridLayout* grid, int number, int id, const QString& shown, const QString& meaning);
     QWidget* build_anchors();
     FormItem item_;
     QButtonGroup* group_;

@@ -420,6 +420,27 @@ TEST(RatingWords, SumsLevelsAndDifferences) {
     EXPECT_TRUE(rater_agreement_text(agreement).contains("all their ratings are equal"));
 }
 
+TEST(RatingItems, AWideScaleOfASiteFitsThePageAndIsChosenByMouse) {
+    FormItem item;
+    item.id = "precision";
+    item.title = "Precision";
+    item.lowest = 0;
+    item.highest = 100;
+    for (const int rating : {0, 10, 20, 40, 60, 80, 100})
+        item.anchors.push_back(
+            {rating, "What is seen at " + std::to_string(rating) + " of a hundred points"});
+    ItemChoice choice(item, true);
+    EXPECT_LT(choice.minimumSizeHint().width(), 730) << "a card at 1024 pixels";
+    choice.resize(730, choice.sizeHint().height());
+    choice.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&choice));
+    EXPECT_FALSE(choice.answered());
+    QTest::mouseClick(find<QRadioButton>(choice, "rate_precision_57"), Qt::LeftButton);
+    EXPECT_EQ(choice.answer(), 57);
+    choice.set_answer(100, true);
+    EXPECT_EQ(choice.answer(), 100);
+}
+
 TEST(RatingProfiles, RatingsRunFromLeftToRightAndItemsDownwards) {
     const ObserverForm goals = load_form(asset_path("forms/goals.json"));
     RatingProfile profile(goals, {{"Ed", 0, {4, 3, 2, 5, 3}}, {"Ida", 1, {5, 4, 4, 4, std::nullopt}}});
