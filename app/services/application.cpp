@@ -10,6 +10,7 @@
 #include "app/cli/installed_curriculum.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
+#include "app/services/command_line.h"
 #include "app/services/demo.h"
 #include "app/services/devices.h"
 #include "app/services/replay_moment.h"
@@ -27,7 +28,7 @@
 #include "sim_core/scene/json_document.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/window_application.h"
-#include "ui/style/palette.h"
+#include "ui/style/appearance.h"
 
 namespace fulcrum::app {
 namespace {
@@ -311,7 +312,11 @@ std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_f
 int run_window() {
     const char* folder = std::getenv("FULCRUM_DATA");
     const auto services = make_services(folder != nullptr ? folder : "");
-    ui::apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ui::Theme::light);
+    const ui::Appearance look = ui::stored_appearance();
+    auto& screen = *qobject_cast<QApplication*>(QCoreApplication::instance());
+    ui::apply_theme(screen, look.theme);
+    ui::apply_text_size(screen, look.text_percent);
+    use_language_or(look.language);
     ui::MainWindow window(*services);
     window.show();
     auto* application = dynamic_cast<ui::WindowApplication*>(QCoreApplication::instance());

@@ -14,7 +14,6 @@
 
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
-#include "ui/style/language.h"
 
 namespace fulcrum::app {
 namespace {
@@ -47,9 +46,7 @@ int parse_and_run(const CommandTable& table, int& argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
     set_plain_formats();
-    const std::optional<ui::Language> language = ui::chosen_language();
-    if (!language) return report("FULCRUM_LANGUAGE is none of: " + names_of(ui::languages), 2);
-    ui::use_language(*language);
+    use_language_or(ui::Language::english);
     return run(call);
 }
 
@@ -89,6 +86,15 @@ void keep_standard_streams() {
 void set_plain_formats() {
     std::setlocale(LC_NUMERIC, "C");
     QTextCodec::setCodecForLocale(QTextCodec::codecForName("UTF-8"));
+}
+
+void use_language_or(ui::Language otherwise) {
+    const std::optional<ui::Language> language = ui::chosen_language(otherwise);
+    if (!language)
+        throw InputError("FULCRUM_LANGUAGE", "",
+                         "\"" + qgetenv("FULCRUM_LANGUAGE").toStdString() + "\" names no language",
+                         "use one of: " + names_of(ui::languages));
+    ui::use_language(*language);
 }
 
 int run_command_line(const CommandTable& table, int& argc, char** argv) {

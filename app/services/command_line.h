@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/cli/command.h"
+#include "ui/style/language.h"
 
 namespace fulcrum::app {
 
@@ -14,6 +15,9 @@ void keep_standard_streams();
 /// After QCoreApplication has set the user's locale: numbers are read and written with a decimal point, and
 /// file names are UTF-8, in every language.
 void set_plain_formats();
+/// Shows texts in the language that FULCRUM_LANGUAGE names, in `otherwise` if it is not set. Throws
+/// InputError for a word that names none.
+void use_language_or(ui::Language otherwise);
 /// The action's exit status. What it throws is printed as one line: 2 for bad input, else 1.
 int guarded(const std::function<int()>& action);
 /// Parses the command line, which has at least one word, and runs its command; the exit status.

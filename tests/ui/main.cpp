@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include "tests/database/station_keys.h"
 #include "ui/shell/window_application.h"
@@ -13,6 +15,8 @@ int main(int argc, char** argv) {
     fulcrum::ui::WindowApplication application(argc, argv);
     const fulcrum::database::test::OwnStationKeys keys;
     QCoreApplication::setOrganizationName(QStringLiteral("fulcrum-test"));
+    const QTemporaryDir settings;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
     return RUN_ALL_TESTS();
 }

@@ -10,6 +10,8 @@
 
 #include "database/access/access.h"
 #include "ui/services/application_services.h"
+#include "ui/style/language.h"
+#include "ui/style/palette.h"
 
 namespace fulcrum::ui {
 
@@ -70,6 +72,11 @@ class Context : public QObject {
     /// The page that explains the metrics, at this one; from there back to a moment of an attempt ("": none).
     void metric_wanted(const QString& metric_id, const QString& attempt_id, double time_s);
     void switch_user_wanted();
+    /// From the page of settings; appearance_changed() follows once the window has it.
+    void theme_wanted(fulcrum::ui::Theme theme);
+    void text_size_wanted(int percent);
+    void language_wanted(fulcrum::ui::Language language);
+    void appearance_changed();
 
   private:
     ApplicationServices& services_;

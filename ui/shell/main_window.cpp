@@ -5,7 +5,6 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QScreen>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QWindow>
 #include <typeinfo>
@@ -16,7 +15,9 @@
 #include "ui/shell/lock_page.h"
 #include "ui/shell/page_table.h"
 #include "ui/shell/password_page.h"
+#include "ui/shell/settings_page.h"
 #include "ui/shell/sign_in_page.h"
+#include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_page.h"
@@ -91,7 +92,6 @@ void MainWindow::build() {
     middle->setSpacing(0);
     rail_ = new QFrame;
     rail_->setProperty("role", "rail");
-    rail_->setFixedWidth(170);
     rail_layout_ = new QVBoxLayout(rail_);
     rail_layout_->setContentsMargins(8, 16, 8, 16);
     rail_layout_->setSpacing(4);
@@ -105,6 +105,7 @@ void MainWindow::build() {
     lock_page_ = new LockPage(context_);
     layers_->addWidget(lock_page_);
     setCentralWidget(layers_);
+    connect_lock_page();
 }
 
 QWidget* MainWindow::build_banner() {
@@ -137,7 +138,7 @@ QWidget* MainWindow::build_top_bar() {
     role_->setAccessibleName(tr("Acting role"));
     role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     bar->addWidget(role_);
-    theme_ = make_button(tr("Dark"), "theme");
+    theme_ = make_button(theme_title(current_theme() == Theme::light ? Theme::dark : Theme::light), "theme");
     bar->addWidget(theme_);
     switch_user_ = make_button(tr("Switch user"), "switch_user");
     switch_user_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")));
@@ -146,7 +147,6 @@ QWidget* MainWindow::build_top_bar() {
     connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
-    theme_->setText(current_theme() == Theme::light ? tr("Dark") : tr("Light"));
     return top_bar_;
 }
 
@@ -242,6 +242,12 @@ void MainWindow::connect_context() {
             lock_page_->set_notice(tr("The attempt was closed as interrupted and stored."));
         }
     });
+    connect(&context_, &Context::theme_wanted, this, &MainWindow::set_theme);
+    connect(&context_, &Context::text_size_wanted, this, &MainWindow::set_text_size);
+    connect(&context_, &Context::language_wanted, this, &MainWindow::set_language);
+}
+
+void MainWindow::connect_lock_page() {
     connect(lock_page_, &LockPage::unlocked, this, &MainWindow::unlock);
     connect(lock_page_, &LockPage::switch_user, this, [this] {
         unlock();
@@ -250,13 +256,18 @@ void MainWindow::connect_context() {
     });
 }
 
-void MainWindow::start() {
+void MainWindow::connect_first_pages() {
     auto* first = page<FirstStartPage>();
     connect(first, &FirstStartPage::try_again, this, &MainWindow::start, Qt::UniqueConnection);
     connect(first, &FirstStartPage::demo_opened, this, &MainWindow::show_sign_in, Qt::UniqueConnection);
     connect(first, &FirstStartPage::programme_created, this, &MainWindow::show_home, Qt::UniqueConnection);
     auto* sign_in = page<SignInPage>();
     connect(sign_in, &SignInPage::leave_demo, this, &MainWindow::start, Qt::UniqueConnection);
+}
+
+void MainWindow::start() {
+    connect_first_pages();
+    auto* first = page<FirstStartPage>();
     try {
         if (database::Store::exists(context_.services().store_path(false)))
             context_.services().open_store(false);
@@ -280,9 +291,50 @@ Page* MainWindow::current_page() const {
 
 void MainWindow::set_theme(Theme theme) {
     apply_theme(*qApp, theme);
-    QSettings().setValue(QStringLiteral("theme"), theme == Theme::dark ? "dark" : "light");
-    theme_->setText(theme == Theme::light ? tr("Dark") : tr("Light"));
+    store_theme(theme);
+    theme_->setText(theme_title(theme == Theme::light ? Theme::dark : Theme::light));
+    theme_->setAccessibleName(theme_->text());
     update();
+    emit context_.appearance_changed();
+}
+
+void MainWindow::set_text_size(int percent) {
+    apply_text_size(*qApp, percent);
+    store_text_percent(percent);
+    rebuild();
+    emit context_.appearance_changed();
+}
+
+void MainWindow::set_language(Language language) {
+    use_language(language);
+    store_language(language);
+    unsetLocale();  // what is made from now on writes dates and numbers as the language does
+    rebuild();
+    emit context_.appearance_changed();
+}
+
+void MainWindow::rebuild() {
+    const std::type_index shown = typeid(*current_page());
+    const QString used = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
+    for (auto& [type, old] : pages_) old->leave();
+    pages_.clear();
+    rail_buttons_.clear();
+    message_timer_.stop();
+    build();  // what there was is deleted with the old central widget
+    connect_first_pages();
+    if (context_.signed_in()) {
+        show_session();
+        if (shown == typeid(SettingsPage))
+            show_page(page<SettingsPage>());
+        else
+            show_home();
+        auto* control = centralWidget()->findChild<QWidget*>(used);
+        if (control != nullptr) control->setFocus();
+    } else if (shown == typeid(SignInPage)) {
+        show_sign_in();
+    } else {
+        start();
+    }
 }
 
 void MainWindow::show_page(Page* next) {
@@ -324,6 +376,12 @@ void MainWindow::session_changed() {
         show_sign_in();
         return;
     }
+    show_session();
+    context_.score_interrupted();
+    if (current_page() != page<FirstStartPage>()) show_home();
+}
+
+void MainWindow::show_session() {
     const database::Session& session = context_.session();
     const QString role = role_text(database::role_name(session.role()));
     setWindowTitle(tr("Fulcrum — %1, %2").arg(text(session.display_name()), role));
@@ -336,8 +394,6 @@ void MainWindow::session_changed() {
         if (held == session.role()) role_->setCurrentIndex(role_->count() - 1);
     }
     fill_rail();
-    context_.score_interrupted();
-    if (current_page() != page<FirstStartPage>()) show_home();
 }
 
 void MainWindow::fill_rail() {
@@ -358,6 +414,17 @@ void MainWindow::fill_rail() {
         connect(password, &QPushButton::clicked, this, [this] { show_page(page<PasswordPage>()); });
         rail_layout_->addWidget(password);
     }
+    fit_rail();
+}
+
+void MainWindow::fit_rail() {
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    int widest = 0;
+    for (const QPushButton* button : rail_->findChildren<QPushButton*>())
+        widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(button->text()));
+    constexpr int beside = 2 * (8 + 8);  // margins of the rail and of a button
+    rail_->setFixedWidth(std::max(170, widest + beside + 2));
 }
 
 void MainWindow::show_home() {

@@ -45,7 +45,11 @@ class MainWindow : public QMainWindow {
     void start();
     Context& context() { return context_; }
     Page* current_page() const;
+    /// These three apply at once and are remembered. With another language or text size all pages are made
+    /// again.
     void set_theme(Theme theme);
+    void set_text_size(int percent);
+    void set_language(Language language);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -58,11 +62,19 @@ class MainWindow : public QMainWindow {
     QWidget* build_message();
     void keep_within_screen();
     void connect_context();
+    void connect_lock_page();
+    void connect_first_pages();
+    /// All that is on the screen is made again; the page and the control in use are shown again.
+    void rebuild();
     void session_changed();
+    /// Who is signed in, in which roles, and the pages for that.
+    void show_session();
     void show_page(Page* page);
     void show_home();
     void show_sign_in();
     void fill_rail();
+    /// As wide as its longest title needs.
+    void fit_rail();
     void change_role(int index);
     void switch_user();
     void lock();

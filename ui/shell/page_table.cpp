@@ -13,6 +13,7 @@
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
 #include "ui/dashboards/to_rate_page.h"
+#include "ui/shell/settings_page.h"
 #include "ui/trainee/home_page.h"
 #include "ui/trainee/metrics_page.h"
 #include "ui/trainee/progress_page.h"
@@ -49,6 +50,7 @@ const std::vector<PageEntry>& page_table() {
         entry<AuditPage>   ("rail_audit",    QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Audit log"),      {administrator}),
         entry<CohortsPage> ("rail_assign",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Assign cohorts"), {director}),
         entry<TissuesPage> ("rail_tissues",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Tissue"),         {educator, director}),
+        entry<SettingsPage>("rail_settings", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Settings"),       {trainee, educator, director, administrator}),
     };
     // clang-format on
     return table;

@@ -28,11 +28,15 @@ void install(std::unique_ptr<QTranslator> translator) {
 
 }  // namespace
 
-std::optional<Language> chosen_language() {
+std::optional<Language> chosen_language(Language otherwise) {
     const std::string name = qgetenv("FULCRUM_LANGUAGE").toStdString();
-    if (name.empty()) return Language::english;
+    if (name.empty()) return otherwise;
     if (const auto* row = find_row(languages, name)) return row->kind;
     return std::nullopt;
+}
+
+bool language_is_fixed() {
+    return !qEnvironmentVariableIsEmpty("FULCRUM_LANGUAGE");
 }
 
 void use_language(Language language) {

@@ -20,8 +20,10 @@ inline constexpr NameRow<Language> languages[] = {
 };
 static_assert(in_order(languages));
 
-/// What FULCRUM_LANGUAGE names, English if it is not set; nothing for a word that names no language.
-std::optional<Language> chosen_language();
+/// What FULCRUM_LANGUAGE names, `otherwise` if it is not set; nothing for a word that names no language.
+std::optional<Language> chosen_language(Language otherwise = Language::english);
+/// FULCRUM_LANGUAGE is set: the language cannot be chosen on a screen.
+bool language_is_fixed();
 /// From now on texts are translated into this language, and numbers and dates are written as it writes them.
 /// What is on the screen already stays as it is.
 void use_language(Language language);

@@ -15,15 +15,23 @@ namespace fulcrum::ui {
 namespace {
 
 Theme theme_in_force = Theme::light;
+int percent_in_force = 100;
+
+constexpr double usual_points = 10.5;
+
+/// A size in points of the usual text, as the style sheet writes it for the size in use.
+QString points(double usual) {
+    return QString::number(usual * percent_in_force / 100.0, 'f', 2) + QStringLiteral("pt");
+}
 
 const char* const sheet_source = R"(
 QMainWindow, QWidget#page, QStackedWidget, QScrollArea, QWidget#page_body { background: @window; }
 QScrollArea { border: none; }
 QLabel { background: transparent; }
-QLabel[role="title"] { font-size: 20pt; font-weight: 600; }
-QLabel[role="heading"] { font-size: 13pt; font-weight: 600; }
+QLabel[role="title"] { font-size: @title_size; font-weight: 600; }
+QLabel[role="heading"] { font-size: @heading_size; font-weight: 600; }
 QLabel[role="muted"] { color: @muted; }
-QLabel[role="number"] { font-size: 24pt; font-weight: 600; }
+QLabel[role="number"] { font-size: @number_size; font-weight: 600; }
 QLabel[role="good"] { color: @good; font-weight: 600; }
 QLabel[role="bad"] { color: @bad; font-weight: 600; }
 QLabel[role="neutral"] { color: @muted; font-weight: 600; }
@@ -94,7 +102,9 @@ QSplitter::handle { background: transparent; }
 
 QString style_sheet(const Palette& p) {
     QString sheet = QString::fromLatin1(sheet_source);
-    ;
+    for (const auto& [token, size] :
+         {std::pair{"@title_size", 20.0}, std::pair{"@heading_size", 13.0}, std::pair{"@number_size", 24.0}})
+        sheet.replace(QLatin1String(token), points(size));
     const std::pair<const char*, QColor> tokens[] = {{"@accent_text", p.accent_text},
                                                      {"@accent", p.accent},
                                                      {"@window", p.window},
@@ -130,13 +140,26 @@ Theme current_theme() {
     return theme_in_force;
 }
 
+int text_percent() {
+    return percent_in_force;
+}
+
+void apply_text_size(QApplication& application, int percent) {
+    percent_in_force = percent;
+    apply_theme(application, theme_in_force);
+}
+
+int with_text(int pixels) {
+    return pixels * percent_in_force / 100;
+}
+
 void apply_theme(QApplication& application, Theme theme) {
     load_style_resources();
     theme_in_force = theme;
     const Palette& p = palette_of(theme);
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QFont font = application.font();
-    font.setPointSizeF(10.5);
+    font.setPointSizeF(usual_points * percent_in_force / 100.0);
     application.setFont(font);
     QPalette colours;
     colours.setColor(QPalette::Window, p.window);

@@ -28,6 +28,14 @@ inline const Palette& colours() {
 }
 /// Sets fonts, palette and style sheet of the whole application. UI thread.
 void apply_theme(QApplication& application, Theme theme);
+/// The sizes of text that are offered, in % of the usual one.
+inline constexpr int text_percents[] = {100, 125, 150, 175, 200};
+/// The size in use; 100 until apply_text_size was called.
+int text_percent();
+/// Sets the text of the whole application to a share of its usual size. UI thread.
+void apply_text_size(QApplication& application, int percent);
+/// Pixels that were measured for text of the usual size, for the size in use.
+int with_text(int pixels);
 /// For painting on paper whatever the theme.
 inline const Palette& paper_palette() {
     return palette_of(Theme::light);

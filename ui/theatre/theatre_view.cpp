@@ -168,7 +168,7 @@ void TheatreView::paint_words(QPainter& painter) {
                                                : QString();
     painter.setPen(QColor(0xE8EDF3));
     QFont font = painter.font();
-    font.setPointSizeF(14);
+    font.setPointSizeF(0.14 * text_percent());
     painter.setFont(font);
     painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, words);
 }

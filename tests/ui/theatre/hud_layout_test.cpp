@@ -2,12 +2,14 @@
 // The texts of the head-up display do not overlap, at any size of the picture.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QImage>
 #include <QPainter>
 #include <limits>
 
 #include "tests/support/support.h"
 #include "tests/ui/painted_words.h"
+#include "ui/style/palette.h"
 #include "ui/theatre/hud.h"
 
 namespace fulcrum::ui::window_test {
@@ -115,8 +117,8 @@ void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string
 /// The debrief's picture at the smallest window, a wider one, the theatre's sizes.
 const QSize sizes[] = {QSize(557, 360),  QSize(700, 400),  QSize(800, 480),  QSize(1000, 600),
                        QSize(1280, 720), QSize(1280, 800), QSize(1920, 1080)};
-/// Text at 75, 100, 125 and 150 % of the desktop's usual size.
-const int text_scales[] = {72, 96, 120, 144};
+/// Text at 75, 100, 125, 150 and 200 % of the desktop's usual size.
+const int text_scales[] = {72, 96, 120, 144, 192};
 
 TEST(HudLayout, TextsOfEveryGoalKindDoNotOverlap) {
     for (const GoalType& type : goal_types) {
@@ -125,6 +127,26 @@ TEST(HudLayout, TextsOfEveryGoalKindDoNotOverlap) {
             for (const int scale : text_scales)
                 expect_apart(shown, size, scale, std::string("goal-") + type.name);
     }
+}
+
+TEST(HudLayout, FollowsTheTextSizeOfTheWindow) {
+    const auto painted = [](int dots_per_inch, int percent) {
+        apply_text_size(*qApp, percent);
+        Shown shown = everything(GoalKind::divide_line);
+        shown.hud.task = &shown.task;
+        WordsDevice device(QSize(1920, 1080), dots_per_inch);
+        QPainter painter(&device);
+        paint_hud(painter, QRectF(0, 0, 1920, 1080), shown.hud);
+        painter.end();
+        apply_text_size(*qApp, 100);
+        return device.words();
+    };
+    const std::vector<PaintedWords> usual = painted(96, 100), large = painted(96, 150),
+                                    desktop = painted(144, 100);
+    ASSERT_EQ(large.size(), desktop.size());
+    ASSERT_GT(large.size(), 8U);
+    EXPECT_GT(large.front().place.height(), 1.4 * usual.front().place.height());
+    for (std::size_t i = 0; i < large.size(); ++i) EXPECT_EQ(large[i].place, desktop[i].place);
 }
 
 // Each goal of each task with its texts, instruments, warnings and modes.
@@ -158,7 +180,7 @@ TEST(HudLayout, TextsOfEveryTaskDoNotOverlap) {
                     tool.clips_left = 10;
                     tool.exchange_left = 1.5F;
                     hud.tool[0] = hud.tool[1] = tool_words(tool);
-                    for (const int scale : {text_scales[0], text_scales[3]})
+                    for (const int scale : {text_scales[0], text_scales[4]})
                         for (const QSize size : {QSize(1280, 720), QSize(557, 360)})
                             if (replay || size.width() > 1000)
                                 expect_apart(shown, size, scale,

@@ -3928,16 +3928,8 @@ Kennzahlen: %2</translation>
         <translation>Aktive Rolle</translation>
     </message>
     <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
         <source>Switch user</source>
         <translation>Benutzerwechsel</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
     </message>
     <message>
         <source>Close</source>
@@ -5292,6 +5284,49 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::SettingsPage</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>They apply at once, are remembered, and are the same for everyone who uses this account of the computer.</source>
+        <translation>Sie gelten sofort, bleiben gespeichert und sind für alle gleich, die dieses Benutzerkonto des Rechners verwenden.</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The text in the picture of an attempt grows as far as there is room for it.</source>
+        <translation>Die Schrift im Bild eines Versuchs wächst, soweit dort Platz ist.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Messages about errors are still in English.</source>
+        <translation>Fehlermeldungen sind noch auf Englisch.</translation>
+    </message>
+    <message>
+        <source>The environment variable FULCRUM_LANGUAGE chooses the language of this station. Start Fulcrum without it to choose here.</source>
+        <translation>Die Umgebungsvariable FULCRUM_LANGUAGE legt die Sprache dieser Station fest. Starten Sie Fulcrum ohne sie, um hier zu wählen.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::SignInPage</name>
     <message>
         <source>Sign in</source>
@@ -6529,6 +6564,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Rate</source>
         <translation>Beurteilen</translation>
     </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ratings</name>
@@ -6761,6 +6800,17 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 at version %2; %3</source>
         <translation>%1 in Version %2; %3</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::themes</name>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
     </message>
 </context>
 </TS>

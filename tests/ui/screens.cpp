@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/screens.h"
+
+#include <QScrollBar>
+
+#include "database/records/people.h"
+#include "ui/page/background_job.h"
+#include "ui/review/debrief_page.h"
+#include "ui/shell/page_table.h"
+#include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::ui::window_test {
+
+Screens::Screens() {
+    apply_theme(*qApp, Theme::light);
+    services.open_store(false);
+    const database::People people(*services.store());
+    const database::Session alma = people
+                                       .create_programme("Department of Surgery, University Hospital", "alma",
+                                                         "Alma Admin", "correct horse")
+                                       .administrator;
+    sessions.emplace(Role::administrator, alma);
+    for (const auto& [role, login, name] :
+         {std::tuple{Role::trainee, "tara", "Tara Trainee"}, std::tuple{Role::educator, "ed", "Ed Educator"},
+          std::tuple{Role::director, "dora", "Dora Director"}}) {
+        const auto made = people.create(alma, login, name, {role});
+        const database::Session once = people.sign_in(login, made.one_time_password);
+        sessions.emplace(role, people.change_password(once, made.one_time_password, "a long password"));
+    }
+    const database::Session& dora = sessions.at(Role::director);
+    const std::string cohort = people.create_cohort(dora, "Spring");
+    people.set_members(dora, cohort, {sessions.at(Role::trainee).person_id()});
+    people.set_educators(dora, cohort, {sessions.at(Role::educator).person_id()});
+}
+
+Screens::~Screens() {
+    apply_theme(*qApp, Theme::light);
+}
+
+void Screens::open(QSize size) {
+    window = std::make_unique<MainWindow>(services);
+    window->resize(size);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->start();
+    size_ = size;
+}
+
+void Screens::settle() {
+    EXPECT_TRUE(wait_for([&] {
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QCoreApplication::processEvents();
+        return window->findChildren<BackgroundJob*>().isEmpty();
+    }));
+}
+
+std::vector<const char*> Screens::rail() {
+    std::vector<const char*> names;
+    for (const PageEntry* entry : pages_of(window->context())) names.push_back(entry->name);
+    return names;
+}
+
+std::string Screens::perform() {
+    sign_in(Role::trainee);
+    emit window->context().attempt_wanted("A2", true, 0, false);
+    auto* theatre = static_cast<TheatrePage*>(window->current_page());
+    services.control.ticks_per_update = 40;
+    EXPECT_TRUE(wait_for([&] {
+        return theatre->session() != nullptr && theatre->session()->phase() == AttemptPhase::running;
+    }));
+    services.control.press_hard = true;
+    QTest::qWait(300);
+    services.control.complete = true;
+    wait_for_debrief();
+    return static_cast<DebriefPage*>(window->current_page())->model()->summary.meta.id;
+}
+
+void Screens::wait_for_debrief() {
+    EXPECT_TRUE(wait_for([&] {
+        return window->current_page()->objectName() == "debrief_page" &&
+               static_cast<DebriefPage*>(window->current_page())->is_ready();
+    }));
+    settle();
+}
+
+QString Screens::error_shown() {
+    auto* line = window->findChild<QLabel*>("message_text");
+    if (!line->isVisible() || line->parentWidget()->property("role").toString() != "error") return {};
+    return line->text();
+}
+
+void Screens::expect_fits(const QString& screen) {
+    EXPECT_EQ(window->size(), size_) << screen.toStdString();
+    for (QScrollArea* area : window->current_page()->findChildren<QScrollArea*>()) {
+        if (!area->isVisible() || area->widget()->objectName() != "page_body") continue;
+        EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0)
+            << screen.toStdString() << ": " << area->widget()->minimumSizeHint().width() << " px wide";
+    }
+    const QRect shown = window->rect();
+    for (QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
+        if (!button->isVisible() || button->visibleRegion().isEmpty()) continue;
+        const QRect place(button->mapTo(window.get(), QPoint()), button->size());
+        EXPECT_TRUE(place.left() >= 0 && place.right() <= shown.right())
+            << screen.toStdString() << ": " << button->objectName().toStdString();
+    }
+}
+
+void Screens::keep(const QString& screen) {
+    const QByteArray folder = qgetenv("FULCRUM_PICTURES");
+    if (folder.isEmpty()) return;
+    QDir().mkpath(QString::fromLocal8Bit(folder));
+    window->grab().save(QStringLiteral("%1/%2-%3x%4-%5.png")
+                            .arg(QString::fromLocal8Bit(folder), screen)
+                            .arg(size_.width())
+                            .arg(size_.height())
+                            .arg(current_theme() == Theme::light ? "light" : "dark"));
+}
+
+void Screens::visit(const std::string& attempt, const std::function<void(const QString&)>& look) {
+    for (const auto& [role, session] : sessions) {
+        const QString who = QString::fromLatin1(database::role_name(role));
+        sign_in(role);
+        for (const char* name : rail()) {
+            go_to(name);
+            look(who + '-' + QString(name).mid(5));
+        }
+        go_to("rail_password");
+        look(who + "-password");
+        if (role == Role::trainee) {
+            emit window->context().briefing_wanted("B1");
+            settle();
+            look(who + "-briefing");
+            theatre([&] { look(who + "-theatre"); });
+        }
+        if (role == Role::administrator) continue;
+        emit window->context().debrief_wanted(text(attempt), -1);
+        wait_for_debrief();
+        look(who + "-debrief");
+    }
+    window->context().sign_out();
+    settle();
+    look("sign-in");
+}
+
+void Screens::theatre(const std::function<void()>& look) {
+    emit window->context().attempt_wanted("A2", false, 0, false);
+    auto* page = static_cast<TheatrePage*>(window->current_page());
+    services.control.ticks_per_update = 1;
+    EXPECT_TRUE(wait_for([&] { return page->view()->pictures() > 2; }));
+    look();
+    emit window->context().home_wanted();
+    settle();
+}
+
+}  // namespace fulcrum::ui::window_test

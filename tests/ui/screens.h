@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window on a programme with one person of each role, a cohort and one attempt, for tests that look at
+// every screen.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <map>
+#include <memory>
+
+#include "database/access/access.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/hands.h"
+#include "ui/shell/main_window.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui::window_test {
+
+using database::Role;
+
+class Screens : public ::testing::Test {
+  protected:
+    Screens();
+    ~Screens() override;
+
+    void open(QSize size);
+    void sign_in(Role role) {
+        window->context().set_session(sessions.at(role));
+        settle();
+    }
+    /// Handles what is due, and waits for the work that the page does in the background.
+    void settle();
+    /// Names of the rail's pages for the role.
+    std::vector<const char*> rail();
+    void go_to(const char* name) {
+        click(*window, name);
+        settle();
+    }
+    /// The trainee's attempt A2, by mouse, with too much force; its id.
+    std::string perform();
+    void wait_for_debrief();
+    QString error_shown();
+    /// The page has the space that it needs, and the window has kept its size.
+    void expect_fits(const QString& screen);
+    /// Stores a picture in the folder FULCRUM_PICTURES.
+    void keep(const QString& screen);
+    /// Opens every screen of every role and calls `look`.
+    void visit(const std::string& attempt, const std::function<void(const QString&)>& look);
+    void theatre(const std::function<void()>& look);
+
+    FakeServices services;
+    std::map<Role, database::Session> sessions;
+    std::unique_ptr<MainWindow> window;
+    QSize size_;
+};
+
+}  // namespace fulcrum::ui::window_test
