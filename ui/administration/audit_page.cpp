@@ -9,6 +9,8 @@
 #include "database/records/people.h"
 #include "ui/administration/audit_words.h"
 #include "ui/page/background_job.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -17,6 +19,7 @@ namespace {
 
 /// Days back that a choice of the period means; those of one's own choosing and all time have none.
 constexpr int all_time = -1, chosen_days = -2;
+constexpr int beside_page = 80;  ///< px left and right of a page's body
 
 QComboBox* make_choice(const QString& label, const char* name) {
     auto* box = new QComboBox;
@@ -83,8 +86,7 @@ AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
 
 QWidget* AuditPage::build_filters() {
     auto* filters = new QWidget;
-    auto* row = new QHBoxLayout(filters);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new FlowRow(filters);
     person_ = make_choice(tr("Person"), "audit_person");
     kind_ = make_choice(tr("Kind"), "audit_kind");
     period_ = make_choice(tr("Period"), "audit_period");
@@ -103,13 +105,13 @@ QWidget* AuditPage::build_filters() {
         connect(day, &QDateEdit::dateChanged, this, &AuditPage::load);
     }
     for (QComboBox* box : {person_, kind_, period_}) {
-        row->addWidget(box);
+        row->add(box);
         connect(box, QOverload<int>::of(&QComboBox::activated), this, &AuditPage::load);
     }
-    row->addWidget(days_);
-    row->addStretch();
+    row->add(days_);
     count_ = make_label({}, "muted");
-    row->addWidget(count_);
+    count_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->add(count_, 1, with_text(120));
     return filters;
 }
 
@@ -222,7 +224,8 @@ void AuditPage::verify() {
             const bool holds = state->problems.empty();
             QString line = holds ? tr("✓ The audit log is intact: %1 rows.\nNewest hash: %2")
                                  : tr("✕ The audit log is damaged: %1 rows.\nNewest hash: %2");
-            line = line.arg(state->rows).arg(text(state->head));
+            line =
+                line.arg(state->rows).arg(in_lines(text(state->head), fontMetrics(), width() - beside_page));
             for (std::size_t i = 0; i < std::min<std::size_t>(5, state->problems.size()); ++i)
                 line += QLatin1Char('\n') + text(state->problems[i]);
             if (state->problems.size() > 5) line += tr("\nand %1 more").arg(state->problems.size() - 5);

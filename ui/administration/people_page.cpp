@@ -8,6 +8,7 @@
 #include <QTableWidget>
 
 #include "ui/administration/import_card.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -19,16 +20,14 @@ constexpr database::Role roles_of_people[] = {database::Role::trainee, database:
 
 std::vector<QCheckBox*> add_role_boxes(QFormLayout* form, const QString& label, const char* prefix) {
     auto* holder = new QWidget;
-    auto* row = new QHBoxLayout(holder);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new FlowRow(holder);
     std::vector<QCheckBox*> boxes;
     for (const database::Role role : roles_of_people) {
         auto* box = new QCheckBox(role_text(database::role_name(role)));
         box->setObjectName(QString::fromLatin1(prefix) + QString::fromLatin1(database::role_name(role)));
-        row->addWidget(box);
+        row->add(box);
         boxes.push_back(box);
     }
-    row->addStretch();
     form->addRow(label, holder);
     return boxes;
 }
@@ -71,8 +70,9 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     import_ = new ImportCard(context);
     connect(import_, &ImportCard::imported, this, &PeoplePage::fill);
     layout->addWidget(import_);
-    picker_ =
-        new QCheckBox(tr("Show the people who signed in here in the last 30 days on the sign-in screen"));
+    picker_ = new QCheckBox(
+        in_lines(tr("Show the people who signed in here in the last 30 days on the sign-in screen"),
+                 fontMetrics(), widest_line));
     picker_->setObjectName(QStringLiteral("sign_in_picker"));
     connect(picker_, &QCheckBox::clicked, this, [this](bool on) {
         this->context().guarded([&] {

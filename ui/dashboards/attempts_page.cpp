@@ -6,6 +6,8 @@
 
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -25,24 +27,24 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     requests_ = card_layout(requests_card_);
     layout->addWidget(requests_card_);
     layout->addWidget(build_stale());
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     const auto combo = [&](const QString& label, const char* name) {
         auto* box = new QComboBox;
         box->setObjectName(QString::fromLatin1(name));
         box->setAccessibleName(label);
         // As wide now as after a change of the theme, whatever it holds.
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumWidth(190);
-        row->addWidget(box);
+        box->setMinimumWidth(with_text(190));
+        row->add(box);
         connect(box, QOverload<int>::of(&QComboBox::activated), this, &AttemptsPage::load);
         return box;
     };
     cohort_ = combo(tr("Cohort"), "filter_cohort");
     person_ = combo(tr("Person"), "filter_person");
     task_ = combo(tr("Task"), "filter_task");
-    row->addStretch();
     count_ = make_label({}, "muted");
-    row->addWidget(count_);
+    count_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->add(count_, 1, with_text(120));
     layout->addLayout(row);
     table_ = make_table({tr("Person"), tr("Task"), tr("Started"), tr("Mode"), tr("Device"), tr("Ended"),
                          tr("Recorded"), tr("Result"), tr("Points"), tr("Comments")},

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "assessment/scoring/score.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -275,13 +276,13 @@ CohortGrid::CohortGrid(QWidget* parent) : QWidget(parent), model_(new CohortGrid
     shown_ = filter;
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 10, 10, 10);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     name_ = new QLineEdit;
     name_->setObjectName(QStringLiteral("grid_name"));
     name_->setPlaceholderText(tr("Find a person"));
     name_->setAccessibleName(tr("Find a person"));
     name_->setClearButtonEnabled(true);
-    row->addWidget(name_, 1);
+    row->add(name_, 1, with_text(150));
     standing_ = new QComboBox;
     standing_->setObjectName(QStringLiteral("grid_standing"));
     standing_->setAccessibleName(tr("Standing"));
@@ -289,14 +290,14 @@ CohortGrid::CohortGrid(QWidget* parent) : QWidget(parent), model_(new CohortGrid
     for (const auto& one : standing_names)
         standing_->addItem(QCoreApplication::translate("fulcrum::standings", one.title),
                            static_cast<int>(one.kind));
-    row->addWidget(standing_);
+    row->add(standing_);
     order_ = new QComboBox;
     order_->setObjectName(QStringLiteral("grid_order"));
     order_->setAccessibleName(tr("Order"));
     order_->addItem(tr("By name"));
     order_->addItem(tr("Fewest tasks done first"));
     order_->addItem(tr("Longest without practice first"));
-    row->addWidget(order_);
+    row->add(order_);
     layout->addLayout(row);
     view_ = new QTableView;
     view_->setObjectName(QStringLiteral("cohort_grid"));

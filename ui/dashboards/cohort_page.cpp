@@ -16,6 +16,7 @@
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -50,15 +51,15 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
     layout->addWidget(make_label(tr("Cohort"), "title"));
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
+    row->setSpacing(24);
     cohort_ = new QComboBox;
     cohort_->setObjectName(QStringLiteral("cohort_choice"));
     cohort_->setAccessibleName(tr("Cohort"));
     cohort_->setMinimumWidth(240);
-    row->addWidget(cohort_);
-    row->addSpacing(24);
+    row->add(cohort_);
     export_ = new ExportRow("export_cohort");
-    row->addWidget(export_, 1);
+    row->add(export_, 1);
     layout->addLayout(row);
     job_ = new JobBar;
     layout->addWidget(job_);

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "database/records/people.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -19,30 +21,30 @@ ActionsCard::ActionsCard(Context& context) : context_(context) {
     outer->addWidget(card);
     hint_ = make_label({}, "muted");
     card_layout(card)->addWidget(hint_);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     reason_ = new QLineEdit;
     reason_->setObjectName(QStringLiteral("action_reason"));
     reason_->setAccessibleName(tr("Reason"));
-    row->addWidget(reason_, 1);
+    row->add(reason_, 1, with_text(200));
     void_ = make_button(tr("Void this attempt"), "void_attempt");
     reassign_ = make_button(tr("Reassign …"), "reassign_attempt");
     reassign_->setCheckable(true);
     request_ = make_button(tr("Request a correction"), "request_correction");
-    for (QPushButton* button : {void_, reassign_, request_}) row->addWidget(button);
+    for (QPushButton* button : {void_, reassign_, request_}) row->add(button);
     card_layout(card)->addLayout(row);
 
     right_person_row_ = new QWidget;
-    auto* second = new QHBoxLayout(right_person_row_);
-    second->setContentsMargins(0, 0, 0, 0);
-    second->addWidget(make_label(tr("Performed by")));
+    auto* second = new FlowRow(right_person_row_);
+    QLabel* performed = make_label(tr("Performed by"));
+    performed->setWordWrap(false);
+    second->add(performed);
     right_person_ = new QComboBox;
     right_person_->setObjectName(QStringLiteral("reassign_person"));
     right_person_->setAccessibleName(tr("Performed by"));
     right_person_->setMinimumWidth(240);
-    second->addWidget(right_person_);
+    second->add(right_person_);
     QPushButton* confirm = make_button(tr("Void and copy for this person"), "reassign_confirm", "primary");
-    second->addWidget(confirm);
-    second->addStretch();
+    second->add(confirm);
     card_layout(card)->addWidget(right_person_row_);
 
     connect(void_, &QPushButton::clicked, this, &ActionsCard::void_attempt);

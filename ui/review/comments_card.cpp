@@ -4,6 +4,7 @@
 #include <QPlainTextEdit>
 
 #include "database/records/reviews.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -25,7 +26,7 @@ CommentsCard::CommentsCard(Context& context, QWidget* parent) : QFrame(parent), 
     text_->setAccessibleName(tr("Comment"));
     text_->setPlaceholderText(tr("What happens here, and one thing to try"));
     text_->setTabChangesFocus(true);
-    text_->setMaximumHeight(84);
+    text_->setMaximumHeight(with_text(84));
     compose->addWidget(text_);
     auto* row = new QHBoxLayout;
     send_ = make_button({}, "comment_send", "primary");

@@ -18,6 +18,8 @@
 #include "ui/review/ratings_card.h"
 #include "ui/review/replay_panel.h"
 #include "ui/review/trace_panel.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -78,7 +80,9 @@ QWidget* DebriefPage::build_blind_head() {
 QWidget* DebriefPage::build_replay() {
     auto* block = new QWidget;
     block->setObjectName(QStringLiteral("replay_block"));
-    auto* middle = new QHBoxLayout(block);
+    // With large text the traces are below the replay.
+    auto* middle =
+        new QBoxLayout(text_percent() > 150 ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, block);
     middle->setContentsMargins(0, 0, 0, 0);
     middle->setSpacing(14);
     QFrame* replay_card = make_card(8);
@@ -143,7 +147,10 @@ void DebriefPage::resizeEvent(QResizeEvent* event) {
 
 void DebriefPage::fit_replay() {
     constexpr int margin = 28, highest = 860;
-    const int needed = replay_block_->layout()->minimumSize().height();
+    const QLayout* layout = replay_block_->layout();
+    const int needed = layout->hasHeightForWidth()
+                           ? layout->minimumHeightForWidth(replay_block_->width())
+                           : layout->minimumSize().height();
     replay_block_->setFixedHeight(std::max(needed, std::min(height() - margin, highest)));
 }
 
@@ -156,13 +163,13 @@ QWidget* DebriefPage::build_head() {
     auto* layout = new QVBoxLayout(head);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     title_ = make_label({}, "title");
-    row->addWidget(title_, 1);
+    row->add(title_, 1, with_text(330));
     verdict_ = make_label({}, "number");
     verdict_->setObjectName(QStringLiteral("verdict"));
     verdict_->setWordWrap(false);
-    row->addWidget(verdict_);
+    row->add(verdict_);
     layout->addLayout(row);
     about_ = make_label({}, "muted");
     about_->setObjectName(QStringLiteral("debrief_about"));
@@ -185,13 +192,14 @@ QWidget* DebriefPage::build_head() {
 }
 
 QLayout* DebriefPage::build_numbers() {
-    auto* numbers = new QHBoxLayout;
+    auto* numbers = new FlowRow;
     numbers->setSpacing(14);
     for (int i = 0; i < 4; ++i) {
         QFrame* card = make_card(2);
         number_title_[i] = make_label({}, "muted");
         number_[i] = make_label({}, "number");
         number_[i]->setObjectName(QStringLiteral("headline_%1").arg(i));
+        number_[i]->setWordWrap(false);
         number_why_[i] = make_label({}, "muted");
         number_explain_[i] = make_button(tr("Explain"), "explain_headline", "link");
         connect(number_explain_[i], &QPushButton::clicked, this, [this, i] {
@@ -203,7 +211,7 @@ QLayout* DebriefPage::build_numbers() {
         card_layout(card)->addLayout(top);
         for (QLabel* label : {number_[i], number_why_[i]}) card_layout(card)->addWidget(label);
         card_layout(card)->addStretch();
-        numbers->addWidget(card, 1);
+        numbers->add(card, 1, with_text(170));
     }
     return numbers;
 }

@@ -9,6 +9,7 @@
 
 #include "database/rows/trace_codec.h"
 #include "ui/review/event_words.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -45,7 +46,7 @@ ReplayPanel::ReplayPanel(QWidget* parent) : QWidget(parent), view_(new TheatreVi
     slider_->setObjectName(QStringLiteral("replay_slider"));
     slider_->setAccessibleName(tr("Moment of the attempt"));
     layout->addWidget(slider_);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     play_ = make_button(tr("Play"), "replay_play", "primary");
     back_ = make_button(tr("◀ Step"), "replay_back");
     forward_ = make_button(tr("Step ▶"), "replay_forward");
@@ -57,21 +58,18 @@ ReplayPanel::ReplayPanel(QWidget* parent) : QWidget(parent), view_(new TheatreVi
     clock_ = make_label({});
     clock_->setWordWrap(false);
     state_ = make_label({}, "muted");
-    row->addWidget(play_);
-    row->addWidget(back_);
-    row->addWidget(forward_);
-    row->addWidget(speed_);
-    row->addStretch();
+    for (QWidget* control : std::initializer_list<QWidget*>{play_, back_, forward_, speed_})
+        row->add(control);
     layout->addLayout(row);
     // Two rows: next to the traces one would leave these no width.
-    auto* below = new QHBoxLayout;
-    below->addWidget(clock_);
-    below->addWidget(state_, 1);
+    auto* below = new FlowRow;
+    below->add(clock_);
+    below->add(state_, 1);
     practise_ = make_button(tr("Practise from here"), "replay_take_over");
     practise_->setToolTip(
         tr("A practice run that begins with the scene as it is at this moment. It is never scored."));
     practise_->hide();
-    below->addWidget(practise_);
+    below->add(practise_);
     layout->addLayout(below);
     connect(play_, &QPushButton::clicked, this, [this] { play(!playing_); });
     connect(back_, &QPushButton::clicked, this, [this] { step(-1); });

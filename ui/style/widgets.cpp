@@ -37,6 +37,27 @@ QLabel* make_label(const QString& shown, const char* role) {
     return label;
 }
 
+QString in_lines(const QString& shown, const QFontMetrics& metrics, int width) {
+    QString lines, line;
+    const auto fits = [&](const QString& longer) { return metrics.horizontalAdvance(longer) <= width; };
+    for (QString word : shown.split(QLatin1Char(' '))) {
+        const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+        if (!fits(longer) && !line.isEmpty()) {
+            lines += line + QLatin1Char('\n');
+            line = word;
+        } else {
+            line = longer;
+        }
+        while (line.size() > 1 && !fits(line)) {
+            int kept = line.size() - 1;
+            while (kept > 1 && !fits(line.left(kept))) --kept;
+            lines += line.left(kept) + QLatin1Char('\n');
+            line.remove(0, kept);
+        }
+    }
+    return lines + line;
+}
+
 namespace {
 
 /// Outside dialogs Qt's buttons answer to Space alone; people at the keyboard press Enter too.
@@ -228,7 +249,9 @@ class ColumnFitter : public QObject {
         for (int column = 0; column < table_->columnCount(); ++column) {
             const int wanted = wanted_[static_cast<std::size_t>(column)];
             const bool fits = is_whole(column) || wanted <= share;
-            table_->horizontalHeader()->resizeSection(column, fits ? wanted : share);
+            // The column's own head stays whole.
+            const int narrowed = std::max(share, std::min(wanted, head_width(column)));
+            table_->horizontalHeader()->resizeSection(column, fits ? wanted : narrowed);
             if (fits) continue;
             for (int row = 0; row < table_->rowCount(); ++row)
                 if (QTableWidgetItem* cell = table_->item(row, column);
@@ -238,6 +261,14 @@ class ColumnFitter : public QObject {
         fitting_ = false;
     }
 
+    int head_width(int column) const {
+        QFont bold = table_->horizontalHeader()->font();
+        bold.setWeight(QFont::DemiBold);
+        constexpr int beside = 2 * 8 + 2;  // as the style sheet has it
+        return QFontMetrics(bold).horizontalAdvance(
+                   table_->model()->headerData(column, Qt::Horizontal).toString()) +
+               beside;
+    }
     bool is_whole(int column) const {
         return std::find(whole_.begin(), whole_.end(), column) != whole_.end();
     }

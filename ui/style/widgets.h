@@ -25,6 +25,11 @@ class ElidedLabel : public QLabel {
     void paintEvent(QPaintEvent* event) override;
 };
 
+/// Pixels that a line of a choice or check box may be wide in a window of 1280 pixels with the largest text:
+/// their text does not wrap by itself.
+inline constexpr int widest_line = 800;
+/// The text with a line break wherever a line would be wider; a word that is too long is broken as well.
+QString in_lines(const QString& shown, const QFontMetrics& metrics, int width);
 /// A button whose object name and accessible name are set; role "primary", "link", "card" or null.
 QPushButton* make_button(const QString& shown, const char* name, const char* role = nullptr);
 /// A rounded frame with a vertical layout (reach it by card->layout()).

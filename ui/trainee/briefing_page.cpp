@@ -11,6 +11,8 @@
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -78,9 +80,12 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
     QFrame* start_card = make_card(8);
     card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
-    assessed_ = new QRadioButton(tr("Assessed: it counts from the first movement, even if you abandon it."));
+    assessed_ =
+        new QRadioButton(in_lines(tr("Assessed: it counts from the first movement, even if you abandon it."),
+                                  fontMetrics(), widest_line));
     assessed_->setObjectName(QStringLiteral("mode_assessed"));
-    practice_ = new QRadioButton(tr("Practice: it is scored and kept, but does not count."));
+    practice_ = new QRadioButton(
+        in_lines(tr("Practice: it is scored and kept, but does not count."), fontMetrics(), widest_line));
     practice_->setObjectName(QStringLiteral("mode_practice"));
     card_layout(start_card)->addWidget(assessed_);
     card_layout(start_card)->addWidget(practice_);
@@ -100,11 +105,8 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     connect(history, &QPushButton::clicked, this, [this] {
         emit this->context().progress_wanted(text(this->context().session().person_id()), text(task_id_));
     });
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(start_);
-    buttons->addWidget(watch_);
-    buttons->addWidget(history);
-    buttons->addStretch();
+    auto* buttons = new FlowRow;
+    for (QPushButton* button : {start_, watch_, history}) buttons->add(button);
     card_layout(start_card)->addLayout(buttons);
     layout->addWidget(start_card);
     layout->addStretch();
@@ -123,7 +125,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
 /// The scene in which the task is performed.
 QLayout* BriefingPage::make_variants() {
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     variant_words_ = make_label(tr("Variant"));
     variant_words_->setWordWrap(false);
     variants_ = new QComboBox;
@@ -131,9 +133,9 @@ QLayout* BriefingPage::make_variants() {
     variants_->setAccessibleName(tr("Variant"));
     variant_note_ = make_label({}, "muted");
     variant_note_->setObjectName(QStringLiteral("variant_note"));
-    row->addWidget(variant_words_);
-    row->addWidget(variants_);
-    row->addWidget(variant_note_, 1);
+    row->add(variant_words_);
+    row->add(variants_);
+    row->add(variant_note_, 1, with_text(160));
     connect(variants_, QOverload<int>::of(&QComboBox::activated), this, [this] {
         wanted_variant_ = variant();
         if (const TaskDefinition* task = context().task(task_id_)) show_variant(*task);
@@ -176,7 +178,7 @@ void BriefingPage::fill_variants(const TaskDefinition& task) {
 
 /// Where practice begins, and with a ghost or without.
 QLayout* BriefingPage::make_beginning() {
-    auto* beginning = new QHBoxLayout;
+    auto* beginning = new FlowRow;
     begin_words_ = make_label(tr("Begin at"));
     begin_words_->setWordWrap(false);
     begin_at_ = new QComboBox;
@@ -185,15 +187,14 @@ QLayout* BriefingPage::make_beginning() {
     begin_at_->setToolTip(
         tr("From a later goal on, a simulated expert does what comes before. Such a practice run is "
            "never scored."));
-    beginning->addWidget(begin_words_);
-    beginning->addWidget(begin_at_);
+    beginning->add(begin_words_);
+    beginning->add(begin_at_);
     ghost_ = new QCheckBox(tr("With the ghost of an expert"));
     ghost_->setObjectName(QStringLiteral("with_ghost"));
     ghost_->setToolTip(
         tr("Translucent instruments show an expert's next movement and wait for you. The scene is then "
            "that of the demonstration."));
-    beginning->addWidget(ghost_);
-    beginning->addStretch();
+    beginning->add(ghost_);
     connect(practice_, &QRadioButton::toggled, begin_at_, &QWidget::setEnabled);
     connect(practice_, &QRadioButton::toggled, ghost_, &QWidget::setEnabled);
     return beginning;

@@ -13,6 +13,7 @@
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/trainee/certificate_card.h"
@@ -39,13 +40,13 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->setSpacing(12);
     title_ = make_label(tr("Progress"), "title");
     layout->addWidget(title_);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     const auto combo = [&](const QString& label, const char* name) {
         auto* box = new QComboBox;
         box->setObjectName(QString::fromLatin1(name));
         box->setAccessibleName(label);
         box->setMinimumWidth(210);
-        row->addWidget(box);
+        row->add(box);
         connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
             if (box == metric_) {
                 draw();
@@ -59,12 +60,11 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     task_ = combo(tr("Task"), "progress_task");
     metric_ = combo(tr("Metric"), "progress_metric");
     explain_ = make_button(tr("Explain"), "explain_progress", "link");
-    row->addWidget(explain_);
+    row->add(explain_);
     connect(explain_, &QPushButton::clicked, this, [this] {
         const QString id = metric_->currentData().toString().section(QLatin1Char('/'), 0, 0);
         emit this->context().metric_wanted(id, {}, -1);
     });
-    row->addStretch();
     layout->addLayout(row);
     export_ = new ExportRow("export_person");
     connect(export_, &ExportRow::save_wanted, this,

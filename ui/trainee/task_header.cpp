@@ -4,6 +4,7 @@
 #include <map>
 
 #include "database/records/attempts.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/scene_picture.h"
@@ -25,7 +26,9 @@ QString words_of(const TaskVariant& variant, const database::VariantPractice& pr
 TaskHeader::TaskHeader(Context& context) : context_(context) {
     setProperty("role", "card");
     setObjectName(QStringLiteral("task_header"));
-    auto* row = new QHBoxLayout(this);
+    // With large text the words are below the picture.
+    auto* row =
+        new QBoxLayout(text_percent() > 150 ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
     row->setContentsMargins(14, 14, 18, 14);
     row->setSpacing(18);
     picture_ = new ScenePicture(context);

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every screen of every role at the largest text size: nothing is cut off. With FULCRUM_PICTURES=FOLDER the
+// screens are stored there, in both themes and in German.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QRegularExpression>
+#include <QStyleOption>
+
+#include "tests/ui/screens.h"
+#include "ui/style/language.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class LargeText : public Screens {
+  protected:
+    ~LargeText() override {
+        window.reset();
+        apply_text_size(*qApp, 100);
+        use_language(Language::english);
+    }
+    void complain(const QString& screen, const QWidget& widget, const QString& shown, const QString& what) {
+        ADD_FAILURE() << screen.toStdString() << ", " << widget.metaObject()->className() << ' '
+                      << widget.objectName().toStdString() << ": \"" << shown.left(60).toStdString() << "\" "
+                      << what.toStdString();
+    }
+    /// No visible text has less room than it needs, and all of it can be reached.
+    int expect_whole(const QString& screen) {
+        int seen = 0;
+        const auto needs = [&](const QWidget& widget, const QString& shown, const QSize& needed) {
+            if (shown.isEmpty() || !widget.isVisible()) return;
+            ++seen;
+            if (widget.width() < needed.width() || widget.height() < needed.height())
+                complain(screen, widget, shown,
+                         QStringLiteral("has %1 x %2 of %3 x %4 px")
+                             .arg(widget.width())
+                             .arg(widget.height())
+                             .arg(needed.width())
+                             .arg(needed.height()));
+        };
+        for (const QLabel* label : window->findChildren<QLabel*>()) {
+            if (dynamic_cast<const ElidedLabel*>(label) != nullptr) continue;  // whole in its tool tip
+            if (!label->wordWrap()) {
+                needs(*label, label->text(), label->sizeHint());
+                continue;
+            }
+            needs(*label, label->text(), {longest_word(*label), label->heightForWidth(label->width())});
+        }
+        for (const QPushButton* button : window->findChildren<QPushButton*>())
+            needs(*button, button->text(), button->sizeHint());
+        for (const QRadioButton* button : window->findChildren<QRadioButton*>())
+            needs(*button, button->text(), button->sizeHint());
+        for (const QCheckBox* box : window->findChildren<QCheckBox*>())
+            needs(*box, box->text(), box->sizeHint());
+        for (const QComboBox* box : window->findChildren<QComboBox*>()) {
+            QStyleOptionComboBox option;
+            option.initFrom(box);
+            const int room =
+                box->style()
+                    ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box)
+                    .width();
+            const int needed = box->fontMetrics().boundingRect(box->currentText()).width();
+            if (box->isVisible() && room < needed)
+                complain(screen, *box, box->currentText(),
+                         QStringLiteral("has %1 of %2 px").arg(room).arg(needed));
+        }
+        return seen;
+    }
+    static int longest_word(const QLabel& label) {
+        int widest = 0;
+        for (const QString& word : label.text().split(QRegularExpression(QStringLiteral("\\s"))))
+            widest = std::max(widest, label.fontMetrics().horizontalAdvance(word));
+        return widest;
+    }
+};
+
+TEST_F(LargeText, CutsNothingOffOnAnyScreen) {
+    for (const Language language : {Language::english, Language::german}) {
+        open({1280, 800});
+        const std::string attempt = perform();
+        window->set_language(language);
+        window->set_text_size(200);
+        window->set_theme(language == Language::english ? Theme::light : Theme::dark);
+        const QString name = QString::fromLatin1(row_of(languages, language).name);
+        int seen = 0;
+        visit(attempt, [&](const QString& screen) {
+            keep(QStringLiteral("large-%1-%2").arg(name, screen));
+            seen += expect_whole(name + ' ' + screen);
+            expect_fits(name + ' ' + screen);
+        });
+        EXPECT_GT(seen, 300);
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
