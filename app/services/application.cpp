@@ -12,6 +12,7 @@
 #include "app/live/live_attempt.h"
 #include "app/services/command_line.h"
 #include "app/services/demo.h"
+#include "app/services/device_list.h"
 #include "app/services/devices.h"
 #include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
@@ -186,6 +187,12 @@ class Services : public ui::ApplicationServices {
         return devices_.hands(scene, std::move(others));
     }
     std::string device_trouble() override { return devices_.trouble(); }
+    std::function<std::vector<ui::ListedDevice>()> list_devices() override { return devices_of_machine(); }
+    std::optional<ui::DeviceReadings> device_readings() override { return devices_.readings(); }
+    double force_scale(const std::string& kind) const override { return Devices::force_scale(kind); }
+    void set_force_scale(const std::string& kind, double scale) override {
+        Devices::set_force_scale(kind, scale);
+    }
     std::string program_version() const override { return version_line(); }
 
   private:

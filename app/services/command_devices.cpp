@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum devices: what is connected, what is not and why; and a test of one device.
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -11,12 +10,10 @@
 #include "app/services/devices.h"
 #include "app/services/program.h"
 #include "sim_core/numerics/number_text.h"
-#include "ui/theatre/two_mice.h"
 
 namespace fulcrum::app {
 namespace {
 
-constexpr const char* usb_folder = "/sys/bus/usb/devices";
 constexpr double gentle_n = 0.3;
 constexpr const char* slot_names[device_slots] = {"left", "right", "scope"};
 
@@ -121,10 +118,7 @@ int run_devices(const Arguments& arguments) {
     for (const char* option : {"--seconds", "--force"})
         if (arguments.has(option))
             throw UsageError(option, "has no meaning without --test", "name a device: --test DEVICE");
-    const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    std::vector<std::string> mice;
-    for (const ui::MouseDevice& mouse : ui::TwoMice::connected(false)) mice.push_back(mouse.name);
-    const std::vector<ListedDevice> devices = list_devices(usb_folder, hapticd_program(), display, mice);
+    const std::vector<ListedDevice> devices = devices_of_machine()();
     if (arguments.has("--json"))
         print_json({{"devices", devices_json(devices)}});
     else

@@ -5,15 +5,21 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "sim_core/devices/daemon_client.h"
+#include "ui/theatre/two_mice.h"
+
 namespace fulcrum::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* usb_folder = "/sys/bus/usb/devices";
 
 /// USB numbers in hexadecimal, as the system writes them; a product of "" is any product of the vendor.
 struct UsbNumber {
@@ -27,12 +33,18 @@ struct UsbKind {
 
 const std::vector<UsbKind>& usb_kinds() {
     static const std::vector<UsbKind> kinds = {
-        {"touch", "3D Systems Touch", DeviceClass::haptic, {{"2988", ""}, {"0301", "2988"}}},
+        {"touch",
+         QT_TRANSLATE_NOOP("fulcrum::device_list", "3D Systems Touch"),
+         DeviceClass::haptic,
+         {{"2988", ""}, {"0301", "2988"}}},
         {"force-dimension",
-         "Force Dimension, Novint Falcon",
+         QT_TRANSLATE_NOOP("fulcrum::device_list", "Force Dimension, Novint Falcon"),
          DeviceClass::haptic,
          {{"1451", ""}, {"0403", "cb48"}}},
-        {"space-mouse", "SpaceMouse", DeviceClass::controller, {{"256f", ""}}}};
+        {"space-mouse",
+         QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
+         DeviceClass::controller,
+         {{"256f", ""}}}};
     return kinds;
 }
 
@@ -67,38 +79,71 @@ bool is(const UsbDevice& device, const UsbNumber& number) {
 
 }  // namespace
 
+std::function<std::vector<ListedDevice>()> devices_of_machine() {
+    const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    std::vector<std::string> mice;
+    for (const ui::MouseDevice& mouse : ui::TwoMice::connected(false)) mice.push_back(mouse.name);
+    return [display, mice, daemon = hapticd_program()] {
+        return list_devices(usb_folder, daemon, display, mice);
+    };
+}
+
 std::vector<ListedDevice> list_devices(const std::string& usb, const std::string& daemon, bool display,
                                        const std::vector<std::string>& mice) {
     std::vector<ListedDevice> listed;
-    ListedDevice mouse{"mouse-keyboard", "mouse and keyboard", DeviceClass::mouse_keyboard, {}, {}, {}, {}};
+    ListedDevice mouse{"mouse-keyboard",
+                       QT_TRANSLATE_NOOP("fulcrum::device_list", "mouse and keyboard"),
+                       DeviceClass::mouse_keyboard,
+                       {},
+                       {},
+                       {},
+                       {}};
     mouse.state = display ? DeviceState::usable : DeviceState::absent;
     if (!display) {
-        mouse.why = "there is no screen here";
-        mouse.what_to_do = "start Fulcrum on a desktop, or set DISPLAY";
+        mouse.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "there is no screen here");
+        mouse.what_to_do =
+            QT_TRANSLATE_NOOP("fulcrum::device_list", "start Fulcrum on a desktop, or set DISPLAY");
     }
     listed.push_back(mouse);
 
-    ListedDevice two{"two-mice", "two mice, one for each hand", DeviceClass::mouse_keyboard, {}, mice, {},
+    ListedDevice two{"two-mice",
+                     QT_TRANSLATE_NOOP("fulcrum::device_list", "two mice, one for each hand"),
+                     DeviceClass::mouse_keyboard,
+                     {},
+                     mice,
+                     {},
                      {}};
     two.state = mice.size() >= 2 ? DeviceState::usable
                 : mice.empty()   ? DeviceState::absent
                                  : DeviceState::connected;
     if (mice.size() < 2) {
-        two.why =
-            mice.empty() ? "no mouse that an X server with XInput 2.1 reads by itself" : "one mouse only";
-        two.what_to_do =
-            mice.empty() ? "start Fulcrum in an X11 session and connect two mice" : "connect a second mouse";
+        two.why = mice.empty()
+                      ? QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                          "no mouse that an X server with XInput 2.1 reads by itself")
+                      : QT_TRANSLATE_NOOP("fulcrum::device_list", "one mouse only");
+        two.what_to_do = mice.empty()
+                             ? QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                                 "start Fulcrum in an X11 session and connect two mice")
+                             : QT_TRANSLATE_NOOP("fulcrum::device_list", "connect a second mouse");
     }
     listed.push_back(two);
 
-    ListedDevice scripted{"virtual", "virtual device: a script", DeviceClass::haptic, {}, {}, {}, {}};
+    ListedDevice scripted{"virtual",
+                          QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual device: a script"),
+                          DeviceClass::haptic,
+                          {},
+                          {},
+                          {},
+                          {}};
     if (access(daemon.c_str(), X_OK) == 0) {
         scripted.state = DeviceState::usable;
-        scripted.found.push_back("virtual:SCRIPT.json, for practice only");
+        scripted.found.push_back(
+            QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual:SCRIPT.json, for practice only"));
     } else {
         scripted.state = DeviceState::absent;
         scripted.why = daemon + ": " + std::strerror(errno);
-        scripted.what_to_do = "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD";
+        scripted.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list", "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD");
     }
     listed.push_back(scripted);
 
@@ -112,8 +157,8 @@ std::vector<ListedDevice> list_devices(const std::string& usb, const std::string
                                        one.vendor + ":" + one.product + ")");
         }
         device.state = device.found.empty() ? DeviceState::absent : DeviceState::connected;
-        device.why = "this version of Fulcrum cannot drive it";
-        device.what_to_do = "use mouse and keyboard";
+        device.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "this version of Fulcrum cannot drive it");
+        device.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list", "use mouse and keyboard");
         listed.push_back(device);
     }
     return listed;

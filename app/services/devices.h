@@ -16,11 +16,17 @@ class Devices {
     /// Throws InputError.
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others);
     std::string trouble();
+    std::optional<ui::DeviceReadings> readings();
+    /// Share of the model's force for devices of this kind, kept in the settings of the program.
+    static double force_scale(const std::string& kind);
+    static void set_force_scale(const std::string& kind, double scale);
 
   private:
     void open();
     std::string specification_;
     std::shared_ptr<DaemonClient> client_;
+    std::uint64_t counted_ = 0;     ///< readings at the last call of readings()
+    std::int64_t counted_at_ = -1;  ///< ns; -1: not called since the device was opened
 };
 
 /// The class of a device: with force it is haptic, else tracked.

@@ -79,6 +79,12 @@ class ForwardingServices : public ui::ApplicationServices {
         own_->set_site_tissues(session, task_id, seen, values, reason);
     }
     ui::DeviceInUse device_in_use() const override { return own_->device_in_use(); }
+    std::function<std::vector<ui::ListedDevice>()> list_devices() override { return own_->list_devices(); }
+    std::optional<ui::DeviceReadings> device_readings() override { return own_->device_readings(); }
+    double force_scale(const std::string& kind) const override { return own_->force_scale(kind); }
+    void set_force_scale(const std::string& kind, double scale) override {
+        own_->set_force_scale(kind, scale);
+    }
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
         return own_->hands(scene, std::move(others));
     }

@@ -6,6 +6,7 @@
 
 #include <QTemporaryDir>
 #include <atomic>
+#include <map>
 #include <memory>
 
 #include "database/records/recorder.h"
@@ -64,9 +65,23 @@ class FakeServices : public ApplicationServices {
     SiteTissues site_tissues(const database::Session&, const std::string&) override { return {}; }
     void set_site_tissues(const database::Session&, const std::string& task_id, int,
                           const database::TissueValues&, const std::string&) override;
+    std::function<std::vector<ListedDevice>()> list_devices() override {
+        return [listed = devices] { return listed; };
+    }
+    DeviceInUse device_in_use() const override { return in_use; }
+    std::optional<DeviceReadings> device_readings() override { return readings; }
+    double force_scale(const std::string& kind) const override {
+        const auto found = scales.find(kind);
+        return found != scales.end() ? found->second : 1;
+    }
+    void set_force_scale(const std::string& kind, double scale) override { scales[kind] = scale; }
     std::string program_version() const override { return "0.1.0-test"; }
 
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
+    std::vector<ListedDevice> devices;
+    DeviceInUse in_use;
+    std::optional<DeviceReadings> readings;
+    std::map<std::string, double> scales;
     AttemptControl control;
     mutable std::atomic<int> worlds_built{0};  ///< calls of world_at_start()
 

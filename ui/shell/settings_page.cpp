@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QRadioButton>
 
+#include "ui/shell/devices_card.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -39,11 +40,12 @@ SettingsPage::SettingsPage(Context& context)
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Settings"), "title"));
     layout->addWidget(
-        make_label(tr("They apply at once, are remembered, and are the same for everyone who uses this "
-                      "account of the computer."),
+        make_label(tr("They are remembered, and are the same for everyone who uses this account of the "
+                      "computer."),
                    "muted"));
     layout->addWidget(build_appearance());
     layout->addWidget(build_language());
+    layout->addWidget(new DevicesCard(context));
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings that belong to the place and not to a person: theme, text size, language. Each applies at once and
-// is remembered.
+// Settings that belong to the place and not to a person: theme, text size, language, devices. Each is
+// remembered.
 #pragma once
 
 #include "ui/page/context.h"

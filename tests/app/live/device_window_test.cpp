@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <QComboBox>
+#include <QSettings>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -97,6 +99,39 @@ TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo
     const double again = right_x();
     EXPECT_TRUE(wait_for([&] { return std::abs(right_x() - again) > 2e-3; })) << "the device is opened again";
     abandon();
+}
+
+TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
+    QSettings().clear();
+    create_programme_and_trainee();
+    ui::window_test::click(window, "rail_settings");
+    EXPECT_TRUE(find<QLabel>(window, "device_readings")->text().contains("after the first attempt"));
+    auto* scale = find<QComboBox>(window, "force_scale");
+    scale->setFocus();
+    for (int i = 0; i < 6; ++i) QTest::keyClick(scale, Qt::Key_Up);
+    EXPECT_EQ(scale->currentText(), "40 %");
+    EXPECT_TRUE(wait_for([&] { return sees(window, "device_virtual"); })) << "the list of the program";
+    home();
+    start("A2", false);
+    const double begun = right_x();
+    ASSERT_TRUE(wait_for([&] { return std::abs(right_x() - begun) > 2e-3; }));
+    abandon();
+    const database::AttemptSummary attempt = newest_attempt();
+    for (const auto& device : attempt.meta.force_devices) {
+        ASSERT_TRUE(device.has_value());
+        EXPECT_DOUBLE_EQ(device->scale, 0.4);
+    }
+    EXPECT_TRUE(find<QLabel>(window, "debrief_notes")->text().contains("Force was felt at 40 %."))
+        << find<QLabel>(window, "debrief_notes")->text().toStdString();
+    expect_replays(attempt.meta.id);
+    // The device is open now: its readings are on the page.
+    ui::window_test::click(window, "rail_settings");
+    EXPECT_TRUE(wait_for([&] {
+        const QString shown = find<QLabel>(window, "device_readings")->text();
+        return shown.contains("readings per second") && shown.contains("Right hand: at (");
+    })) << find<QLabel>(window, "device_readings")->text().toStdString();
+    keep_picture(window, "35-devices");
+    QSettings().clear();
 }
 
 }  // namespace

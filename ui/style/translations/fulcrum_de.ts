@@ -79,6 +79,77 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::device_list</name>
+    <message>
+        <source>3D Systems Touch</source>
+        <translation>3D Systems Touch</translation>
+    </message>
+    <message>
+        <source>Force Dimension, Novint Falcon</source>
+        <translation>Force Dimension, Novint Falcon</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>there is no screen here</source>
+        <translation>hier gibt es keinen Bildschirm</translation>
+    </message>
+    <message>
+        <source>start Fulcrum on a desktop, or set DISPLAY</source>
+        <translation>starten Sie Fulcrum auf einer Arbeitsoberfläche, oder setzen Sie DISPLAY</translation>
+    </message>
+    <message>
+        <source>two mice, one for each hand</source>
+        <translation>zwei Mäuse, eine je Hand</translation>
+    </message>
+    <message>
+        <source>no mouse that an X server with XInput 2.1 reads by itself</source>
+        <translation>keine Maus, die ein X-Server mit XInput 2.1 einzeln liest</translation>
+    </message>
+    <message>
+        <source>one mouse only</source>
+        <translation>nur eine Maus</translation>
+    </message>
+    <message>
+        <source>start Fulcrum in an X11 session and connect two mice</source>
+        <translation>starten Sie Fulcrum in einer X11-Sitzung und schließen Sie zwei Mäuse an</translation>
+    </message>
+    <message>
+        <source>connect a second mouse</source>
+        <translation>schließen Sie eine zweite Maus an</translation>
+    </message>
+    <message>
+        <source>virtual device: a script</source>
+        <translation>virtuelles Gerät: ein Skript</translation>
+    </message>
+    <message>
+        <source>virtual:SCRIPT.json, for practice only</source>
+        <translation>virtual:SCRIPT.json, nur für Übungen</translation>
+    </message>
+    <message>
+        <source>install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD</source>
+        <translation>installieren Sie fulcrum-hapticd neben fulcrum, oder nennen Sie es in FULCRUM_HAPTICD</translation>
+    </message>
+    <message>
+        <source>this version of Fulcrum cannot drive it</source>
+        <translation>diese Version von Fulcrum kann es nicht ansteuern</translation>
+    </message>
+    <message>
+        <source>use mouse and keyboard</source>
+        <translation>verwenden Sie Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>two mice and keyboard</source>
+        <translation>zwei Mäuse und Tastatur</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::device_states</name>
     <message>
         <source>can be used</source>
@@ -3156,6 +3227,69 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::DevicesCard</name>
+    <message>
+        <source>Why: %1</source>
+        <translation>Warum: %1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>Abhilfe: %1</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Optik</translation>
+    </message>
+    <message>
+        <source>%1: does not answer</source>
+        <translation>%1: antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: at (%2, %3, %4) mm, jaws %5 % open, buttons %6</source>
+        <translation>%1: bei (%2, %3, %4) mm, Maul zu %5 % offen, Tasten %6</translation>
+    </message>
+    <message>
+        <source>Devices for the hands</source>
+        <translation>Geräte für die Hände</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Force given to the hand</source>
+        <translation>Kraft an der Hand</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Share of the model&apos;s force, from the next attempt on. Each attempt stores it and the debrief names it.</source>
+        <translation>Anteil an der Kraft des Modells, ab dem nächsten Versuch. Er wird mit jedem Versuch gespeichert und in seiner Auswertung genannt.</translation>
+    </message>
+    <message>
+        <source>In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum starts; without it, mouse and keyboard are used.</source>
+        <translation>In Gebrauch: %1. Die Umgebungsvariable FULCRUM_DEVICE nennt beim Start von Fulcrum das Gerät; ohne sie dienen Maus und Tastatur.</translation>
+    </message>
+    <message>
+        <source>%1 readings per second</source>
+        <translation>%1 Messwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Its readings are shown here after the first attempt with it, which opens the device.</source>
+        <translation>Seine Messwerte erscheinen hier nach dem ersten Versuch mit ihm, der das Gerät öffnet.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::ExportRow</name>
     <message>
         <source>Report</source>
@@ -5290,10 +5424,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>They apply at once, are remembered, and are the same for everyone who uses this account of the computer.</source>
-        <translation>Sie gelten sofort, bleiben gespeichert und sind für alle gleich, die dieses Benutzerkonto des Rechners verwenden.</translation>
-    </message>
-    <message>
         <source>Appearance</source>
         <translation>Darstellung</translation>
     </message>
@@ -5324,6 +5454,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>The environment variable FULCRUM_LANGUAGE chooses the language of this station. Start Fulcrum without it to choose here.</source>
         <translation>Die Umgebungsvariable FULCRUM_LANGUAGE legt die Sprache dieser Station fest. Starten Sie Fulcrum ohne sie, um hier zu wählen.</translation>
+    </message>
+    <message>
+        <source>They are remembered, and are the same for everyone who uses this account of the computer.</source>
+        <translation>Sie bleiben gespeichert und sind für alle gleich, die dieses Benutzerkonto des Rechners verwenden.</translation>
     </message>
 </context>
 <context>

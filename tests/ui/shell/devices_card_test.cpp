@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The devices on the page of settings: what is connected, what is not and why; readings; force scale.
+#include "ui/shell/devices_card.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <atomic>
+#include <thread>
+
+#include "tests/ui/screens.h"
+#include "ui/style/language.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class DevicesOnThePage : public Screens {
+  protected:
+    DevicesOnThePage() {
+        services.devices = {{"mouse-keyboard",
+                             "mouse and keyboard",
+                             DeviceClass::mouse_keyboard,
+                             DeviceState::usable,
+                             {},
+                             "",
+                             ""},
+                            {"touch",
+                             "3D Systems Touch",
+                             DeviceClass::haptic,
+                             DeviceState::connected,
+                             {"Touch (2988:0302)"},
+                             "this version of Fulcrum cannot drive it",
+                             "use mouse and keyboard"},
+                            {"space-mouse",
+                             "SpaceMouse",
+                             DeviceClass::controller,
+                             DeviceState::absent,
+                             {},
+                             "this version of Fulcrum cannot drive it",
+                             "use mouse and keyboard"}};
+    }
+    ~DevicesOnThePage() override {
+        window.reset();
+        use_language(Language::english);
+    }
+    void open_page() {
+        open({1280, 800});
+        sign_in(Role::trainee);
+        go_to("rail_settings");
+    }
+    /// All visible words of the card.
+    QString words() {
+        QStringList shown;
+        for (const QLabel* label : window->findChild<DevicesCard*>()->findChildren<QLabel*>())
+            if (label->isVisible()) shown << label->text();
+        return shown.join(QLatin1Char('\n'));
+    }
+    void use_haptic_device() {
+        services.in_use.kind = "virtual";
+        services.in_use.title = "Virtual device";
+        services.in_use.device_class = DeviceClass::haptic;
+    }
+};
+
+TEST_F(DevicesOnThePage, EachSaysItsStateWhyAndWhatToDo) {
+    open_page();
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "device_touch"); }));
+    for (const char* line :
+         {"✓ mouse and keyboard: can be used", "! 3D Systems Touch: connected, cannot be used",
+          "Touch (2988:0302)\nWhy: this version of Fulcrum cannot drive it\nWhat to do: use mouse and "
+          "keyboard",
+          "– SpaceMouse: not connected"})
+        EXPECT_TRUE(words().contains(line)) << line << "\n\n" << words().toStdString();
+    EXPECT_FALSE(sees(*window, "force_scale")) << "mouse and keyboard give no force";
+}
+
+TEST_F(DevicesOnThePage, AnotherLookShowsWhatWasConnectedSince) {
+    open_page();
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "device_touch"); }));
+    services.devices.erase(services.devices.begin() + 1);
+    click(*window, "look_for_devices");
+    EXPECT_TRUE(wait_for([&] { return !sees(*window, "device_touch"); }));
+    EXPECT_TRUE(wait_for([&] { return sees(*window, "device_space-mouse"); }));
+}
+
+class SlowDevices : public DevicesOnThePage {
+  protected:
+    /// Answers when it is allowed to.
+    struct Slow : FakeServices {
+        std::atomic<bool> answer{false};
+        std::function<std::vector<ListedDevice>()> list_devices() override {
+            return [this] {
+                while (!answer) std::this_thread::yield();
+                return std::vector<ListedDevice>{
+                    {"slow", "slow device", DeviceClass::haptic, DeviceState::absent, {}, "w", "t"}};
+            };
+        }
+    };
+};
+
+TEST_F(SlowDevices, WindowAnswersWhileDevicesAreLookedFor) {
+    Slow slow;
+    slow.open_store(false);
+    Context context(slow);
+    DevicesCard card(context);
+    card.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&card));
+    EXPECT_EQ(card.findChild<QLabel*>("device_slow"), nullptr);
+    slow.answer = true;
+    EXPECT_TRUE(wait_for([&] { return card.findChild<QLabel*>("device_slow") != nullptr; }));
+}
+
+TEST_F(DevicesOnThePage, ForceScaleIsChosenByTheKeyboardAndKept) {
+    use_haptic_device();
+    open_page();
+    auto* scale = find<QComboBox>(*window, "force_scale");
+    EXPECT_EQ(scale->currentText(), "100 %");
+    scale->setFocus();
+    for (int i = 0; i < 6; ++i) QTest::keyClick(scale, Qt::Key_Up);
+    EXPECT_EQ(scale->currentText(), "40 %");
+    EXPECT_DOUBLE_EQ(services.force_scale("virtual"), 0.4);
+    go_to("rail_home");
+    go_to("rail_settings");
+    EXPECT_EQ(find<QComboBox>(*window, "force_scale")->currentText(), "40 %");
+}
+
+TEST_F(DevicesOnThePage, ReadingsAreShownWhileTheDeviceIsOpen) {
+    use_haptic_device();
+    open_page();
+    auto* shown = find<QLabel>(*window, "device_readings");
+    EXPECT_TRUE(shown->text().contains("after the first attempt")) << shown->text().toStdString();
+    DeviceReadings now;
+    now.rate = 998.4;
+    now.held = {{"left", true, Vector3(0.0123, -0.004, 0.1), 0.4, 1}, {"right", false, {}, 0, 0}};
+    services.readings = now;
+    EXPECT_TRUE(wait_for([&] { return shown->text().contains("998 readings per second"); }));
+    EXPECT_TRUE(shown->text().contains("Left hand: at (12.3, -4.0, 100.0) mm, jaws 40 % open, buttons 1"))
+        << shown->text().toStdString();
+    EXPECT_TRUE(shown->text().contains("Right hand: does not answer"));
+}
+
+TEST_F(DevicesOnThePage, AreDrawnInBothThemesAndLanguages) {
+    use_haptic_device();
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        open_page();
+        window->set_theme(theme);
+        window->set_language(theme == Theme::light ? Language::english : Language::german);
+        settle();
+        ASSERT_TRUE(wait_for([&] { return sees(*window, "device_touch"); }));
+        bring(*find<QPushButton>(*window, "look_for_devices"));
+        settle();
+        expect_fits("devices");
+        keep("devices");
+        if (theme == Theme::dark) {
+            EXPECT_TRUE(words().contains("– SpaceMouse: nicht verbunden")) << words().toStdString();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test

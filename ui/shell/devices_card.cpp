@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/devices_card.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <cmath>
+
+#include "ui/page/background_job.h"
+#include "ui/style/language.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr int look_every_ms = 3000, read_every_ms = 200;
+
+/// A text of the list of devices in the reader's language; what the system says stays as it is.
+QString device_words(const std::string& english) {
+    return QCoreApplication::translate("fulcrum::device_list", english.c_str());
+}
+
+/// The state as sign and words; never by colour alone.
+QString state_words(const ListedDevice& device) {
+    const char* const signs[] = {"✓", "!", "–"};
+    return QStringLiteral("%1 %2: %3")
+        .arg(
+            QString::fromUtf8(signs[static_cast<std::size_t>(device.state)]), device_words(device.title),
+            QCoreApplication::translate("fulcrum::device_states", row_of(device_states, device.state).title));
+}
+
+QStringList particulars(const ListedDevice& device) {
+    QStringList lines;
+    for (const std::string& found : device.found) lines << device_words(found);
+    if (!device.why.empty()) lines << DevicesCard::tr("Why: %1").arg(device_words(device.why));
+    if (!device.what_to_do.empty())
+        lines << DevicesCard::tr("What to do: %1").arg(device_words(device.what_to_do));
+    return lines;
+}
+
+QString slot_words(const DeviceReadings::Slot& slot) {
+    const std::pair<const char*, QString> names[] = {{"left", DevicesCard::tr("Left hand")},
+                                                     {"right", DevicesCard::tr("Right hand")},
+                                                     {"scope", DevicesCard::tr("Scope")}};
+    QString name;
+    for (const auto& [id, shown] : names)
+        if (std::string(slot.name) == id) name = shown;
+    if (!slot.present) return DevicesCard::tr("%1: does not answer").arg(name);
+    return DevicesCard::tr("%1: at (%2, %3, %4) mm, jaws %5 % open, buttons %6")
+        .arg(name, decimal(1e3 * slot.position.x(), 1), decimal(1e3 * slot.position.y(), 1),
+             decimal(1e3 * slot.position.z(), 1), decimal(100 * slot.jaw, 0))
+        .arg(slot.buttons);
+}
+
+}  // namespace
+
+DevicesCard::DevicesCard(Context& context)
+    : context_(context), scale_(new QComboBox), list_(new QVBoxLayout) {
+    setProperty("role", "card");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 16, 18, 16);
+    layout->setSpacing(8);
+    layout->addWidget(make_label(tr("Devices for the hands"), "heading"));
+    use_ = make_label({});
+    use_->setObjectName(QStringLiteral("device_in_use"));
+    trouble_ = make_label({}, "bad");
+    readings_ = make_label({}, "muted");
+    readings_->setObjectName(QStringLiteral("device_readings"));
+    for (QLabel* label : {use_, trouble_, readings_}) layout->addWidget(label);
+    force_ = build_force();
+    layout->addWidget(force_);
+    list_->setSpacing(6);
+    layout->addLayout(list_);
+    again_ = make_button(tr("Look again"), "look_for_devices");
+    layout->addWidget(again_, 0, Qt::AlignLeft);
+    connect(again_, &QPushButton::clicked, this, &DevicesCard::look);
+    look_timer_.setInterval(look_every_ms);
+    connect(&look_timer_, &QTimer::timeout, this, &DevicesCard::look);
+    readings_timer_.setInterval(read_every_ms);
+    connect(&readings_timer_, &QTimer::timeout, this, &DevicesCard::show_readings);
+}
+
+QWidget* DevicesCard::build_force() {
+    auto* holder = new QWidget;
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout;
+    scale_->setObjectName(QStringLiteral("force_scale"));
+    scale_->setAccessibleName(tr("Force given to the hand"));
+    scale_->setMinimumContentsLength(7);
+    const int least = static_cast<int>(std::lround(100 * least_force_scale));
+    for (int percent = least; percent <= 100; percent += 10)
+        scale_->addItem(tr("%1 %").arg(percent), percent);
+    auto* title = new QLabel(tr("Force given to the hand"));
+    title->setBuddy(scale_);
+    row->addWidget(title);
+    row->addWidget(scale_);
+    row->addStretch();
+    column->addLayout(row);
+    column->addWidget(
+        make_label(tr("Share of the model's force, from the next attempt on. Each attempt stores it "
+                      "and the debrief names it."),
+                   "muted"));
+    connect(scale_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+        DeviceService& devices = context_.services();
+        devices.set_force_scale(devices.device_in_use().kind, 0.01 * scale_->itemData(index).toInt());
+    });
+    return holder;
+}
+
+void DevicesCard::showEvent(QShowEvent* event) {
+    QFrame::showEvent(event);
+    show_use();
+    show_readings();
+    look();
+    look_timer_.start();
+    readings_timer_.start();
+}
+
+void DevicesCard::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    look_timer_.stop();
+    readings_timer_.stop();
+}
+
+void DevicesCard::show_use() {
+    const DeviceInUse used = context_.services().device_in_use();
+    use_->setText(
+        tr("In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum starts; "
+           "without it, mouse and keyboard are used.")
+            .arg(device_words(used.title)));
+    force_->setVisible(!used.kind.empty() && used.device_class == DeviceClass::haptic);
+    const double scale = context_.services().force_scale(used.kind);
+    scale_->setCurrentIndex(scale_->findData(10 * static_cast<int>(std::lround(10 * scale))));
+}
+
+void DevicesCard::show_readings() {
+    DeviceService& devices = context_.services();
+    const QString trouble = text(devices.device_trouble());
+    trouble_->setText(trouble);
+    trouble_->setVisible(!trouble.isEmpty());
+    QStringList lines;
+    if (const auto now = devices.device_readings()) {
+        if (now->rate > 0) lines << tr("%1 readings per second").arg(decimal(now->rate, 0));
+        for (const DeviceReadings::Slot& slot : now->held) lines << slot_words(slot);
+    } else if (!devices.device_in_use().kind.empty()) {
+        lines << tr("Its readings are shown here after the first attempt with it, which opens the device.");
+    }
+    readings_->setText(lines.join(QLatin1Char('\n')));
+    readings_->setVisible(!lines.isEmpty());
+}
+
+void DevicesCard::look() {
+    if (job_ != nullptr) return;
+    auto found = std::make_shared<std::vector<ListedDevice>>();
+    job_ = BackgroundJob::run(
+        this, [found, list = context_.services().list_devices()](const Progress&) { *found = list(); },
+        [this, found] {
+            job_ = nullptr;
+            show_list(*found);
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            context_.complain(why);
+        });
+}
+
+void DevicesCard::show_list(const std::vector<ListedDevice>& devices) {
+    QString now;
+    for (const ListedDevice& device : devices)
+        now += state_words(device) + QLatin1Char('\n') + particulars(device).join(QLatin1Char('\n'));
+    if (now == shown_) return;
+    shown_ = now;
+    clear_layout(list_);
+    for (const ListedDevice& device : devices) {
+        QLabel* state = make_label(state_words(device));
+        state->setObjectName(QStringLiteral("device_") + text(device.kind));
+        if (device.state == DeviceState::usable) set_tint(state, Tint::good);
+        if (device.state == DeviceState::connected) set_tint(state, Tint::bad);
+        list_->addWidget(state);
+        const QStringList lines = particulars(device);
+        if (lines.isEmpty()) continue;
+        QLabel* more = make_label(lines.join(QLatin1Char('\n')), "muted");
+        more->setIndent(24);
+        list_->addWidget(more);
+    }
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_devices_card.cpp"

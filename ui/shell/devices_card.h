@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The devices for the hands: what is connected, what is not, why and what to do; the newest readings of the
+// one in use while it is open; and how much of the model's force it gives to the hand.
+#pragma once
+
+#include <QFrame>
+#include <QTimer>
+
+#include "ui/page/context.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+
+class DevicesCard : public QFrame {
+    Q_OBJECT
+  public:
+    explicit DevicesCard(Context& context);
+    /// Looks for devices in the background, unless it is looking already.
+    void look();
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    QWidget* build_force();
+    void show_use();
+    void show_readings();
+    void show_list(const std::vector<ListedDevice>& devices);
+    Context& context_;
+    QLabel *use_, *trouble_, *readings_;
+    QWidget* force_;
+    QComboBox* scale_;
+    QVBoxLayout* list_;
+    QPushButton* again_;
+    QString shown_;  ///< what the list was made from
+    BackgroundJob* job_ = nullptr;
+    QTimer look_timer_, readings_timer_;
+};
+
+}  // namespace fulcrum::ui
