@@ -4,13 +4,13 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QTableWidget>
 #include <algorithm>
 
 #include "sim_core/numerics/output_file.h"
 #include "ui/page/background_job.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -70,16 +70,17 @@ ImportCard::ImportCard(Context& context)
     below->addWidget(summary_);
     table_->setMinimumHeight(180);
     below->addWidget(table_);
-    auto* row = new QHBoxLayout;
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
     QLabel* label = make_label(tr("One-time passwords"));
     label->setWordWrap(false);
-    row->addWidget(label);
+    row->add(label);
     passwords_->setObjectName(QStringLiteral("import_passwords"));
     passwords_->setAccessibleName(tr("New file for the one-time passwords"));
-    row->addWidget(passwords_, 1);
+    row->add(passwords_, 1, 240);
     import_ = make_button(tr("Import"), "import_people", "primary");
-    row->addWidget(import_);
-    below->addLayout(row);
+    row->add(import_);
+    below->addWidget(holder);
     layout->addWidget(details_);
     layout->addWidget(bar_);
     details_->hide();
@@ -94,15 +95,14 @@ ImportCard::~ImportCard() {
 
 QWidget* ImportCard::make_path_row() {
     auto* holder = new QWidget;
-    auto* row = new QHBoxLayout(holder);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new FlowRow(holder);
     path_->setObjectName(QStringLiteral("import_path"));
     path_->setAccessibleName(tr("File or folder of the list"));
-    row->addWidget(path_, 1);
+    row->add(path_, 1, 240);
     QPushButton* file = make_button(tr("File …"), "import_file");
     QPushButton* folder = make_button(tr("Folder …"), "import_folder");
     look_ = make_button(tr("Look"), "import_look");
-    for (QPushButton* button : {file, folder, look_}) row->addWidget(button);
+    for (QPushButton* button : {file, folder, look_}) row->add(button);
     connect(file, &QPushButton::clicked, this, [this] { choose(false); });
     connect(folder, &QPushButton::clicked, this, [this] { choose(true); });
     connect(look_, &QPushButton::clicked, this, &ImportCard::look);

@@ -83,14 +83,16 @@ void paint_curve(QPainter& painter, const Plot& plot, const std::vector<double>&
         paint_mark(painter, plot.point(static_cast<double>(t + 1), curve[t]), trainee, 4.5);
 }
 
-/// The marks with what they stand for, in one line from the left.
-void paint_legend(QPainter& painter, double left, double middle) {
+/// The marks with what they stand for, in one line from the left; with large text, the shares alone.
+void paint_legend(QPainter& painter, double left, double middle, double room) {
+    const QString sentence = words(QT_TRANSLATE_NOOP("fulcrum::ui::PassRuleChart", "passes %1 %"));
+    const bool fits = 3 * (painter.fontMetrics().horizontalAdvance(sentence) + 34) <= room;
     for (std::size_t k = 0; k < designer_trainees.size(); ++k) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(colour_of(k));
         paint_mark(painter, QPointF(left + 5, middle), k, 4.5);
-        const QString name = words(QT_TRANSLATE_NOOP("fulcrum::ui::PassRuleChart", "passes %1 %"))
-                                 .arg(qRound(100 * designer_trainees[k]));
+        const QString name =
+            (fits ? sentence : QStringLiteral("%1 %")).arg(qRound(100 * designer_trainees[k]));
         const double wide = painter.fontMetrics().horizontalAdvance(name),
                      line = painter.fontMetrics().height();
         painter.setPen(colours().text);
@@ -119,7 +121,7 @@ void PassRuleChart::paintEvent(QPaintEvent*) {
     const double line = painter.fontMetrics().height();
     const double left = painter.fontMetrics().horizontalAdvance(QStringLiteral("100 %")) + 12;
     const Plot plot{QRectF(left, 2 * line + 4, width() - left - 16, height() - 4 * line - 16)};
-    paint_legend(painter, left, line / 2 + 2);
+    paint_legend(painter, left, line / 2 + 2, plot.area.width());
     paint_axes(painter, plot);
     for (std::size_t k = 0; k < designer_trainees.size(); ++k) {
         if (curves_.changed) paint_curve(painter, plot, curves_.in_force[k], k, true);
