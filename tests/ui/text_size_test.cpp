@@ -97,5 +97,20 @@ TEST_F(LargeText, CutsNothingOffOnAnyScreen) {
     }
 }
 
+TEST_F(LargeText, CutsNothingOffOnTheLock) {
+    open({1280, 800});
+    window->set_text_size(200);
+    window = std::make_unique<MainWindow>(services, nullptr, 200, 600000);
+    window->resize(1280, 800);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->start();
+    window->context().set_session(sessions.at(Role::trainee));
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "unlock"); }));
+    settle();
+    keep("large-lock");
+    EXPECT_GT(expect_whole("lock"), 3);
+}
+
 }  // namespace
 }  // namespace fulcrum::ui::window_test

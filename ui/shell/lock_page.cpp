@@ -5,6 +5,7 @@
 
 #include "ui/page/background_job.h"
 #include "ui/shell/sign_in_page.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -14,8 +15,8 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     auto* layout = new QVBoxLayout(this);
     layout->addStretch();
     QFrame* card = make_card(12);
-    card->setMaximumWidth(460);
-    card->setMinimumWidth(420);
+    card->setMaximumWidth(with_text(460));
+    card->setMinimumWidth(with_text(420));
     card_layout(card)->addWidget(make_label(tr("Locked"), "title"));
     who_ = make_label({});
     card_layout(card)->addWidget(who_);
@@ -38,7 +39,12 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     row->addStretch();
     row->addWidget(unlock_);
     card_layout(card)->addLayout(row);
-    layout->addWidget(card, 0, Qt::AlignHCenter);
+    // Between stretches, not aligned: only so is its height that of its words at its own width.
+    auto* middle = new QHBoxLayout;
+    middle->addStretch(1);
+    middle->addWidget(card, 1000);
+    middle->addStretch(1);
+    layout->addLayout(middle);
     layout->addStretch();
     connect(other, &QPushButton::clicked, this, &LockPage::switch_user);
     connect(unlock_, &QPushButton::clicked, this, &LockPage::unlock);

@@ -335,7 +335,7 @@ void clear_layout(QLayout* layout) {
 }
 
 QWidget* scrolled(QWidget* body, int width) {
-    body->setMaximumWidth(width);
+    body->setMaximumWidth(with_text(width));
     auto* holder = new QWidget;
     holder->setObjectName(QStringLiteral("page_body"));
     auto* row = new QHBoxLayout(holder);

@@ -70,7 +70,8 @@ void fit_heads(QTableWidget* table);
 void set_role(QWidget* widget, const char* role);
 /// Empties a layout and deletes its widgets.
 void clear_layout(QLayout* layout);
-/// A widget inside a scroll area of its own, as a page body of at most `width` pixels, centred.
+/// A widget inside a scroll area of its own, as a page body of at most `width` pixels at the usual text size,
+/// centred.
 QWidget* scrolled(QWidget* body, int width = 1180);
 
 }  // namespace fulcrum::ui
