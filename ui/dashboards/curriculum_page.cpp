@@ -37,7 +37,7 @@ CurriculumPage::CurriculumPage(Context& context)
     row->setSpacing(12);
     tasks_->setObjectName(QStringLiteral("curriculum_tasks"));
     tasks_->setAccessibleName(tr("Tasks of the curriculum"));
-    tasks_->setMinimumWidth(250);
+    tasks_->setMinimumWidth(220);
     tasks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     row->addWidget(tasks_, 1);
     QFrame* card = make_card(8);

@@ -11,6 +11,7 @@
 #include "ui/reports/rating_words.h"
 #include "ui/review/rating_editor.h"
 #include "ui/review/rating_profile.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -59,18 +60,15 @@ RatingsCard::RatingsCard(Context& context, QWidget* parent) : QFrame(parent), co
 
 void RatingsCard::build_begin() {
     begin_row_ = new QWidget;
-    auto* row = new QHBoxLayout(begin_row_);
-    row->setContentsMargins(0, 4, 0, 0);
+    auto* row = new FlowRow(begin_row_);
     form_ = new QComboBox;
     form_->setObjectName(QStringLiteral("rating_form"));
     form_->setAccessibleName(tr("Observer form"));
-    form_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    form_->setMinimumWidth(420);
-    row->addWidget(form_);
+    form_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    row->add(form_);
     begin_ = make_button(tr("Rate with this form"), "rating_begin", "primary");
     connect(begin_, &QPushButton::clicked, this, &RatingsCard::begin);
-    row->addWidget(begin_);
-    row->addStretch();
+    row->add(begin_);
 }
 
 void RatingsCard::open(const database::AttemptSummary& attempt) {

@@ -4333,7 +4333,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Passes among the last attempts</source>
-        <translation>Bestandene unter den letzten Versuchen</translation>
+        <translation>Bestandene von den letzten</translation>
     </message>
     <message>
         <source>LC-CUSUM</source>
