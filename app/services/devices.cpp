@@ -54,8 +54,8 @@ std::optional<ui::DeviceReadings> Devices::readings() {
         DevicePose pose;
         if (!client_->facts().slot[i] || !client_->state().pose[i].read(pose)) continue;
         now.held.push_back({names[i], pose.present != 0,
-                             Vector3(pose.position[0], pose.position[1], pose.position[2]), pose.jaw,
-                             pose.buttons});
+                            Vector3(pose.position[0], pose.position[1], pose.position[2]), pose.jaw,
+                            pose.buttons});
         count = std::max(count, pose.sequence);
     }
     const std::int64_t at = monotonic_ns();

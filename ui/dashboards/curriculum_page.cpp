@@ -134,7 +134,7 @@ void CurriculumPage::show_task() {
     if (task->variants > 1) facts << tr("passes on %n variants", nullptr, task->variants);
     QStringList classes;
     for (const DeviceClass one : task->device_classes) classes << device_class_text(one);
-    facts << tr("attempts with %1").arg(classes.join(QStringLiteral(", ")));
+    facts << tr("devices: %1").arg(classes.join(QStringLiteral(", ")));
     facts_->setText(facts.join(QStringLiteral(" · ")));
     const auto tried = tried_.find(task->task);
     designer_->show_rule(task->rule, tried == tried_.end() ? task->rule : tried->second);

@@ -148,9 +148,8 @@ void DebriefPage::resizeEvent(QResizeEvent* event) {
 void DebriefPage::fit_replay() {
     constexpr int margin = 28, highest = 860;
     const QLayout* layout = replay_block_->layout();
-    const int needed = layout->hasHeightForWidth()
-                           ? layout->minimumHeightForWidth(replay_block_->width())
-                           : layout->minimumSize().height();
+    const int needed = layout->hasHeightForWidth() ? layout->minimumHeightForWidth(replay_block_->width())
+                                                   : layout->minimumSize().height();
     replay_block_->setFixedHeight(std::max(needed, std::min(height() - margin, highest)));
 }
 

@@ -31,8 +31,8 @@ QFont hud_font(double points, bool bold = false) {
 }
 
 /// The layout is made for text at 96 dots per inch in a picture of at least this size; the painter's scale
-/// makes both follow the desktop's text size and the window's, as far as the picture has room. What is to be painted on, in
-/// its units.
+/// makes both follow the desktop's text size and the window's, as far as the picture has room. What is to be
+/// painted on, in its units.
 QRectF scaled(QPainter& painter, const QRectF& area, QSizeF smallest) {
     const double asked = painter.device()->logicalDpiY() / 96.0 * text_percent() / 100.0;
     const double room = std::min(area.width() / smallest.width(), area.height() / smallest.height());

@@ -3099,8 +3099,8 @@ Kennzahlen: %2</translation>
         </translation>
     </message>
     <message>
-        <source>attempts with %1</source>
-        <translation>Versuche mit %1</translation>
+        <source>devices: %1</source>
+        <translation>Geräte: %1</translation>
     </message>
     <message>
         <source>Replace</source>
