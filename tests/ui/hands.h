@@ -108,11 +108,13 @@ inline void check_item(QListWidget& list, int row) {
     EXPECT_EQ(item->checkState(), Qt::Checked);
 }
 
-/// Selects a row of a table by a click on its first cell.
+/// Selects a row of a table by a click on its first cell that is shown.
 inline void choose_row(QTableWidget& table, int row) {
-    table.scrollToItem(table.item(row, 0));
+    int column = 0;
+    while (table.isColumnHidden(column)) ++column;
+    table.scrollToItem(table.item(row, column));
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
-                      table.visualItemRect(table.item(row, 0)).center());
+                      table.visualItemRect(table.item(row, column)).center());
     EXPECT_EQ(table.currentRow(), row);
 }
 
