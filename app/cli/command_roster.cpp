@@ -77,49 +77,49 @@ int import_people(const Arguments& arguments) {
     std::optional<OutputFile> file;
     if (file_name && !dry)
         file.emplace(*file_name, OutputFile::Existing::keep, OutputFile::Access::owner_only);
-    const RosterImport import(store, session);
-    std::vector<PersonImport> steps = import.plan_people(roster);
+    const RosterImport roster_import(store, session);
+    std::vector<PersonImport> steps = roster_import.plan_people(roster);
     if (!dry) {
         try {
-            import.bring_people(steps, [&](std::size_t done, std::size_t all) {
+            roster_import.bring_people(steps, [&](std::size_t done, std::size_t all) {
                 if (!as_json && done > 0 && done % 20 == 0) std::cerr << done << " of " << all << '\n';
-            return true;
-        });
+                return true;
+            });
+        } catch (...) {
+            if (file) database::write_passwords(*file, steps);  // of those who were created before it failed
+            throw;
+        }
     }
-    catch (...) {
-        if (file) database::write_passwords(*file, steps);  // of those who were created before it failed
-        throw;
+    if (file) database::write_passwords(*file, steps);
+    if (as_json) {
+        json rows = json::array();
+        for (const PersonImport& step : steps) {
+            rows.push_back({{"login", step.person.login},
+                            {"name", step.person.name},
+                            {"roles", role_names(step.person.roles)},
+                            {"what", word_of(step.what)},
+                            {"why", or_null(step.why)},
+                            {"one_time_password", or_null(file ? std::string() : step.one_time_password)}});
+        }
+        print_json({{"dry_run", dry}, {"people", rows}, {"left_out", roster.left_out}});
+    } else {
+        print_people(steps, dry, !file);
+        print_left_out(roster);
     }
+    const bool refused = std::any_of(steps.begin(), steps.end(), [](const PersonImport& step) {
+        return step.what == PersonImport::What::refused;
+    });
+    return refused ? 1 : 0;
 }
-if (file) database::write_passwords(*file, steps);
-if (as_json) {
-    json rows = json::array();
-    for (const PersonImport& step : steps) {
-        rows.push_back({{"login", step.person.login},
-                        {"name", step.person.name},
-                        {"roles", role_names(step.person.roles)},
-                        {"what", word_of(step.what)},
-                        {"why", or_null(step.why)},
-                        {"one_time_password", or_null(file ? std::string() : step.one_time_password)}});
-    }
-    print_json({{"dry_run", dry}, {"people", rows}, {"left_out", roster.left_out}});
-} else {
-    print_people(steps, dry, !file);
-    print_left_out(roster);
-}
-const bool refused = std::any_of(steps.begin(), steps.end(), [](const PersonImport& step) {
-    return step.what == PersonImport::What::refused;
-});
-return refused ? 1 : 0;
-}  // namespace
 
 int import_cohorts(const Arguments& arguments) {
     const Roster roster = database::read_roster(arguments.words()[0]);
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
     const bool dry = arguments.has("--dry-run");
-    const RosterImport import(store, session);
-    const std::vector<CohortImport> steps = dry ? import.plan_cohorts(roster) : import.bring_cohorts(roster);
+    const RosterImport roster_import(store, session);
+    const std::vector<CohortImport> steps =
+        dry ? roster_import.plan_cohorts(roster) : roster_import.bring_cohorts(roster);
     const bool missing = std::any_of(steps.begin(), steps.end(),
                                      [](const CohortImport& step) { return !step.missing.empty(); });
     if (arguments.has("--json")) {
@@ -146,7 +146,7 @@ int import_cohorts(const Arguments& arguments) {
     return missing ? 1 : 0;
 }
 
-}  // namespace fulcrum::app
+}  // namespace
 
 std::vector<Command> roster_commands() {
     const std::string details =

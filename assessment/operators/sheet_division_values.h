@@ -6,7 +6,7 @@ namespace fulcrum::sheet_division {
 
 inline constexpr double open_share = 0.85, closed_share = 0.12;  // of the widest opening
 inline constexpr double beyond_rim =
-    0.0015;  // m outside the flap's edge where the jaws' middle goes down beside it
+    0.0015;  // m outside the flap's edge where the jaws' middle goes down next to it
 inline constexpr double deeper = 0.001;  // m further inwards at every further attempt
 inline constexpr double hover = 0.022;   // m back along the shaft, on the way to a grasp
 inline constexpr double shortest_close_s = 0.35;

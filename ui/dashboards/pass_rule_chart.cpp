@@ -78,7 +78,7 @@ void paint_curve(QPainter& painter, const Plot& plot, const std::vector<double>&
     if (thin) return;
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour_of(trainee));
-    // Marks of different curves beside each other where the curves meet at 100 %.
+    // Marks of different curves next to each other where the curves meet at 100 %.
     for (std::size_t t = 4 + 2 * trainee; t < curve.size(); t += 10)
         paint_mark(painter, plot.point(static_cast<double>(t + 1), curve[t]), trainee, 4.5);
 }

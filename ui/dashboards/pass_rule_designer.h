@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pass rule to play with: its kind and numbers by sliders, and at once what it does to trainees who pass
-// 90, 70 and 50 % of their attempts, beside the rule in force. Picture first, the same as a table below it.
+// 90, 70 and 50 % of their attempts, next to the rule in force. Picture first, the same as a table below it.
 #pragma once
 
 #include <QWidget>
