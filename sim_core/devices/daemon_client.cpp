@@ -119,8 +119,13 @@ void DaemonClient::take(const std::string& text) {
         device_ = line.value("process", device_);
         lose(Health::good, {});
     } else if (line.contains("error")) {
-        lose(Health::ended, "The device could not be opened again: " +
-                                line.value("error", std::string("unknown")) + "." + reconnect);
+        const std::string what =
+            "The device could not be opened again: " + line.value("error", std::string("unknown")) + "; " +
+            line.value("hint", std::string("check its cable and power")) + ".";
+        if (line.value("again", false))
+            lose(Health::restarting, what + " It is tried again.");
+        else
+            lose(Health::ended, what + reconnect);
     }
 }
 
@@ -140,6 +145,8 @@ DaemonClient::Health DaemonClient::poll() {
              std::string("fulcrum-hapticd, which drives the device, does not answer.") + reconnect);
     else if (health_ == Health::silent && silent <= overseer_silence)
         lose(Health::good, {});
+    FaultReport report;
+    fault_ = state_->fault.read(report) ? words_of(static_cast<DeviceFault>(report.fault)) : "";
     return health_;
 }
 

@@ -43,8 +43,8 @@ class DaemonClient {
     };
     /// Reads what the daemon reported since the last call. Does not wait.
     Health poll();
-    /// What happened and what to do; empty while it is good.
-    const std::string& message() const { return message_; }
+    /// What happened to the daemon, else the device's fault, and what to do; empty while both are good.
+    const std::string& message() const { return message_.empty() ? fault_ : message_; }
 
   private:
     void start(const std::string& program, const std::string& specification);
@@ -59,7 +59,7 @@ class DaemonClient {
     int socket_ = -1;
     pid_t overseer_ = 0, device_ = 0;
     Health health_ = Health::good;
-    std::string message_;
+    std::string message_, fault_;
 };
 
 }  // namespace fulcrum

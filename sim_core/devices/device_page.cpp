@@ -48,6 +48,8 @@ const char* words_of(ForceOff why) {
             return "the process that guards the motors does not run";
         case ForceOff::device_stopped:
             return "the process that reads the device stopped or ended";
+        case ForceOff::device_fault:
+            return "the device has a fault";
     }
     return "";
 }

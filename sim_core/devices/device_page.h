@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "sim_core/devices/device_fault.h"
 #include "sim_core/devices/shared_latest.h"
 #include "sim_core/numerics/types.h"
 
@@ -48,7 +49,8 @@ enum class ForceOff : std::uint32_t {
     too_large,         ///< a command above the device's peak force
     sequence_back,     ///< a command older than the one before
     overseer_stopped,  ///< the process that would switch off the motors does not run
-    device_stopped     ///< the process that reads the device stopped or ended
+    device_stopped,    ///< the process that reads the device stopped or ended
+    device_fault       ///< the device has a fault, see device_fault.h
 };
 const char* words_of(ForceOff why);
 
@@ -74,6 +76,7 @@ struct StatePage {
     SharedLatest<DevicePose> pose[device_slots];
     SharedLatest<ForceReport> report[2];  ///< written by the device process, or by the overseer after its end
     SharedLatest<LoopReport> loop;
+    SharedLatest<FaultReport> fault;             ///< as report
     std::atomic<std::int64_t> overseer_time{0};  ///< ns, rises while the overseer runs
     std::atomic<std::uint64_t> connection{0};    ///< 0: no program is connected
     std::atomic<std::uint64_t> stopping{0};      ///< 1: the device process is to end

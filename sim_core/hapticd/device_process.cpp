@@ -19,6 +19,7 @@ constexpr std::int64_t overseer_silence = 20'000'000;     // ns
 constexpr std::int64_t nanoseconds = 1000LL * 1'000'000;  // of a second
 constexpr std::int64_t catch_up = 20;                     // periods; above it the clock is moved
 constexpr int device_priority = 85;
+constexpr unsigned int time_to_close_s = 1;
 
 void sleep_until(std::int64_t deadline) noexcept {
     timespec time{};
@@ -50,6 +51,7 @@ class Motors {
         render(now, guard_.step(now, any_ ? &newest_ : nullptr, connection, overseen));
     }
     void off(std::int64_t now, ForceOff why) noexcept {
+        guard_.step(now, nullptr, 0, false);  // the next good command is the first
         ForceGuard::Sent nothing;
         nothing.off = why;
         render(now, nothing);
@@ -75,7 +77,8 @@ class Motors {
     bool any_ = false;
 };
 
-void run_loop(Backend& backend, StatePage& state, const CommandPage& command, pid_t overseer,
+/// True if it ended because the device is lost.
+bool run_loop(Backend& backend, StatePage& state, const CommandPage& command, pid_t overseer,
               bool real_time) noexcept {
     Motors motors[2] = {{backend, state, command, 0}, {backend, state, command, 1}};
     LoopReport loop;
@@ -98,15 +101,24 @@ void run_loop(Backend& backend, StatePage& state, const CommandPage& command, pi
         }
         if (getppid() != overseer) {  // nobody could switch off the motors of a stopped device process
             for (Motors& hand : motors) hand.off(now, ForceOff::overseer_stopped);
-            return;
+            return false;
         }
         const std::int64_t beat = state.overseer_time.load(std::memory_order_relaxed);
         const bool overseen = now - beat <= overseer_silence;
         const std::uint64_t connection = state.connection.load(std::memory_order_relaxed);
-        for (Motors& hand : motors) hand.step(now, connection, overseen);
+        const FaultReport fault = backend.fault();
+        state.fault.write(fault);
+        for (Motors& hand : motors) {
+            if (fault.fault == 0)
+                hand.step(now, connection, overseen);
+            else
+                hand.off(now, ForceOff::device_fault);
+        }
+        if (backend.lost()) return true;
         state.loop.write(loop);
     }
     for (Motors& hand : motors) hand.off(monotonic_ns(), ForceOff::no_program);
+    return false;
 }
 
 }  // namespace
@@ -123,12 +135,16 @@ int run_device(Backend& backend, StatePage& state, const CommandPage& command, p
     }
     const RealTime real_time = become_real_time(device_priority);
     const bool filtered = give_up_rights();
-    nlohmann::json line = {
-        {"notes", real_time.notes}, {"real_time", real_time.priority}, {"filtered", filtered}};
+    nlohmann::json line = {{"device", to_json(backend.facts())},
+                           {"notes", real_time.notes},
+                           {"real_time", real_time.priority},
+                           {"filtered", filtered}};
     if (!filtered) line["notes"].push_back("the system does not filter system calls of this process");
     if (!write_line(report, line)) return 1;
-    run_loop(backend, state, command, overseer, real_time.priority);
-    return 0;
+    const bool lost = run_loop(backend, state, command, overseer, real_time.priority);
+    alarm(time_to_close_s);  // a library that hangs is ended by the system
+    backend.close();
+    return lost ? status_lost : 0;
 }
 
 }  // namespace fulcrum::hapticd

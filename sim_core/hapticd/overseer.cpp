@@ -26,7 +26,8 @@ constexpr int overseer_priority = 86;  // above the device process, which it mus
 constexpr std::int64_t restart_pause = 200'000'000;           // ns
 constexpr std::int64_t restart_window = 60000LL * 1'000'000;  // ns
 constexpr std::size_t most_restarts = 5;                      // in that time
-constexpr std::int64_t time_to_end = 200'000'000;             // ns, for the device process
+constexpr std::int64_t time_to_end = 600'000'000;             // ns, for the device process
+constexpr std::int64_t reopen_pause = 3000LL * 1'000'000;     // ns, after it did not open again
 
 class Overseer {
   public:
@@ -61,7 +62,7 @@ class Overseer {
             if (waits[0].revents != 0) take_packets();
             if (device_ == 0 && restart_at_ != 0 && monotonic_ns() >= restart_at_) {
                 restart_at_ = 0;
-                start_device();
+                if (!start_device() && restart_allowed()) restart_at_ = monotonic_ns() + reopen_pause;
             }
         }
         return 0;
@@ -80,7 +81,7 @@ class Overseer {
         if (child < 0) {
             close(ends[0]);
             close(ends[1]);
-            send_packet(control_, {{"error", "no new process can be started; close other programs"}});
+            refuse({{"error", "no new process can be started"}, {"hint", "close other programs"}});
             return false;
         }
         if (child == 0) {
@@ -109,13 +110,16 @@ class Overseer {
             state_->overseer_time.store(monotonic_ns());
             const std::optional<Packet> packet = receive_packet(socket, beat_ms);
             if (!packet) continue;
-            if (packet->ended) break;
-            nlohmann::json line = nlohmann::json::parse(packet->text, nullptr, false);
-            if (!line.is_object() || line.contains("error")) {
-                send_packet(control_, line);
+            if (packet->ended) {
+                refuse({{"error", "the program that opens the device ended"},
+                        {"hint", "install the newest version of the maker's driver"}});
                 return false;
             }
-            line["device"] = to_json(backend_.facts());
+            nlohmann::json line = nlohmann::json::parse(packet->text, nullptr, false);
+            if (!line.is_object() || line.contains("error")) {
+                refuse(line);
+                return false;
+            }
             line["process"] = device_;
             line["format"] = 1;
             line["event"] = "started";
@@ -123,8 +127,14 @@ class Overseer {
             greeted_ = true;
             return send_packet(control_, line, {state_.descriptor(), command_.descriptor()});
         }
-        send_packet(control_, {{"error", "the device did not open within 5 s; unplug it, connect it again"}});
+        refuse({{"error", "the device did not open within 5 s"}, {"hint", "unplug it, connect it again"}});
         return false;
+    }
+
+    /// The device does not open. The program gives up, unless it had been open: then it is tried again.
+    void refuse(nlohmann::json why) {
+        why["again"] = greeted_ && restarts_.size() < most_restarts;
+        send_packet(control_, why);
     }
 
     void take_signals() {
@@ -145,18 +155,24 @@ class Overseer {
         }
         device_ = 0;
         switch_off();
-        const std::int64_t now = monotonic_ns();
-        while (!restarts_.empty() && now - restarts_.front() > restart_window) restarts_.pop_front();
-        const bool again = restarts_.size() < most_restarts;
-        if (again) {
-            restarts_.push_back(now);
-            restart_at_ = now + restart_pause;
-        }
-        const std::string what = WIFSTOPPED(status) ? "was stopped"
+        const bool again = restart_allowed();
+        if (again) restart_at_ = monotonic_ns() + restart_pause;
+        const bool lost = WIFEXITED(status) && WEXITSTATUS(status) == status_lost;
+        const std::string what = lost                 ? "lost the device"
+                                 : WIFSTOPPED(status) ? "was stopped"
                                  : WIFSIGNALED(status)
                                      ? "ended by signal " + std::to_string(WTERMSIG(status))
                                      : "ended with status " + std::to_string(WEXITSTATUS(status));
         send_packet(control_, {{"event", "ended"}, {"what", what}, {"again", again}});
+    }
+
+    /// Counts one more where it is.
+    bool restart_allowed() {
+        const std::int64_t now = monotonic_ns();
+        while (!restarts_.empty() && now - restarts_.front() > restart_window) restarts_.pop_front();
+        if (restarts_.size() >= most_restarts) return false;
+        restarts_.push_back(now);
+        return true;
     }
 
     void take_packets() {
@@ -179,6 +195,7 @@ class Overseer {
             report.off = static_cast<std::uint64_t>(ForceOff::device_stopped);
             state_->report[h].write(report);
         }
+        state_->fault.write({});
     }
 
     void end_device() {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/devices/device_fault.h"
+
+#include "sim_core/numerics/name_table.h"
+
+namespace fulcrum {
+
+const char* words_of(DeviceFault fault) {
+    switch (fault) {
+        case DeviceFault::none:
+            return "";
+        case DeviceFault::needs_calibration:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The device needs calibration. Put the stylus into its inkwell and take "
+                                     "it out after two seconds; where that does not help, calibrate the "
+                                     "device with the maker's program.");
+        case DeviceFault::warm_motors:
+            return QT_TRANSLATE_NOOP(
+                "errors", "The motors of the device are too warm. Let go of it for a minute, then resume.");
+        case DeviceFault::too_much_force:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The device refused a force as too large. Resume; where it happens "
+                                     "again, lower the force given to the hand on the page Settings.");
+        case DeviceFault::too_fast:
+            return QT_TRANSLATE_NOOP(
+                "errors", "The device was moved too fast and switched its motors off. Hold it still.");
+        case DeviceFault::switched_off:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "Force is switched off at the device. Press its force button, or let "
+                                     "its hand sensor see your hand.");
+        case DeviceFault::no_answer:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The device does not answer. Check its cable and power; unplug it and "
+                                     "connect it again.");
+        case DeviceFault::servo_stopped:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The maker's driver of the device has stopped reading it. Unplug the "
+                                     "device and connect it again.");
+        case DeviceFault::driver:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The maker's driver of the device refused a request. Install the "
+                                     "driver's newest version; its messages are on standard error.");
+    }
+    return "";
+}
+
+}  // namespace fulcrum

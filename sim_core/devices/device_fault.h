@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a device that is open, as the process that reads it reports it. While there is a fault
+// the force is 0 and the hand that has it is not present, which pauses an attempt.
+#pragma once
+
+#include <cstdint>
+
+namespace fulcrum {
+
+enum class DeviceFault : std::uint32_t {
+    none,
+    needs_calibration,  ///< positions are not valid yet
+    warm_motors,        ///< the motors were too warm within the last seconds
+    too_much_force,     ///< the device refused a force within the last second
+    too_fast,           ///< it switched its motors off because it was moved too fast
+    switched_off,       ///< force is switched off at the device
+    no_answer,          ///< communication error: cable, power or firmware
+    servo_stopped,      ///< the loop of the maker's library does not run
+    driver              ///< the maker's library refused a call
+};
+
+struct FaultReport {
+    std::uint64_t fault = 0;  ///< DeviceFault
+    std::uint64_t hands = 0;  ///< bit 0: left, bit 1: right
+};
+
+/// What is wrong and what to do, a sentence in English that is translated in the context "errors"; empty for
+/// none and for a number that is not a fault.
+const char* words_of(DeviceFault fault);
+
+/// True if the device has to be opened again.
+constexpr bool needs_opening(DeviceFault fault) {
+    return fault == DeviceFault::no_answer || fault == DeviceFault::servo_stopped ||
+           fault == DeviceFault::driver;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device whose library has a servo loop of its own, in a thread of its own: readings and forces cross
+// between that thread and the loop of the device process as latest values, and neither waits for the other.
+// Whichever of the two stops, the force is 0 within `servo_silence`.
+#pragma once
+
+#include "sim_core/devices/shared_latest.h"
+#include "sim_core/hapticd/backend.h"
+
+namespace fulcrum::hapticd {
+
+inline constexpr std::int64_t servo_silence = 20'000'000;       ///< ns
+inline constexpr std::int64_t time_to_be_lost = 1'000'000'000;  ///< ns with a fault that needs opening
+
+/// What the servo thread read of one hand.
+struct ServoReading {
+    std::uint64_t sequence = 0;      ///< rises by 1 with each reading
+    double position[3] = {0, 0, 0};  ///< m, device frame
+    double roll = 0, jaw = 1;        ///< as DevicePose
+    std::uint64_t buttons = 0;       ///< DeviceButton mask
+    std::uint64_t fault = 0;         ///< DeviceFault
+};
+
+/// A fault that passes stays for a while after it was seen last, so that an attempt does not flicker. Servo
+/// thread.
+class FaultMemory {
+  public:
+    void see(DeviceFault fault, std::int64_t now) noexcept {
+        // Until the device was opened again, nothing milder replaces it.
+        if (needs_opening(fault_) && !needs_opening(fault)) return;
+        fault_ = fault;
+        until_ = needs_opening(fault) ? INT64_MAX : now + time_of(fault);
+    }
+    DeviceFault at(std::int64_t now) noexcept {
+        if (now >= until_) fault_ = DeviceFault::none;
+        return fault_;
+    }
+
+  private:
+    static std::int64_t time_of(DeviceFault fault) noexcept {
+        constexpr std::int64_t ms = 1'000'000;
+        return fault == DeviceFault::warm_motors      ? 3000 * ms
+               : fault == DeviceFault::too_much_force ? 1000 * ms
+                                                      : 200 * ms;
+    }
+    DeviceFault fault_ = DeviceFault::none;
+    std::int64_t until_ = 0;
+};
+
+class ServoBackend : public Backend {
+  public:
+    const DeviceFacts& facts() const override { return facts_; }
+    void read(std::int64_t now, DevicePose (&poses)[device_slots]) noexcept override;
+    void render(int hand, const Vector3& force, double torque) noexcept override;
+    FaultReport fault() const noexcept override { return report_; }
+    bool lost() const noexcept override { return lost_; }
+
+  protected:
+    /// Servo thread: the force for a hand, within its peak; 0 where the device process has written none
+    /// lately.
+    Vector3 wanted_force(int hand, std::int64_t now) const noexcept;
+    double wanted_torque(int hand, std::int64_t now) const noexcept;
+    /// Servo thread; counts.
+    void publish(int hand, ServoReading reading) noexcept;
+    std::uint64_t published(int hand) const noexcept { return count_[hand].load(std::memory_order_acquire); }
+    /// Waits until the servo thread has run twice more, at most 20 ms. Not real-time.
+    void wait_for_servo() const noexcept;
+
+    DeviceFacts facts_;  ///< set by open()
+
+  private:
+    struct Wanted {
+        std::int64_t time = 0;
+        double force[3] = {0, 0, 0}, torque = 0;
+    };
+    bool newest(int hand, std::int64_t now, Wanted& wanted) const noexcept;
+    SharedLatest<Wanted> wanted_[2];
+    SharedLatest<ServoReading> reading_[2];
+    std::atomic<std::uint64_t> count_[2] = {};
+    ServoReading newest_[2];
+    std::int64_t new_at_[2] = {};
+    std::int64_t faulty_since_ = 0;
+    FaultReport report_;
+    bool lost_ = false;
+};
+
+}  // namespace fulcrum::hapticd

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A maker's library, loaded while the program runs and never linked. Nothing of it is in this repository: the
+// names and types of its functions are facts that docs/BIBLIOGRAPHY.md names the sources of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim_core/devices/vendor_drivers.h"
+
+namespace fulcrum::hapticd {
+
+/// A function of a library and where its address is put.
+struct Symbol {
+    const char* name;
+    void** address;
+};
+template <typename Function>
+Symbol symbol(const char* name, Function*& function) {
+    return {name, reinterpret_cast<void**>(&function)};
+}
+
+/// Loads the library that the driver's variable names, else the first of `names` that exists, and finds every
+/// symbol. It stays loaded: the makers' libraries are not made to be closed.
+LibraryLook load_library(const VendorDriver& driver, const std::vector<std::string>& names,
+                         const std::vector<Symbol>& symbols);
+
+/// Throws InputError where the library is not ready.
+void require_ready(const VendorDriver& driver, const LibraryLook& look);
+
+/// Loads the library of this kind of device and reports what is missing.
+LibraryLook look_at_own_library(const std::string& kind);
+
+/// What keeps a device from opening that its library cannot reach: none is connected, or its file may not be
+/// opened. Throws InputError with that, else with `problem` and `hint`.
+[[noreturn]] void refuse_to_open(const VendorDriver& driver, const std::string& device,
+                                 const std::string& problem, const std::string& hint,
+                                 const UsbFolders& folders = {});
+
+}  // namespace fulcrum::hapticd
