@@ -92,7 +92,11 @@ void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
     sample.tick = tick;
     DeviceSample* const samples[device_slots] = {&sample.hand[0], &sample.hand[1], &sample.camera};
     for (int i = 0; i < device_slots; ++i) {
-        if (driven_[i].slot >= 0 && driven_[i].exists) read_slot(driven_[i], i == scope_slot, *samples[i]);
+        if (driven_[i].slot < 0 || !driven_[i].exists) continue;
+        // The keys of the pedal and of the exchange work with every device.
+        const unsigned keys = samples[i]->buttons & unsigned{button_energy | button_exchange};
+        read_slot(driven_[i], i == scope_slot, *samples[i]);
+        samples[i]->buttons = static_cast<std::uint16_t>(samples[i]->buttons | keys);
     }
 }
 

@@ -28,7 +28,9 @@ void print_list(const std::vector<ListedDevice>& devices) {
     for (const ListedDevice& device : devices) {
         std::cout << device.title << ": " << row_of(device_states, device.state).title << '\n';
         for (const std::string& found : device.found) std::cout << "    " << found << '\n';
-        if (!device.why.empty()) std::cout << "    why: " << device.why << '\n';
+        if (!device.why.empty())
+            std::cout << "    why: " << device.why
+                      << (device.detail.empty() ? std::string() : " (" + device.detail + ")") << '\n';
         if (!device.what_to_do.empty()) std::cout << "    what to do: " << device.what_to_do << '\n';
     }
 }
@@ -91,6 +93,13 @@ void print_trial(const DaemonClient& client, const DeviceTrial& trial) {
     for (const std::string& note : client.notes()) std::cout << "note: " << note << '\n';
 }
 
+/// No slot of the device answers.
+bool present_nowhere(const DaemonClient& client, const DeviceTrial& trial) {
+    for (int i = 0; i < device_slots; ++i)
+        if (client.facts().slot[i] && trial.newest[i].present != 0) return false;
+    return true;
+}
+
 int test_device(const Arguments& arguments, const std::string& specification) {
     const auto seconds = static_cast<double>(arguments.integer("--seconds", 5, 1, 3600));
     DaemonClient client(hapticd_program(), specification);
@@ -106,11 +115,10 @@ int test_device(const Arguments& arguments, const std::string& specification) {
         print_json(trial_json(client, trial));
     else
         print_trial(client, trial);
-    if (client.poll() == DaemonClient::Health::ended) {
-        std::cerr << "fulcrum: " << client.message() << '\n';
-        return 1;
-    }
-    return 0;
+    const bool ended = client.poll() == DaemonClient::Health::ended;
+    if (client.message().empty()) return 0;
+    std::cerr << "fulcrum: " << client.message() << '\n';
+    return ended || present_nowhere(client, trial) ? 1 : 0;
 }
 
 int run_devices(const Arguments& arguments) {
@@ -129,17 +137,17 @@ int run_devices(const Arguments& arguments) {
 }  // namespace
 
 Command devices_command() {
-    return {
-        "devices",
-        "",
-        0,
-        0,
-        "Lists the devices for the hands: what is connected, what is not, why and what to do.",
-        {{"--test", "DEVICE", "Open this device (virtual:SCRIPT.json) and measure rate, jitter and delays."},
-         {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
-         {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},
-         json_option()},
-        run_devices};
+    return {"devices",
+            "",
+            0,
+            0,
+            "Lists the devices for the hands: what is connected, what is not, why and what to do.",
+            {{"--test", "DEVICE",
+              "Open this device (touch, virtual:SCRIPT.json) and measure rate, jitter and delays."},
+             {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
+             {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},
+             json_option()},
+            run_devices};
 }
 
 }  // namespace fulcrum::app

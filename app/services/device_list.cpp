@@ -3,12 +3,9 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "sim_core/devices/daemon_client.h"
@@ -17,64 +14,67 @@
 namespace fulcrum::app {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* usb_folder = "/sys/bus/usb/devices";
-
-/// USB numbers in hexadecimal, as the system writes them; a product of "" is any product of the vendor.
-struct UsbNumber {
-    const char *vendor, *product;
-};
+/// A kind that this version of Fulcrum knows and cannot drive.
 struct UsbKind {
     const char *kind, *title;
     DeviceClass device_class;
-    std::vector<UsbNumber> numbers;
+    const char* vendor;
 };
+constexpr UsbKind not_driven[] = {
+    {"force-dimension", QT_TRANSLATE_NOOP("fulcrum::device_list", "Force Dimension, Novint Falcon"),
+     DeviceClass::haptic, "1451"},
+    {"space-mouse", QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"), DeviceClass::controller,
+     "256f"}};
 
-const std::vector<UsbKind>& usb_kinds() {
-    static const std::vector<UsbKind> kinds = {
-        {"touch",
-         QT_TRANSLATE_NOOP("fulcrum::device_list", "3D Systems Touch"),
-         DeviceClass::haptic,
-         {{"2988", ""}, {"0301", "2988"}}},
-        {"force-dimension",
-         QT_TRANSLATE_NOOP("fulcrum::device_list", "Force Dimension, Novint Falcon"),
-         DeviceClass::haptic,
-         {{"1451", ""}, {"0403", "cb48"}}},
-        {"space-mouse",
-         QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
-         DeviceClass::controller,
-         {{"256f", ""}}}};
-    return kinds;
+std::string words_of(const UsbDevice& device) {
+    return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +
+           device.product + ")";
 }
 
-std::string line_of(const fs::path& path) {
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    return line;
+void no_daemon(ListedDevice& device, const std::string& daemon, int error) {
+    device.state = DeviceState::absent;
+    device.why = daemon + ": " + std::strerror(error);
+    device.what_to_do = QT_TRANSLATE_NOOP(
+        "fulcrum::device_list", "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD");
 }
 
-struct UsbDevice {
-    std::string vendor, product, title;
-};
-
-std::vector<UsbDevice> usb_devices(const std::string& folder) {
-    std::vector<UsbDevice> found;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        UsbDevice device{line_of(entry.path() / "idVendor"), line_of(entry.path() / "idProduct"),
-                         line_of(entry.path() / "product")};
-        if (!device.vendor.empty()) found.push_back(std::move(device));
+/// A device that a library of its maker drives.
+ListedDevice driven_by_library(const VendorDriver& driver, const Machine& machine,
+                               const std::vector<UsbDevice>& connected) {
+    ListedDevice listed{driver.kind, driver.title, DeviceClass::haptic, {}, {}, {}, {}, {}};
+    std::string closed;
+    for (const UsbDevice& device : connected) {
+        if (!is_of(driver, device)) continue;
+        listed.found.push_back(words_of(device));
+        for (const std::string& node : device.nodes)
+            if (!machine.may_open(node)) closed = node;
     }
-    std::sort(found.begin(), found.end(), [](const UsbDevice& a, const UsbDevice& b) {
-        return a.vendor + a.product < b.vendor + b.product;
-    });
-    return found;
-}
-
-bool is(const UsbDevice& device, const UsbNumber& number) {
-    return device.vendor == number.vendor && (*number.product == '\0' || device.product == number.product);
+    listed.state = listed.found.empty() ? DeviceState::absent : DeviceState::connected;
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        const DeviceState state = listed.state;
+        no_daemon(listed, machine.daemon, errno);
+        listed.state = state;
+        return listed;
+    }
+    const LibraryLook look = machine.look(driver.kind);
+    if (look.state != LibraryState::ready) {
+        listed.why = problem_of(look.state);
+        listed.detail = look.detail;
+        listed.what_to_do = hint_of(driver, look.state);
+    } else if (listed.found.empty()) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "no USB device of this kind was found");
+        listed.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                              "connect it and its power supply; a model for a network card "
+                                              "can be tried with `fulcrum devices --test`");
+    } else if (!closed.empty()) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "you have no permission to open the device");
+        listed.detail = closed;
+        listed.what_to_do = driver.rule;
+    } else {
+        listed.state = DeviceState::usable;
+        listed.found.push_back("FULCRUM_DEVICE=" + std::string(driver.kind));
+    }
+    return listed;
 }
 
 }  // namespace
@@ -83,17 +83,25 @@ std::function<std::vector<ListedDevice>()> devices_of_machine() {
     const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     std::vector<std::string> mice;
     for (const ui::MouseDevice& mouse : ui::TwoMice::connected(false)) mice.push_back(mouse.name);
-    return [display, mice, daemon = hapticd_program()] {
-        return list_devices(usb_folder, daemon, display, mice);
+    Machine machine;
+    machine.daemon = hapticd_program();
+    machine.display = display;
+    machine.mice = mice;
+    machine.may_open = [](const std::string& file) { return access(file.c_str(), R_OK | W_OK) == 0; };
+    machine.look = [daemon = machine.daemon](const std::string& kind) {
+        return look_at_library(daemon, kind);
     };
+    return [machine] { return list_devices(machine); };
 }
 
-std::vector<ListedDevice> list_devices(const std::string& usb, const std::string& daemon, bool display,
-                                       const std::vector<std::string>& mice) {
+std::vector<ListedDevice> list_devices(const Machine& machine) {
+    const bool display = machine.display;
+    const std::vector<std::string>& mice = machine.mice;
     std::vector<ListedDevice> listed;
     ListedDevice mouse{"mouse-keyboard",
                        QT_TRANSLATE_NOOP("fulcrum::device_list", "mouse and keyboard"),
                        DeviceClass::mouse_keyboard,
+                       {},
                        {},
                        {},
                        {},
@@ -111,6 +119,7 @@ std::vector<ListedDevice> list_devices(const std::string& usb, const std::string
                      DeviceClass::mouse_keyboard,
                      {},
                      mice,
+                     {},
                      {},
                      {}};
     two.state = mice.size() >= 2 ? DeviceState::usable
@@ -134,28 +143,24 @@ std::vector<ListedDevice> list_devices(const std::string& usb, const std::string
                           {},
                           {},
                           {},
+                          {},
                           {}};
-    if (access(daemon.c_str(), X_OK) == 0) {
+    if (access(machine.daemon.c_str(), X_OK) == 0) {
         scripted.state = DeviceState::usable;
         scripted.found.push_back(
             QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual:SCRIPT.json, for practice only"));
     } else {
-        scripted.state = DeviceState::absent;
-        scripted.why = daemon + ": " + std::strerror(errno);
-        scripted.what_to_do = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list", "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD");
+        no_daemon(scripted, machine.daemon, errno);
     }
     listed.push_back(scripted);
 
-    const std::vector<UsbDevice> connected = usb_devices(usb);
-    for (const UsbKind& kind : usb_kinds()) {
-        ListedDevice device{kind.kind, kind.title, kind.device_class, {}, {}, {}, {}};
-        for (const UsbDevice& one : connected) {
-            if (std::any_of(kind.numbers.begin(), kind.numbers.end(),
-                            [&one](const UsbNumber& number) { return is(one, number); }))
-                device.found.push_back((one.title.empty() ? std::string("USB device") : one.title) + " (" +
-                                       one.vendor + ":" + one.product + ")");
-        }
+    const std::vector<UsbDevice> connected = usb_devices(machine.usb);
+    for (const VendorDriver& driver : vendor_drivers())
+        listed.push_back(driven_by_library(driver, machine, connected));
+    for (const UsbKind& kind : not_driven) {
+        ListedDevice device{kind.kind, kind.title, kind.device_class, {}, {}, {}, {}, {}};
+        for (const UsbDevice& one : connected)
+            if (one.vendor == kind.vendor) device.found.push_back(words_of(one));
         device.state = device.found.empty() ? DeviceState::absent : DeviceState::connected;
         device.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "this version of Fulcrum cannot drive it");
         device.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list", "use mouse and keyboard");
@@ -167,14 +172,16 @@ std::vector<ListedDevice> list_devices(const std::string& usb, const std::string
 nlohmann::json devices_json(const std::vector<ListedDevice>& devices) {
     nlohmann::json document = nlohmann::json::array();
     for (const ListedDevice& device : devices)
-        document.push_back({{"kind", device.kind},
-                            {"title", device.title},
-                            {"device_class", row_of(device_classes, device.device_class).name},
-                            {"state", row_of(device_states, device.state).name},
-                            {"found", device.found},
-                            {"why", device.why.empty() ? nlohmann::json() : nlohmann::json(device.why)},
-                            {"what_to_do", device.what_to_do.empty() ? nlohmann::json()
-                                                                     : nlohmann::json(device.what_to_do)}});
+        document.push_back(
+            {{"kind", device.kind},
+             {"title", device.title},
+             {"device_class", row_of(device_classes, device.device_class).name},
+             {"state", row_of(device_states, device.state).name},
+             {"found", device.found},
+             {"why", device.why.empty() ? nlohmann::json() : nlohmann::json(device.why)},
+             {"detail", device.detail.empty() ? nlohmann::json() : nlohmann::json(device.detail)},
+             {"what_to_do",
+              device.what_to_do.empty() ? nlohmann::json() : nlohmann::json(device.what_to_do)}});
     return document;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/devices/vendor_drivers.h"
 #include "ui/services/device_service.h"
 
 namespace fulcrum::app {
@@ -15,11 +16,16 @@ using ui::device_states;
 using ui::DeviceState;
 using ui::ListedDevice;
 
-/// What this machine has. `usb`: the folder of the system's list of USB devices. `daemon`: the path of
-/// fulcrum-hapticd. `display`: a window can be opened. `mice`: the names of the mice that can be read one by
-/// one.
-std::vector<ListedDevice> list_devices(const std::string& usb, const std::string& daemon, bool display,
-                                       const std::vector<std::string>& mice);
+/// What the list is made from.
+struct Machine {
+    UsbFolders usb;
+    std::string daemon;                                   ///< path of fulcrum-hapticd
+    bool display = false;                                 ///< a window can be opened
+    std::vector<std::string> mice;                        ///< names of the mice that can be read one by one
+    std::function<bool(const std::string&)> may_open;     ///< this person may read and write the file
+    std::function<LibraryLook(const std::string&)> look;  ///< at the library for a kind of device
+};
+std::vector<ListedDevice> list_devices(const Machine& machine);
 /// Those of this machine, as `fulcrum devices` lists them. The screen is asked at once, on the window's
 /// thread; the function that is returned reads the system's files and may run on any.
 std::function<std::vector<ListedDevice>()> devices_of_machine();

@@ -10,10 +10,11 @@ const char* words_of(DeviceFault fault) {
         case DeviceFault::none:
             return "";
         case DeviceFault::needs_calibration:
-            return QT_TRANSLATE_NOOP("errors",
-                                     "The device needs calibration. Put the stylus into its inkwell and take "
-                                     "it out after two seconds; where that does not help, calibrate the "
-                                     "device with the maker's program.");
+            return QT_TRANSLATE_NOOP(
+                "errors",
+                "The device needs calibration. Put the stylus of a Touch into its inkwell and take it out "
+                "after two seconds; move the handle of another device slowly to each end of its range. Where "
+                "that does not help, calibrate it with the maker's program.");
         case DeviceFault::warm_motors:
             return QT_TRANSLATE_NOOP(
                 "errors", "The motors of the device are too warm. Let go of it for a minute, then resume.");

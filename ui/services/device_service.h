@@ -27,6 +27,7 @@ struct ListedDevice {
     DeviceState state = DeviceState::absent;
     std::vector<std::string> found;  ///< what is connected
     std::string why, what_to_do;     ///< empty where it can be used
+    std::string detail = {};         ///< of why: what the system says, in no language
 };
 
 /// Why attempts with a device are never assessed.

@@ -17,7 +17,8 @@ constexpr int look_every_ms = 3000, read_every_ms = 200;
 
 /// A text of the list of devices in the reader's language; what the system says stays as it is.
 QString device_words(const std::string& english) {
-    return QCoreApplication::translate("fulcrum::device_list", english.c_str());
+    const QString words = QCoreApplication::translate("fulcrum::device_list", english.c_str());
+    return words != text(english) ? words : QCoreApplication::translate("errors", english.c_str());
 }
 
 /// The state as sign and words; never by colour alone.
@@ -32,7 +33,10 @@ QString state_words(const ListedDevice& device) {
 QStringList particulars(const ListedDevice& device) {
     QStringList lines;
     for (const std::string& found : device.found) lines << device_words(found);
-    if (!device.why.empty()) lines << DevicesCard::tr("Why: %1").arg(device_words(device.why));
+    const QString why = device.detail.empty()
+                            ? device_words(device.why)
+                            : device_words(device.why) + QStringLiteral(" (%1)").arg(text(device.detail));
+    if (!device.why.empty()) lines << DevicesCard::tr("Why: %1").arg(why);
     if (!device.what_to_do.empty())
         lines << DevicesCard::tr("What to do: %1").arg(device_words(device.what_to_do));
     return lines;
@@ -136,7 +140,7 @@ void DevicesCard::show_use() {
 
 void DevicesCard::show_readings() {
     DeviceService& devices = context_.services();
-    const QString trouble = text(devices.device_trouble());
+    const QString trouble = QCoreApplication::translate("errors", devices.device_trouble().c_str());
     trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
     QStringList lines;

@@ -385,7 +385,8 @@ void TheatrePage::align() {
     aligning_ = realignment.back;
     if (!realignment.back) {
         if (was_aligning) view_->set_realignment({});
-        const QString trouble = text(context().services().device_trouble());
+        const QString trouble =
+            QCoreApplication::translate("errors", context().services().device_trouble().c_str());
         const QString line = trouble.isEmpty()
                                  ? text(session_->message())
                                  : trouble + QLatin1Char(' ') +

@@ -18,12 +18,16 @@ class RestingRig : public Rig {
   public:
     void read(std::uint32_t tick, RigSample& sample) override {
         sample.tick = tick;
-        for (DeviceSample& hand : sample.hand) hand.handle[0] = 77;
+        for (DeviceSample& hand : sample.hand) {
+            hand.handle[0] = 77;
+            hand.buttons = keys;
+        }
         sample.camera.handle[0] = 77;
     }
     void write_force(Hand, const Vector3&) override {}
     bool has_force(Hand) const override { return false; }
     double damping(Hand) const override { return -1; }
+    std::uint16_t keys = button_none;
 };
 
 struct OnPages {
@@ -32,6 +36,7 @@ struct OnPages {
     DeviceFacts facts;
     Scene scene = load_task_and_scene("A2").scene;
     DevicePose pose[device_slots];
+    std::shared_ptr<RestingRig> others = std::make_shared<RestingRig>();
     std::unique_ptr<DeviceRig> rig;
     RigSample sample;
     std::uint32_t tick = 0;
@@ -42,8 +47,8 @@ struct OnPages {
         force.damping = 0.5;
         force.peak = 3.3;
         facts.force[0] = force;
-        rig = std::make_unique<DeviceRig>(nullptr, *state.get(), *command.get(), facts, scene,
-                                          std::make_shared<RestingRig>(), SlotUse{}, 0.4);
+        rig = std::make_unique<DeviceRig>(nullptr, *state.get(), *command.get(), facts, scene, others,
+                                          SlotUse{}, 0.4);
         for (DevicePose& one : pose) {
             one.present = 1;
             one.jaw = 1;
@@ -150,6 +155,18 @@ TEST(DeviceRig, JawsCloseByTheirAngleOrByTheButton) {
         EXPECT_GT(hand.grip, 0);
         EXPECT_EQ(hand.buttons & button_primary, button_primary);
     }
+}
+
+TEST(DeviceRig, KeysOfThePedalAndOfTheExchangeWorkWithADevice) {
+    OnPages at;
+    at.others->keys = button_energy | button_exchange | button_primary;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].buttons, button_energy | button_exchange) << "its jaws are its own";
+    at.others->keys = button_none;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].buttons, button_none);
 }
 
 TEST(DeviceRig, TicksAllocateNothing) {

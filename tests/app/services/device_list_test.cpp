@@ -27,6 +27,15 @@ const ListedDevice& row(const std::vector<ListedDevice>& devices, const std::str
     return devices.front();
 }
 
+Machine machine_with(const std::filesystem::path& usb, const std::string& daemon) {
+    Machine machine;
+    machine.usb = {usb.string(), (usb / "dev").string()};
+    machine.daemon = daemon;
+    machine.may_open = [](const std::string&) { return true; };
+    machine.look = [](const std::string&) { return LibraryLook{}; };
+    return machine;
+}
+
 TEST(DeviceList, EveryDeviceThatCannotBeUsedSaysWhyAndWhatToDo) {
     const fulcrum::test::OwnFolder usb;
     plug_in(usb.path(), "1-1", "2988", "0302", "Touch");
@@ -35,7 +44,10 @@ TEST(DeviceList, EveryDeviceThatCannotBeUsedSaysWhyAndWhatToDo) {
     plug_in(usb.path(), "usb1", "1d6b", "0002", "");
     for (const bool display : {false, true}) {
         for (const std::vector<std::string>& mice : {std::vector<std::string>{}, {"one"}, {"one", "two"}}) {
-            const auto devices = list_devices(usb.path().string(), "/none/fulcrum-hapticd", display, mice);
+            Machine machine = machine_with(usb.path(), "/none/fulcrum-hapticd");
+            machine.display = display;
+            machine.mice = mice;
+            const auto devices = list_devices(machine);
             for (const ListedDevice& device : devices) {
                 const bool usable = device.state == DeviceState::usable;
                 EXPECT_EQ(device.why.empty(), usable) << device.kind;
@@ -56,9 +68,44 @@ TEST(DeviceList, EveryDeviceThatCannotBeUsedSaysWhyAndWhatToDo) {
 }
 
 TEST(DeviceList, ASystemWithoutAListOfUsbDevicesHasNone) {
-    const auto devices = list_devices("/none", "/bin/sh", true, {});
+    const auto devices = list_devices(machine_with("/none", "/bin/sh"));
     EXPECT_EQ(row(devices, "touch").state, DeviceState::absent);
+    EXPECT_NE(row(devices, "touch").why.find("no USB device"), std::string::npos);
     EXPECT_EQ(row(devices, "virtual").state, DeviceState::usable);
+}
+
+TEST(DeviceList, ATouchIsUsableOnlyWithItsLibraryAndTheRightToOpenEachOfItsFiles) {
+    const fulcrum::test::OwnFolder usb;
+    plug_in(usb.path(), "1-1", "2988", "0302", "Touch");
+    std::ofstream(usb.path() / "1-1" / "busnum") << "1\n";
+    std::ofstream(usb.path() / "1-1" / "devnum") << "7\n";
+    std::filesystem::create_directories(usb.path() / "1-1" / "1-1:1.0" / "tty" / "ttyACM0");
+    std::filesystem::create_directories(usb.path() / "1-1" / "1-1:1.1" / "hidraw" / "hidraw3");
+    std::filesystem::create_directories(usb.path() / "dev" / "bus" / "usb" / "001");
+    const std::vector<std::string> nodes = {"bus/usb/001/007", "hidraw3", "ttyACM0"};
+    for (const std::string& node : nodes) std::ofstream(usb.path() / "dev" / node) << "";
+    Machine machine = machine_with(usb.path(), "/bin/sh");
+    EXPECT_EQ(row(list_devices(machine), "touch").state, DeviceState::usable);
+    EXPECT_EQ(row(list_devices(machine), "touch").found.back(), "FULCRUM_DEVICE=touch");
+    for (const std::string& node : nodes) {
+        const std::string path = (usb.path() / "dev" / node).string();
+        machine.may_open = [&path](const std::string& file) { return file != path; };
+        const ListedDevice touch = row(list_devices(machine), "touch");
+        EXPECT_EQ(touch.state, DeviceState::connected);
+        EXPECT_NE(touch.why.find("permission"), std::string::npos);
+        EXPECT_EQ(touch.detail, path);
+        EXPECT_NE(touch.what_to_do.find("/etc/udev/rules.d/"), std::string::npos);
+    }
+    for (const LibraryState state :
+         {LibraryState::missing, LibraryState::incomplete, LibraryState::outdated, LibraryState::unusable}) {
+        machine.look = [state](const std::string&) { return LibraryLook{state, "libHD.so"}; };
+        const ListedDevice touch = row(list_devices(machine), "touch");
+        EXPECT_EQ(touch.state, DeviceState::connected);
+        EXPECT_EQ(touch.why, problem_of(state));
+        EXPECT_EQ(touch.detail, "libHD.so");
+        EXPECT_FALSE(touch.what_to_do.empty());
+        EXPECT_EQ(devices_json({touch})[0]["detail"], "libHD.so");
+    }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "sim_core/devices/vendor_drivers.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_touch.h"
-#include "tests/sim_core/hapticd/fake_page.h"
+#include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
 
 namespace fulcrum {

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <thread>
 
+#include "sim_core/devices/device_fault.h"
 #include "tests/ui/screens.h"
 #include "ui/style/language.h"
 
@@ -29,8 +30,9 @@ class DevicesOnThePage : public Screens {
                              DeviceClass::haptic,
                              DeviceState::connected,
                              {"Touch (2988:0302)"},
-                             "this version of Fulcrum cannot drive it",
-                             "use mouse and keyboard"},
+                             "you have no permission to open the device",
+                             "write a rule",
+                             "/dev/ttyACM0"},
                             {"space-mouse",
                              "SpaceMouse",
                              DeviceClass::controller,
@@ -67,8 +69,9 @@ TEST_F(DevicesOnThePage, EachSaysItsStateWhyAndWhatToDo) {
     ASSERT_TRUE(wait_for([&] { return sees(*window, "device_touch"); }));
     for (const char* line :
          {"✓ mouse and keyboard: can be used", "! 3D Systems Touch: connected, cannot be used",
-          "Touch (2988:0302)\nWhy: this version of Fulcrum cannot drive it\nWhat to do: use mouse and "
-          "keyboard",
+          "Touch (2988:0302)\nWhy: you have no permission to open the device (/dev/ttyACM0)\nWhat to do: "
+          "write a "
+          "rule",
           "– SpaceMouse: not connected"})
         EXPECT_TRUE(words().contains(line)) << line << "\n\n" << words().toStdString();
     EXPECT_FALSE(sees(*window, "force_scale")) << "mouse and keyboard give no force";
@@ -153,6 +156,11 @@ TEST_F(DevicesOnThePage, AreDrawnInBothThemesAndLanguages) {
         keep("devices");
         if (theme == Theme::dark) {
             EXPECT_TRUE(words().contains("– SpaceMouse: nicht verbunden")) << words().toStdString();
+            EXPECT_TRUE(words().contains("Gerät zu öffnen (/dev/ttyACM0)")) << words().toStdString();
+            services.trouble = words_of(DeviceFault::warm_motors);
+            EXPECT_TRUE(wait_for([&] { return words().contains("Die Motoren des Geräts sind zu warm."); }))
+                << words().toStdString();
+            services.trouble.clear();
         }
     }
 }

@@ -1,12 +1,82 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
     <name>PracticeView</name>
     <message>
         <source>d MMM</source>
         <translation>d. MMM</translation>
+    </message>
+</context>
+<context>
+    <name>errors</name>
+    <message>
+        <source>The motors of the device are too warm. Let go of it for a minute, then resume.</source>
+        <translation>Die Motoren des Geräts sind zu warm. Lassen Sie es eine Minute los und fahren Sie dann fort.</translation>
+    </message>
+    <message>
+        <source>The device refused a force as too large. Resume; where it happens again, lower the force given to the hand on the page Settings.</source>
+        <translation>Das Gerät hat eine Kraft als zu groß abgelehnt. Fahren Sie fort; geschieht es wieder, verringern Sie auf der Seite Einstellungen die Kraft an der Hand.</translation>
+    </message>
+    <message>
+        <source>The device was moved too fast and switched its motors off. Hold it still.</source>
+        <translation>Das Gerät wurde zu schnell bewegt und hat seine Motoren abgeschaltet. Halten Sie es ruhig.</translation>
+    </message>
+    <message>
+        <source>Force is switched off at the device. Press its force button, or let its hand sensor see your hand.</source>
+        <translation>Die Kraft ist am Gerät ausgeschaltet. Drücken Sie seine Krafttaste, oder legen Sie die Hand an seinen Handsensor.</translation>
+    </message>
+    <message>
+        <source>The device does not answer. Check its cable and power; unplug it and connect it again.</source>
+        <translation>Das Gerät antwortet nicht. Prüfen Sie Kabel und Stromversorgung; ziehen Sie es ab und schließen Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>The maker&apos;s driver of the device has stopped reading it. Unplug the device and connect it again.</source>
+        <translation>Der Treiber des Herstellers liest das Gerät nicht mehr. Ziehen Sie das Gerät ab und schließen Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>The maker&apos;s driver of the device refused a request. Install the driver&apos;s newest version; its messages are on standard error.</source>
+        <translation>Der Treiber des Herstellers hat eine Anfrage abgelehnt. Installieren Sie seine neueste Version; seine Meldungen stehen auf der Standardfehlerausgabe.</translation>
+    </message>
+    <message>
+        <source>3D Systems Touch</source>
+        <translation>3D Systems Touch</translation>
+    </message>
+    <message>
+        <source>install OpenHaptics for Linux and the Touch driver of 3D Systems, then run `sudo ldconfig`</source>
+        <translation>installieren Sie OpenHaptics für Linux und den Touch-Treiber von 3D Systems, und führen Sie dann `sudo ldconfig` aus</translation>
+    </message>
+    <message>
+        <source>install that library: libPhantomIOLib42.so comes with the Touch driver, libncurses.so.5 and libtinfo.so.5 with the packages libncurses5 and libtinfo5</source>
+        <translation>installieren Sie diese Bibliothek: libPhantomIOLib42.so gehört zum Touch-Treiber, libncurses.so.5 und libtinfo.so.5 zu den Paketen libncurses5 und libtinfo5</translation>
+    </message>
+    <message>
+        <source>write the line SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;2988&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; to /etc/udev/rules.d/70-fulcrum-touch.rules, then unplug the device and connect it again</source>
+        <translation>schreiben Sie die Zeile SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;2988&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; in /etc/udev/rules.d/70-fulcrum-touch.rules, ziehen Sie dann das Gerät ab und schließen Sie es wieder an</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s library is not installed</source>
+        <translation>die Bibliothek des Herstellers ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s library needs another one that is missing</source>
+        <translation>die Bibliothek des Herstellers braucht eine andere, die fehlt</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s library lacks a function that Fulcrum needs</source>
+        <translation>der Bibliothek des Herstellers fehlt eine Funktion, die Fulcrum braucht</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s library cannot be loaded</source>
+        <translation>die Bibliothek des Herstellers lässt sich nicht laden</translation>
+    </message>
+    <message>
+        <source>install the newest version of the maker&apos;s driver</source>
+        <translation>installieren Sie die neueste Version des Treibers des Herstellers</translation>
+    </message>
+    <message>
+        <source>The device needs calibration. Put the stylus of a Touch into its inkwell and take it out after two seconds; move the handle of another device slowly to each end of its range. Where that does not help, calibrate it with the maker&apos;s program.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -81,10 +151,6 @@
 <context>
     <name>fulcrum::device_list</name>
     <message>
-        <source>3D Systems Touch</source>
-        <translation>3D Systems Touch</translation>
-    </message>
-    <message>
         <source>Force Dimension, Novint Falcon</source>
         <translation>Force Dimension, Novint Falcon</translation>
     </message>
@@ -147,6 +213,18 @@
     <message>
         <source>two mice and keyboard</source>
         <translation>zwei Mäuse und Tastatur</translation>
+    </message>
+    <message>
+        <source>no USB device of this kind was found</source>
+        <translation>kein USB-Gerät dieser Art gefunden</translation>
+    </message>
+    <message>
+        <source>connect it and its power supply; a model for a network card can be tried with `fulcrum devices --test`</source>
+        <translation>schließen Sie es und seine Stromversorgung an; ein Modell für eine Netzwerkkarte lässt sich mit `fulcrum devices --test` versuchen</translation>
+    </message>
+    <message>
+        <source>you have no permission to open the device</source>
+        <translation>Sie haben keine Berechtigung, das Gerät zu öffnen</translation>
     </message>
 </context>
 <context>

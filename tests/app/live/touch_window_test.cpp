@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window with a 3D Systems Touch, whose library is a fake that the test scripts: a fault pauses the
+// attempt with force 0 and says what to do; when it has passed, the attempt resumes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/app/program_path.h"
+#include "tests/app/window_fixture.h"
+#include "tests/fakes/fake_page.h"
+#include "tests/fakes/fake_touch.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+using ui::AttemptPhase;
+using ui::window_test::find;
+using ui::window_test::keep_picture;
+using ui::window_test::sees;
+using ui::window_test::wait_for;
+
+/// Before the services are made.
+struct FakeTouch {
+    static std::string daemon() {
+        const std::string program = program_path();
+        return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
+    }
+    fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
+    fulcrum::test::Variable library{"FULCRUM_LIBHD", std::string(FULCRUM_FAKES) + "/libHD.so"};
+    fulcrum::test::Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
+    fulcrum::test::Variable program{"FULCRUM_HAPTICD", daemon()};
+};
+
+class TouchWindow : public FakeTouch, public Window {
+  protected:
+    QString panel() { return find<QLabel>(window, "panel_text")->text(); }
+    AttemptPhase phase() { return theatre().session()->phase(); }
+    double force(int hand) {
+        double most = 0;
+        for (const auto& f : page->device[hand].force) most = std::max(most, std::abs(f.load()));
+        return most;
+    }
+};
+
+TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHasPassed) {
+    create_programme_and_trainee();
+    start("A2", false);
+    EXPECT_TRUE(theatre().session()->health().force_felt[0] && theatre().session()->health().force_felt[1]);
+    const double begun = theatre().session()->snapshot().tools[1].tip.x();
+    page->device[1].position[0] = 20;
+    ASSERT_TRUE(wait_for([&] {
+        return std::abs(theatre().session()->snapshot().tools[1].tip.x() - begun) > 2e-3;
+    })) << "the device moves the instrument";
+    page->device[1].position[0] = 0;
+    struct Case {
+        std::uint32_t code;
+        const char* words;
+    };
+    for (const Case& one : {Case{0x0200, "too warm. Let go of it for a minute"},
+                            Case{0x0302, "does not answer. Check its cable"}}) {
+        page->device[1].tick_error = one.code;
+        ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }));
+        ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel") && panel().contains(one.words); }))
+            << panel().toStdString();
+        EXPECT_TRUE(panel().contains("The force is 0 and the timer is stopped"));
+        EXPECT_EQ(force(0), 0);
+        EXPECT_EQ(force(1), 0);
+        if (one.code == 0x0302) keep_picture(window, "36-touch-unplugged");
+        page->device[1].tick_error = 0;
+        ASSERT_TRUE(wait_for([&] { return aligned().back; })) << panel().toStdString();
+        ASSERT_TRUE(wait_for([&] { return phase() != AttemptPhase::device_lost; }));
+    }
+    abandon();
+    const database::AttemptSummary attempt = newest_attempt();
+    EXPECT_EQ(attempt.meta.device, "3D Systems Touch");
+    EXPECT_EQ(attempt.meta.device_class, DeviceClass::haptic);
+    ASSERT_TRUE(attempt.meta.force_devices[1].has_value());
+    EXPECT_EQ(attempt.meta.force_devices[1]->peak, 3.3);
+    expect_replays(attempt.meta.id);
+    EXPECT_EQ(page->misuse, 0U);
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test
