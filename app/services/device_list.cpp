@@ -20,11 +20,8 @@ struct UsbKind {
     DeviceClass device_class;
     const char* vendor;
 };
-constexpr UsbKind not_driven[] = {
-    {"force-dimension", QT_TRANSLATE_NOOP("fulcrum::device_list", "Force Dimension, Novint Falcon"),
-     DeviceClass::haptic, "1451"},
-    {"space-mouse", QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"), DeviceClass::controller,
-     "256f"}};
+constexpr UsbKind not_driven[] = {{"space-mouse", QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
+                                   DeviceClass::controller, "256f"}};
 
 std::string words_of(const UsbDevice& device) {
     return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +

@@ -17,7 +17,8 @@ const char* words_of(DeviceFault fault) {
                 "that does not help, calibrate it with the maker's program.");
         case DeviceFault::warm_motors:
             return QT_TRANSLATE_NOOP(
-                "errors", "The motors of the device are too warm. Let go of it for a minute, then resume.");
+                "errors",
+                "The motors of the device are too warm. Let go of it for half a minute, then resume.");
         case DeviceFault::too_much_force:
             return QT_TRANSLATE_NOOP("errors",
                                      "The device refused a force as too large. Resume; where it happens "

@@ -39,6 +39,22 @@ const std::vector<VendorDriver>& vendor_drivers() {
              "errors",
              "write the line SUBSYSTEMS==\"usb\", ATTRS{idVendor}==\"2988\", MODE=\"0660\", TAG+=\"uaccess\" "
              "to /etc/udev/rules.d/70-fulcrum-touch.rules, then unplug the device and connect it again")},
+        {"force-dimension",
+         QT_TRANSLATE_NOOP("errors", "Force Dimension, Novint Falcon"),
+         "FULCRUM_LIBDRD",
+         {{"1451", ""}, {"0403", "cb48"}},
+         QT_TRANSLATE_NOOP("errors",
+                           "install the Force Dimension SDK and name its folder in FDSDK, or copy its "
+                           "libdrd.so to /usr/local/lib and run `sudo ldconfig`"),
+         QT_TRANSLATE_NOOP("errors",
+                           "install that library: libusb-1.0.so.0 comes with the package libusb-1.0-0"),
+         QT_TRANSLATE_NOOP(
+             "errors",
+             "write the lines SUBSYSTEMS==\"usb\", ATTRS{idVendor}==\"1451\", MODE=\"0660\", "
+             "TAG+=\"uaccess\" and SUBSYSTEMS==\"usb\", ATTRS{idVendor}==\"0403\", "
+             "ATTRS{idProduct}==\"cb48\", MODE=\"0660\", TAG+=\"uaccess\" to "
+             "/etc/udev/rules.d/70-fulcrum-force-dimension.rules, then unplug the device and connect it "
+             "again")},
     };
     return drivers;
 }

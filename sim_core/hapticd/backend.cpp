@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/hapticd/backend.h"
 
+#include "sim_core/hapticd/force_dimension_device.h"
 #include "sim_core/hapticd/touch_device.h"
 #include "sim_core/hapticd/virtual_device.h"
 #include "sim_core/numerics/input_error.h"
@@ -10,9 +11,12 @@ namespace fulcrum::hapticd {
 std::unique_ptr<Backend> make_backend(const std::string& specification) {
     const std::string prefix = "virtual:", kind = specification.substr(0, specification.find(':'));
     if (kind == "touch") return std::make_unique<TouchDevice>(touch_names(specification));
+    if (kind == "force-dimension")
+        return std::make_unique<ForceDimensionDevice>(force_dimension_numbers(specification));
     if (specification.rfind(prefix, 0) != 0)
-        throw InputError("device", "", "'" + specification + "' is not known",
-                         "use touch or virtual:SCRIPT.json; `fulcrum devices` lists the devices");
+        throw InputError(
+            "device", "", "'" + specification + "' is not known",
+            "use touch, force-dimension or virtual:SCRIPT.json; `fulcrum devices` lists the devices");
     return std::make_unique<VirtualDevice>(read_device_script(specification.substr(prefix.size())));
 }
 

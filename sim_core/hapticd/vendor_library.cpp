@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "sim_core/hapticd/force_dimension_library.h"
 #include "sim_core/hapticd/touch_library.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -29,7 +30,8 @@ LibraryLook load_library(const VendorDriver& driver, const std::vector<std::stri
         const LibraryState state = !absent                    ? LibraryState::unusable
                                    : said.rfind(name, 0) == 0 ? LibraryState::missing
                                                               : LibraryState::incomplete;
-        if (look.detail.empty() || look.state == LibraryState::missing) look = {state, said};
+        if (look.detail.empty() || (look.state == LibraryState::missing && state != look.state))
+            look = {state, said};
     }
     if (library == nullptr) return look;
     for (const Symbol& one : symbols) {
@@ -48,6 +50,10 @@ void require_ready(const VendorDriver& driver, const LibraryLook& look) {
 LibraryLook look_at_own_library(const std::string& kind) {
     if (kind == "touch") {
         TouchLibrary library;
+        return library.load();
+    }
+    if (kind == "force-dimension") {
+        ForceDimensionLibrary library;
         return library.load();
     }
     return {LibraryState::unusable, kind};

@@ -51,12 +51,11 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
     ASSERT_TRUE(wait_for([&] {
         return std::abs(theatre().session()->snapshot().tools[1].tip.x() - begun) > 2e-3;
     })) << "the device moves the instrument";
-    page->device[1].position[0] = 0;
     struct Case {
         std::uint32_t code;
         const char* words;
     };
-    for (const Case& one : {Case{0x0200, "too warm. Let go of it for a minute"},
+    for (const Case& one : {Case{0x0200, "too warm. Let go of it for half a minute"},
                             Case{0x0302, "does not answer. Check its cable"}}) {
         page->device[1].tick_error = one.code;
         ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }));
@@ -68,7 +67,9 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
         if (one.code == 0x0302) keep_picture(window, "36-touch-unplugged");
         page->device[1].tick_error = 0;
         ASSERT_TRUE(wait_for([&] { return aligned().back; })) << panel().toStdString();
-        ASSERT_TRUE(wait_for([&] { return phase() != AttemptPhase::device_lost; }));
+        ASSERT_TRUE(wait_for([&] { return aligned().in_place; }));
+        QTest::keyClick(theatre().view(), Qt::Key_Return);
+        ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
     }
     abandon();
     const database::AttemptSummary attempt = newest_attempt();

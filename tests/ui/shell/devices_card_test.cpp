@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "sim_core/devices/device_fault.h"
+#include "sim_core/devices/vendor_drivers.h"
 #include "tests/ui/screens.h"
 #include "ui/style/language.h"
 
@@ -31,7 +32,7 @@ class DevicesOnThePage : public Screens {
                              DeviceState::connected,
                              {"Touch (2988:0302)"},
                              "you have no permission to open the device",
-                             "write a rule",
+                             vendor_driver("touch")->rule,
                              "/dev/ttyACM0"},
                             {"space-mouse",
                              "SpaceMouse",
@@ -70,8 +71,8 @@ TEST_F(DevicesOnThePage, EachSaysItsStateWhyAndWhatToDo) {
     for (const char* line :
          {"✓ mouse and keyboard: can be used", "! 3D Systems Touch: connected, cannot be used",
           "Touch (2988:0302)\nWhy: you have no permission to open the device (/dev/ttyACM0)\nWhat to do: "
-          "write a "
-          "rule",
+          "write the line "
+          "SUBSYSTEMS==\"usb\"",
           "– SpaceMouse: not connected"})
         EXPECT_TRUE(words().contains(line)) << line << "\n\n" << words().toStdString();
     EXPECT_FALSE(sees(*window, "force_scale")) << "mouse and keyboard give no force";
@@ -157,6 +158,8 @@ TEST_F(DevicesOnThePage, AreDrawnInBothThemesAndLanguages) {
         if (theme == Theme::dark) {
             EXPECT_TRUE(words().contains("– SpaceMouse: nicht verbunden")) << words().toStdString();
             EXPECT_TRUE(words().contains("Gerät zu öffnen (/dev/ttyACM0)")) << words().toStdString();
+            EXPECT_TRUE(words().contains("schreiben Sie die Zeile SUBSYSTEMS==\"usb\""))
+                << words().toStdString();
             services.trouble = words_of(DeviceFault::warm_motors);
             EXPECT_TRUE(wait_for([&] { return words().contains("Die Motoren des Geräts sind zu warm."); }))
                 << words().toStdString();

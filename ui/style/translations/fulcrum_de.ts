@@ -1,5 +1,6 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
     <name>PracticeView</name>
@@ -11,8 +12,8 @@
 <context>
     <name>errors</name>
     <message>
-        <source>The motors of the device are too warm. Let go of it for a minute, then resume.</source>
-        <translation>Die Motoren des Geräts sind zu warm. Lassen Sie es eine Minute los und fahren Sie dann fort.</translation>
+        <source>The motors of the device are too warm. Let go of it for half a minute, then resume.</source>
+        <translation>Die Motoren des Geräts sind zu warm. Lassen Sie es eine halbe Minute los und fahren Sie dann fort.</translation>
     </message>
     <message>
         <source>The device refused a force as too large. Resume; where it happens again, lower the force given to the hand on the page Settings.</source>
@@ -76,7 +77,23 @@
     </message>
     <message>
         <source>The device needs calibration. Put the stylus of a Touch into its inkwell and take it out after two seconds; move the handle of another device slowly to each end of its range. Where that does not help, calibrate it with the maker&apos;s program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät muss kalibriert werden. Stecken Sie den Stift eines Touch in seine Halterung und nehmen Sie ihn nach zwei Sekunden heraus; bewegen Sie den Griff eines anderen Geräts langsam an jedes Ende seines Bereichs. Hilft das nicht, kalibrieren Sie es mit dem Programm des Herstellers.</translation>
+    </message>
+    <message>
+        <source>Force Dimension, Novint Falcon</source>
+        <translation>Force Dimension, Novint Falcon</translation>
+    </message>
+    <message>
+        <source>install the Force Dimension SDK and name its folder in FDSDK, or copy its libdrd.so to /usr/local/lib and run `sudo ldconfig`</source>
+        <translation>installieren Sie das SDK von Force Dimension und nennen Sie seinen Ordner in FDSDK, oder kopieren Sie seine libdrd.so nach /usr/local/lib und führen Sie `sudo ldconfig` aus</translation>
+    </message>
+    <message>
+        <source>install that library: libusb-1.0.so.0 comes with the package libusb-1.0-0</source>
+        <translation>installieren Sie diese Bibliothek: libusb-1.0.so.0 gehört zum Paket libusb-1.0-0</translation>
+    </message>
+    <message>
+        <source>write the lines SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;1451&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; and SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;0403&quot;, ATTRS{idProduct}==&quot;cb48&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; to /etc/udev/rules.d/70-fulcrum-force-dimension.rules, then unplug the device and connect it again</source>
+        <translation>schreiben Sie die Zeilen SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;1451&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; und SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;0403&quot;, ATTRS{idProduct}==&quot;cb48&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; in /etc/udev/rules.d/70-fulcrum-force-dimension.rules, ziehen Sie dann das Gerät ab und schließen Sie es wieder an</translation>
     </message>
 </context>
 <context>
@@ -150,10 +167,6 @@
 </context>
 <context>
     <name>fulcrum::device_list</name>
-    <message>
-        <source>Force Dimension, Novint Falcon</source>
-        <translation>Force Dimension, Novint Falcon</translation>
-    </message>
     <message>
         <source>SpaceMouse</source>
         <translation>SpaceMouse</translation>
