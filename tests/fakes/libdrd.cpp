@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "tests/fakes/fake_force_dimension.h"
 
@@ -16,17 +17,27 @@ namespace {
 using fulcrum::test::FakeForceDimensionDevice;
 using fulcrum::test::FakeForceDimensionPage;
 
-FakeForceDimensionPage* page() {
-    static FakeForceDimensionPage* const mapped = []() -> FakeForceDimensionPage* {
-        const char* const path = std::getenv("FAKE_FORCE_DIMENSION_PAGE");
-        const int file = path != nullptr ? open(path, O_RDWR | O_CLOEXEC) : -1;
-        if (file < 0) return new FakeForceDimensionPage;
+FakeForceDimensionPage* mapped = nullptr;
+std::string mapped_from;
+
+/// Another test of the same process has another page.
+void map_page() {
+    const char* const named = std::getenv("FAKE_FORCE_DIMENSION_PAGE");
+    const std::string path = named != nullptr ? named : "";
+    if (mapped != nullptr && path == mapped_from) return;
+    mapped_from = path;
+    mapped = nullptr;
+    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (file >= 0) {
         void* const memory =
             mmap(nullptr, sizeof(FakeForceDimensionPage), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         close(file);
-        return memory == MAP_FAILED ? new FakeForceDimensionPage
-                                    : static_cast<FakeForceDimensionPage*>(memory);
-    }();
+        if (memory != MAP_FAILED) mapped = static_cast<FakeForceDimensionPage*>(memory);
+    }
+    if (mapped == nullptr) mapped = new FakeForceDimensionPage;
+}
+FakeForceDimensionPage* page() {
+    if (mapped == nullptr) map_page();
     return mapped;
 }
 
@@ -45,6 +56,7 @@ constexpr int status_power = 0, status_connected = 1, status_force = 5;
 extern "C" {
 
 int dhdGetDeviceCount() {
+    map_page();
     std::printf("Force Dimension SDK\n");
     std::fflush(stdout);
     return page()->count;

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <deque>
 #include <mutex>
-#include <new>
+#include <string>
 #include <thread>
 
 #include "tests/fakes/fake_touch.h"
@@ -30,16 +30,27 @@ struct Error {
     std::uint32_t device;
 };
 
-FakeTouchPage* page() {
-    static FakeTouchPage* const mapped = []() -> FakeTouchPage* {
-        const char* const path = std::getenv("FAKE_TOUCH_PAGE");
-        const int file = path != nullptr ? open(path, O_RDWR | O_CLOEXEC) : -1;
-        if (file < 0) return new FakeTouchPage;
+FakeTouchPage* mapped = nullptr;
+std::string mapped_from;
+
+/// Another test of the same process has another page.
+void map_page() {
+    const char* const named = std::getenv("FAKE_TOUCH_PAGE");
+    const std::string path = named != nullptr ? named : "";
+    if (mapped != nullptr && path == mapped_from) return;
+    mapped_from = path;
+    mapped = nullptr;
+    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (file >= 0) {
         void* const memory =
             mmap(nullptr, sizeof(FakeTouchPage), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         close(file);
-        return memory == MAP_FAILED ? new FakeTouchPage : static_cast<FakeTouchPage*>(memory);
-    }();
+        if (memory != MAP_FAILED) mapped = static_cast<FakeTouchPage*>(memory);
+    }
+    if (mapped == nullptr) mapped = new FakeTouchPage;
+}
+FakeTouchPage* page() {
+    if (mapped == nullptr) map_page();
     return mapped;
 }
 
@@ -92,6 +103,7 @@ void run_scheduler() {
 extern "C" {
 
 std::uint32_t hdInitDevice(const char* name) {
+    if (!runs) map_page();
     std::printf("DEVELOPER EDITION: commercial distribution is prohibited\n");
     std::fflush(stdout);
     char number[16];
