@@ -309,6 +309,15 @@ double longest_stretch(const Rod::Tables& tables, const RodState& before, const 
     return longest;
 }
 
+// From the motion within the part that was just solved; rate: one over its time, 1/s.
+void set_velocities(const RodScratch::Data& d, double rate, RodState& state) {
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        const double *now = &d.shape.position[4 * i], *start = &d.start.position[4 * i];
+        state.velocities[i] = Vector3(now[0] - start[0], now[1] - start[1], now[2] - start[2]) * rate;
+        if (i < state.spins.size()) state.spins[i] = now[3] * rate;
+    }
+}
+
 // Targets of ends and grasps after `share` of the remaining motion.
 void set_targets(const RodState& state, const RodInputs& inputs, double share, RodScratch::Data& d) {
     const std::size_t n = state.nodes.size() - 1;
@@ -367,7 +376,6 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
             // Well beyond what the loads can stretch the rod to: no answer.
             if (part == 0) folded_stretch = 4 * (1 + d.dead_norm / axial_stiffness_);
             const double share = 1.0 / (parts - part);
-            const std::size_t n = static_cast<std::size_t>(spec_.segments);
             set_targets(state, inputs, share, d);
             std::copy(d.shape.position.begin(), d.shape.position.end(), d.start.position.begin());
             if (spec_.stiffness_damping > 0) {
@@ -379,12 +387,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
             report.iterations += result.iterations;
             if (!result.finite) break;
             state_from_shape(d.shape, state);
-            const double rate = parts / dt;
-            for (std::size_t i = 0; i <= n; ++i) {
-                const double *now = &d.shape.position[4 * i], *start = &d.start.position[4 * i];
-                state.velocities[i] = Vector3(now[0] - start[0], now[1] - start[1], now[2] - start[2]) * rate;
-                if (i < n) state.spins[i] = now[3] * rate;
-            }
+            set_velocities(d, parts / dt, state);
         }
         report.residual = result.residual;
         report.force_residual = result.force_residual;

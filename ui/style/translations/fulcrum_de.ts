@@ -4021,6 +4021,160 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::LimitsChart</name>
+    <message>
+        <source>Limits of each set, gate by gate</source>
+        <translation>Grenzwerte jedes Satzes, Kriterium für Kriterium</translation>
+    </message>
+    <message>
+        <source>at least; %1 to %2</source>
+        <translation>mindestens; %1 bis %2</translation>
+    </message>
+    <message>
+        <source>at most; %1 to %2</source>
+        <translation>höchstens; %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Experts and trainees, and the mark between them</source>
+        <translation>Experten und Lernende und die Grenze dazwischen</translation>
+    </message>
+    <message>
+        <source>experts of the set</source>
+        <translation>Experten des Satzes</translation>
+    </message>
+    <message>
+        <source>attempts here</source>
+        <translation>Versuche hier</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::LimitsPage</name>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzwerte</translation>
+    </message>
+    <message>
+        <source>What attempts are held against, and who would pass under other limits. Nothing is changed here.</source>
+        <translation>Woran Versuche gemessen werden und wer mit anderen Grenzwerten bestehen würde. Hier wird nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Limits of each set; a dot is an attempt</source>
+        <translation>Grenzwerte jedes Satzes; ein Punkt ist ein Versuch</translation>
+    </message>
+    <message>
+        <source>Who would pass under each</source>
+        <translation>Wer mit welchem Satz bestehen würde</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Satz</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>Grundlage</translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation>Experten</translation>
+    </message>
+    <message>
+        <source>Experts pass</source>
+        <translation>Experten bestehen</translation>
+    </message>
+    <message>
+        <source>Would pass</source>
+        <translation>Würden bestehen</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Set in force</source>
+        <translation>Geltender Satz</translation>
+    </message>
+    <message>
+        <source>Compare with a set in a file</source>
+        <translation>Mit einem Satz aus einer Datei vergleichen</translation>
+    </message>
+    <message>
+        <source>File of a benchmark set</source>
+        <translation>Datei eines Vergleichssatzes</translation>
+    </message>
+    <message>
+        <source>made by fulcrum benchmark build</source>
+        <translation>erstellt mit fulcrum benchmark build</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Pass mark between two groups</source>
+        <translation>Bestehensgrenze zwischen zwei Gruppen</translation>
+    </message>
+    <message>
+        <source>Where an attempt is as likely one of the set&apos;s experts as one of those stored here, if both are spread normally: the method of contrasting groups.</source>
+        <translation>Wo ein Versuch ebenso wahrscheinlich von den Experten des Satzes stammt wie von den hier gespeicherten, wenn beide normalverteilt sind: das Verfahren der kontrastierenden Gruppen.</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>%1 holds the set %2; this page compares sets of %3. Choose its task and devices above first.</source>
+        <translation>%1 enthält den Satz %2; diese Seite vergleicht Sätze von %3. Wählen Sie zuerst oben dessen Aufgabe und Geräte.</translation>
+    </message>
+    <message>
+        <source>There is no set of limits for this task.</source>
+        <translation>Für diese Aufgabe gibt es keinen Satz von Grenzwerten.</translation>
+    </message>
+    <message>
+        <source>No attempt stored here counts under these limits yet.</source>
+        <translation>Noch zählt kein hier gespeicherter Versuch unter diesen Grenzwerten.</translation>
+    </message>
+    <message>
+        <source>Attempts that count: %1, by people: %2. The newest %3 are looked at.</source>
+        <translation>Versuche, die zählen: %1, von Personen: %2. Betrachtet werden die neuesten %3.</translation>
+    </message>
+    <message>
+        <source>, not judged: %1</source>
+        <translation>, nicht beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>in force (%1)</source>
+        <translation>geltend (%1)</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>A pass mark needs at least %1 attempts with this value; there are %2.</source>
+        <translation>Eine Bestehensgrenze braucht mindestens %1 Versuche mit diesem Wert; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>All attempts have the same value.</source>
+        <translation>Alle Versuche haben denselben Wert.</translation>
+    </message>
+    <message>
+        <source>No pass mark: the groups overlap.</source>
+        <translation>Keine Bestehensgrenze: Die Gruppen überdecken sich.</translation>
+    </message>
+    <message>
+        <source>Pass mark %1. On the passing side of it are %2 % of the attempts here, on the failing side %3 % of the experts&apos;. The limit in force is %4.</source>
+        <translation>Bestehensgrenze %1. Auf der bestandenen Seite liegen %2 % der Versuche hier, auf der anderen %3 % der Versuche der Experten. Der geltende Grenzwert ist %4.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::LockPage</name>
     <message>
         <source>Locked</source>
@@ -6701,6 +6855,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzwerte</translation>
     </message>
 </context>
 <context>
