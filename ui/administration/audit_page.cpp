@@ -202,7 +202,7 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
         oldest_ = entry.sequence;
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_, {0});
+    fit_columns(table_, {0, 1, 3});
 }
 
 void AuditPage::verify() {

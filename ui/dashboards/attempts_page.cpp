@@ -194,6 +194,13 @@ void AttemptsPage::fill_filters() {
     refill(task_, tr("All tasks"), tasks);
 }
 
+// In a narrow window the figures that decide stay: the debrief has the others.
+void AttemptsPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    const bool narrow = width() < 130 * fontMetrics().averageCharWidth();
+    for (const int column : {4, 6}) table_->setColumnHidden(column, narrow);
+}
+
 void AttemptsPage::fill_requests() {
     clear_layout(requests_);
     std::vector<database::CorrectionRequest> open;
