@@ -28,13 +28,14 @@ TraceChunk chunk_of_row(Query& rows) {
 [[noreturn]] void throw_damaged(const Store& store, const std::string& attempt_id, TraceStream stream,
                                 const std::string& number, const StoreError& error) {
     throw StoreError(StoreErrorKind::corrupt,
-                     store.path() + ": " + stream_name(stream) + " chunk " + number + " of attempt " +
-                         attempt_id + ": " + error.problem(),
-                     error.hint());
+                     {QT_TRANSLATE_NOOP("errors", "%1: %2 chunk %3 of attempt %4: %5"), store.path(),
+                      stream_name(stream), number, attempt_id, error.problem_sentence()},
+                     error.hint_sentence());
 }
 
 StoreError missing_chunk() {
-    return {StoreErrorKind::corrupt, "the chunk before it is missing", "restore the newest backup"};
+    return {StoreErrorKind::corrupt, QT_TRANSLATE_NOOP("errors", "the part before it is missing"),
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup")};
 }
 
 /// The number of events is stored when an attempt ends: a record that lost its end is not read as a shorter
@@ -43,21 +44,23 @@ void require_end(const Store& store, const std::string& attempt_id, std::size_t 
     Query row(store.connection(), "SELECT events FROM attempt WHERE id = ? AND state <> 'running'");
     row.bind(attempt_id);
     if (!row.next() || row.integer(0) == static_cast<std::int64_t>(events)) return;
-    throw StoreError(StoreErrorKind::corrupt,
-                     store.path() + ": the record of attempt " + attempt_id + " has " +
-                         std::to_string(events) + " of its " + row.text(0) +
-                         " events: a part of it is missing",
-                     "restore the newest backup");
+    throw StoreError(
+        StoreErrorKind::corrupt,
+        {QT_TRANSLATE_NOOP("errors",
+                           "%1: the record of attempt %2 has %3 of its %4 events: a part of it is missing"),
+         store.path(), attempt_id, events, row.text(0)},
+        QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
 }
 
 /// Inputs and samples are written in pairs: if one is longer, the other lost its end.
 void require_pairs(const Store& store, const std::string& attempt_id, const Trace& trace) {
     if (trace.samples.size() == trace.inputs.size()) return;
-    throw StoreError(StoreErrorKind::corrupt,
-                     store.path() + ": the record of attempt " + attempt_id + " has " +
-                         std::to_string(trace.samples.size()) + " samples for " +
-                         std::to_string(trace.inputs.size()) + " inputs: a part of it is missing",
-                     "restore the newest backup");
+    throw StoreError(
+        StoreErrorKind::corrupt,
+        {QT_TRANSLATE_NOOP(
+             "errors", "%1: the record of attempt %2 has %3 samples for %4 inputs: a part of it is missing"),
+         store.path(), attempt_id, trace.samples.size(), trace.inputs.size()},
+        QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
 }
 
 Trace read_chunks(const Store& store, const std::string& attempt_id, bool events_only) {
@@ -185,10 +188,12 @@ std::vector<std::uint8_t> Attempts::start_state(const Session& session, const st
     if (!row.next()) return {};
     const std::vector<std::uint8_t> packed = row.bytes(1);
     if (blake2b(packed, 16) != row.bytes(0)) {
-        throw StoreError(StoreErrorKind::corrupt,
-                         store_.path() + ": the state that attempt " + attempt_id +
-                             " began with does not match its checksum",
-                         "restore the newest backup");
+        throw StoreError(
+            StoreErrorKind::corrupt,
+            {QT_TRANSLATE_NOOP("errors",
+                               "%1: the state that attempt %2 began with does not match its checksum"),
+             store_.path(), attempt_id},
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
     }
     return unpack_bytes(packed);
 }

@@ -42,8 +42,9 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     : path_(path), name_(unique_connection_name()), read_only_(read_only), busy_timeout_ms_(busy_timeout_ms) {
     database_ = QSqlDatabase::addDatabase("QSQLITE", QString::fromStdString(name_));
     if (!database_.isValid()) {
-        throw StoreError(StoreErrorKind::failed, "the SQLite driver of Qt is missing",
-                         "install libqt5sql5-sqlite (and start within a Qt application)");
+        throw StoreError(
+            StoreErrorKind::failed, QT_TRANSLATE_NOOP("errors", "the SQLite driver of Qt is missing"),
+            QT_TRANSLATE_NOOP("errors", "install libqt5sql5-sqlite (and start within a Qt application)"));
     }
     QString options;
     QString name = QString::fromStdString(path);
@@ -64,8 +65,10 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
                    "?immutable=1";
         }
     } else if (!create && !std::filesystem::exists(path)) {
-        throw StoreError(StoreErrorKind::missing, "no store at " + path,
-                         "make one with `fulcrum db create` or name another with --db");
+        throw StoreError(StoreErrorKind::missing,
+                         {QT_TRANSLATE_NOOP("errors", "%1: there is no store"), path},
+                         QT_TRANSLATE_NOOP(
+                             "errors", "create one with `fulcrum db create`, or name another one with --db"));
     }
     database_.setConnectOptions(options);
     database_.setDatabaseName(name);
@@ -113,37 +116,55 @@ void Connection::fail(const QString& text, int code) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
         case SQLITE_PROTOCOL:  // other programs kept changing the log's index while this one read it
-            throw StoreError(StoreErrorKind::locked, path_ + ": another program is writing to the store",
-                             "wait for it or close it, then try again; nothing was lost");
+            throw StoreError(
+                StoreErrorKind::locked,
+                {QT_TRANSLATE_NOOP("errors", "%1: another program is writing to the store"), path_},
+                QT_TRANSLATE_NOOP("errors", "wait for it or close it, then try again; nothing was lost"));
         case SQLITE_READONLY:
         case SQLITE_PERM:
-            throw StoreError(StoreErrorKind::read_only, path_ + ": the store cannot be written",
-                             "make the file and its folder writable for this user, or open it read-only");
+            throw StoreError(
+                StoreErrorKind::read_only,
+                {QT_TRANSLATE_NOOP("errors", "%1: the store cannot be written"), path_},
+                QT_TRANSLATE_NOOP(
+                    "errors", "make the file and its folder writable for this user, or open it read-only"));
         case SQLITE_CANTOPEN:
             throw StoreError(
                 std::filesystem::exists(path_) ? StoreErrorKind::read_only : StoreErrorKind::missing,
-                path_ + ": the store cannot be opened (" + said + ")",
-                "check that the path is right and that this user may read and write the file and its folder");
+                {QT_TRANSLATE_NOOP("errors", "%1: the store cannot be opened (%2)"), path_, said},
+                QT_TRANSLATE_NOOP("errors",
+                                  "check that the path is right and that this user may read and write the "
+                                  "file and its folder"));
         case SQLITE_NOTADB:
-            throw StoreError(StoreErrorKind::not_a_store, path_ + ": not a Fulcrum store",
-                             "name the right file with --db");
+            throw StoreError(StoreErrorKind::not_a_store,
+                             {QT_TRANSLATE_NOOP("errors", "%1: not a Fulcrum store"), path_},
+                             QT_TRANSLATE_NOOP("errors", "name the right file with --db"));
         case SQLITE_CORRUPT:
-            throw StoreError(StoreErrorKind::corrupt, path_ + ": the store is damaged (" + said + ")",
-                             "run `fulcrum db check`, copy the file away, and restore the newest backup");
+            throw StoreError(
+                StoreErrorKind::corrupt,
+                {QT_TRANSLATE_NOOP("errors", "%1: the store is damaged (%2)"), path_, said},
+                QT_TRANSLATE_NOOP(
+                    "errors", "run `fulcrum db check`, copy the file away, and restore the newest backup"));
         case SQLITE_FULL:
-            throw StoreError(StoreErrorKind::disk_full, path_ + ": no room left on the disk",
-                             "free some space and try again; what was stored before is intact");
+            throw StoreError(
+                StoreErrorKind::disk_full,
+                {QT_TRANSLATE_NOOP("errors", "%1: no room left on the disk"), path_},
+                QT_TRANSLATE_NOOP("errors",
+                                  "free some space and try again; what was stored before is intact"));
         case SQLITE_IOERR:
             throw StoreError(
                 code == SQLITE_IOERR_WRITE ? StoreErrorKind::disk_full : StoreErrorKind::failed,
-                path_ + ": the disk refused (" + said + ")",
-                "check the disk's space and health and try again; what was stored before is intact");
+                {QT_TRANSLATE_NOOP("errors", "%1: the disk reported an error (%2)"), path_, said},
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "check the disk's space and health and try again; what was stored before is intact"));
         case SQLITE_CONSTRAINT:
-            throw StoreError(StoreErrorKind::conflict,
-                             path_ + ": refused by a rule of the store (" + said + ")",
-                             "correct the value and try again");
+            throw StoreError(
+                StoreErrorKind::conflict,
+                {QT_TRANSLATE_NOOP("errors", "%1: refused by a rule of the store (%2)"), path_, said},
+                QT_TRANSLATE_NOOP("errors", "correct the value and try again"));
         default:
-            throw StoreError(StoreErrorKind::failed, path_ + ": " + said, "run `fulcrum db check`");
+            throw StoreError(StoreErrorKind::failed, {"%1: %2", path_, said},
+                             QT_TRANSLATE_NOOP("errors", "run `fulcrum db check`"));
     }
 }
 
@@ -172,8 +193,9 @@ Query& Query::bind(std::int64_t value) {
 }
 Query& Query::bind(double value) {
     if (!std::isfinite(value)) {
-        throw StoreError(StoreErrorKind::bad_value, "a number that is not finite cannot be stored",
-                         "leave it out, with the reason");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a number that is not finite cannot be stored"),
+                         QT_TRANSLATE_NOOP("errors", "leave it out, with the reason"));
     }
     query_.addBindValue(value);
     return *this;

@@ -32,8 +32,9 @@ int read_schema_version(Connection& connection) {
     Query id(connection, "PRAGMA application_id");
     const std::int64_t found = id.next() ? id.integer(0) : 0;
     if (found != application_id) {
-        throw StoreError(StoreErrorKind::not_a_store, connection.path() + ": not a Fulcrum store",
-                         "name the right file with --db");
+        throw StoreError(StoreErrorKind::not_a_store,
+                         {QT_TRANSLATE_NOOP("errors", "%1: not a Fulcrum store"), connection.path()},
+                         QT_TRANSLATE_NOOP("errors", "name the right file with --db"));
     }
     Query version(connection, "PRAGMA user_version");
     return version.next() ? static_cast<int>(version.integer(0)) : 0;
@@ -54,16 +55,18 @@ void migrate(Connection& connection, int target) {
         QFile file(folder + "/" + files.at(from));
         if (!file.open(QIODevice::ReadOnly)) {
             throw StoreError(StoreErrorKind::failed,
-                             "the program lacks its schema step " + files.at(from).toStdString(),
-                             "install it again");
+                             {QT_TRANSLATE_NOOP("errors", "the program has no schema step %1"),
+                              files.at(from).toStdString()},
+                             QT_TRANSLATE_NOOP("errors", "install it again"));
         }
         connection.execute(QString::fromUtf8(file.readAll()));
         Query broken(connection, "PRAGMA foreign_key_check");
         if (broken.next()) {
-            throw StoreError(StoreErrorKind::corrupt,
-                             connection.path() + ": rows of table " + broken.text(0) +
-                                 " point nowhere after schema step " + std::to_string(from + 1),
-                             "the store was left as it was; restore a backup or report this");
+            throw StoreError(
+                StoreErrorKind::corrupt,
+                {QT_TRANSLATE_NOOP("errors", "%1: rows of table %2 point nowhere after schema step %3"),
+                 connection.path(), broken.text(0), from + 1},
+                QT_TRANSLATE_NOOP("errors", "the store was left as it was; restore a backup or report this"));
         }
         connection.execute("PRAGMA user_version = " + QString::number(from + 1));
         transaction.commit();

@@ -143,7 +143,7 @@ void AttemptsPage::recompute() {
             for (const RecomputedScore& score : *scores) {
                 made += score.problem.empty() ? 1 : 0;
                 other += score.problem.empty() && score.passed != score.passed_in_force ? 1 : 0;
-                if (!score.problem.empty()) problem = text(score.problem);
+                if (!score.problem.empty()) problem = sentence_text(score.problem);
             }
             const QString line =
                 tr("Recomputed: %1. The result differs from the score in force in %2 of them.")
