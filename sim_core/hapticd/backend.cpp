@@ -9,8 +9,9 @@ namespace fulcrum::hapticd {
 std::unique_ptr<Backend> make_backend(const std::string& specification) {
     const std::string prefix = "virtual:";
     if (specification.rfind(prefix, 0) != 0)
-        throw InputError("device", "", "'" + specification + "' is not known",
-                         "use virtual:SCRIPT.json; `fulcrum devices` lists the devices");
+        throw InputError(
+            "device", "", {QT_TRANSLATE_NOOP("errors", "'%1' is not known"), specification},
+            QT_TRANSLATE_NOOP("errors", "use virtual:SCRIPT.json; `fulcrum devices` lists the devices"));
     return std::make_unique<VirtualDevice>(read_device_script(specification.substr(prefix.size())));
 }
 

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "sim_core/devices/packets.h"
+#include "sim_core/devices/sentence_packet.h"
 #include "sim_core/hapticd/device_process.h"
 #include "sim_core/hapticd/rights.h"
 #include "sim_core/numerics/input_error.h"
@@ -80,7 +81,9 @@ class Overseer {
         if (child < 0) {
             close(ends[0]);
             close(ends[1]);
-            send_packet(control_, {{"error", "no new process can be started; close other programs"}});
+            send_packet(control_,
+                        {{"error", sentence_packet(QT_TRANSLATE_NOOP(
+                                       "errors", "no new process can be started; close other programs"))}});
             return false;
         }
         if (child == 0) {
@@ -123,7 +126,10 @@ class Overseer {
             greeted_ = true;
             return send_packet(control_, line, {state_.descriptor(), command_.descriptor()});
         }
-        send_packet(control_, {{"error", "the device did not open within 5 s; unplug it, connect it again"}});
+        send_packet(
+            control_,
+            {{"error", sentence_packet(QT_TRANSLATE_NOOP(
+                           "errors", "the device did not open within 5 s; unplug it, connect it again"))}});
         return false;
     }
 
@@ -152,11 +158,12 @@ class Overseer {
             restarts_.push_back(now);
             restart_at_ = now + restart_pause;
         }
-        const std::string what = WIFSTOPPED(status) ? "was stopped"
-                                 : WIFSIGNALED(status)
-                                     ? "ended by signal " + std::to_string(WTERMSIG(status))
-                                     : "ended with status " + std::to_string(WEXITSTATUS(status));
-        send_packet(control_, {{"event", "ended"}, {"what", what}, {"again", again}});
+        const Sentence what =
+            WIFSTOPPED(status) ? Sentence(QT_TRANSLATE_NOOP("errors", "was stopped"))
+            : WIFSIGNALED(status)
+                ? Sentence(QT_TRANSLATE_NOOP("errors", "was ended by signal %1"), WTERMSIG(status))
+                : Sentence(QT_TRANSLATE_NOOP("errors", "ended with status %1"), WEXITSTATUS(status));
+        send_packet(control_, {{"event", "ended"}, {"what", sentence_packet(what)}, {"again", again}});
     }
 
     void take_packets() {
@@ -220,10 +227,10 @@ int oversee(int control, const std::string& specification) {
         const std::unique_ptr<Backend> backend = make_backend(specification);
         return Overseer(control, *backend).run();
     } catch (const InputError& error) {
-        send_packet(control, {{"error", error.problem()},
+        send_packet(control, {{"error", sentence_packet(error.problem_sentence())},
                               {"file", error.file()},
                               {"place", error.place()},
-                              {"hint", error.hint()}});
+                              {"hint", sentence_packet(error.hint_sentence())}});
         return 2;
     } catch (const std::exception& error) {
         send_packet(control, {{"error", error.what()}});
