@@ -42,6 +42,8 @@ std::vector<std::string> device_class_names();  ///< choices of --device-class
 /// `more`, then `rest`.
 std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& rest);
 
+/// What an error says, in one line and in the language in use.
+std::string line_of(const std::exception& error);
 /// One JSON document on standard output.
 void print_json(const nlohmann::json& document);
 std::string store_path(const Arguments& arguments);
