@@ -79,10 +79,11 @@ TEST(Roster, ReadsAOneRosterFolder) {
     // Everything that is not imported is named with its place.
     std::string all;
     for (const Sentence& line : roster.left_out) all += line.words() + "\n";
-    for (const char* said : {"users.csv:5: off is not enabled", "users.csv:6: status tobedeleted",
-                             "users.csv:7: parent has the role parent, which is not imported", "users.csv:8: alone has no role",
-                             "enrollments.csv:6: there is no such user", "enrollments.csv:7: there is no such class",
-                             "enrollments.csv:8: the role proctor is not imported"})
+    for (const char* said :
+         {"users.csv:5: off is not enabled", "users.csv:6: status tobedeleted",
+          "users.csv:7: parent has the role parent, which is not imported", "users.csv:8: alone has no role",
+          "enrollments.csv:6: there is no such user", "enrollments.csv:7: there is no such class",
+          "enrollments.csv:8: the role proctor is not imported"})
         EXPECT_NE(all.find(said), std::string::npos) << said << " is not in\n" << all;
     EXPECT_EQ(roster.left_out.size(), 7U) << all;
 }
@@ -116,7 +117,7 @@ TEST(Roster, NamesWhatIsWrongAndWhere) {
     };
     EXPECT_NE(list("a b,Ab,,\n").find("l.csv:2: the login \"a b\" cannot be used"), std::string::npos);
     EXPECT_NE(list("synthetic-x,X,,\n").find("belong to simulated people"), std::string::npos);
-    EXPECT_NE(list("ok,,,\n").find("the name is empty"), std::string::npos);
+    EXPECT_NE(list("ok,,,\n").find("name: it is empty or too long"), std::string::npos);
     EXPECT_NE(list("ok,Ok,boss,\n").find("'boss' is not a role that can be imported"), std::string::npos);
     EXPECT_NE(list("ok,Ok,,\nOK,Other,,\n").find("l.csv:3: login OK has another name here"),
               std::string::npos);

@@ -249,7 +249,8 @@ const std::vector<Edit> edits = {
     {"INSERT INTO standing_override VALUES ('forged', '{ben}', 'A2', 'proficient', '{educator}', 1, 'so')",
      "decision forged: the audit log has no row for it"},
     {"UPDATE setting SET value = '1' WHERE key = 'demo'", "setting demo: changed"},
-    {"INSERT INTO setting VALUES ('baseline_wanted', '1')", "setting baseline_wanted: there without"},
+    {"INSERT INTO setting VALUES ('baseline_wanted', '1')",
+     "setting baseline_wanted: the audit log has no row for it"},
     {"UPDATE station SET name = 'elsewhere'", "station "},
     {"DELETE FROM trace_chunk WHERE attempt_id = '{passed}'; UPDATE attempt SET events = 0 WHERE id = "
      "'{passed}'",
