@@ -6240,6 +6240,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Datenbestand angelegt</translation>
     </message>
     <message>
+        <source>Synchronised with the programme server</source>
+        <translation>Mit dem Programmserver abgeglichen</translation>
+    </message>
+    <message>
+        <source>Received from the programme server</source>
+        <translation>Vom Programmserver empfangen</translation>
+    </message>
+    <message>
+        <source>Programme server: all</source>
+        <translation>Programmserver: alle</translation>
+    </message>
+    <message>
         <source>Tissue values set</source>
         <translation>Gewebewerte festgelegt</translation>
     </message>
