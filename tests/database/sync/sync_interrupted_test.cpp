@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cut off anywhere, the next run completes the exchange; what cannot begin says why and changes nothing.
+#include <fstream>
+
 #include "database/sync/server_schema.h"
+#include "tests/database/processes.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -77,6 +80,29 @@ TEST_F(SyncCutOff, EveryRunLeavesAStationThatChecks) {
         sync_with_server(*b.store, b.store->station_session(), server, options);
         expect_sound(*b.store);
     }
+}
+
+TEST_F(SyncCutOff, KilledAtManyStatementsLosesNothing) {
+    fill(a);
+    a.open();
+    a.store.reset();
+    const std::string copy = a.folder.filePath("copy.db").toStdString();
+    std::filesystem::copy_file(a.path, copy);
+    const ServerAddress other = PostgresqlServer::of_this_process()->new_database();
+    std::ofstream(a.folder.filePath("server").toStdString()) << server.text() << '\n';
+    int killed = 0;
+    for (int statement = 5; killed < 200; statement += 3) {
+        if (wait_for_child(start_child("sync", a.folder.path().toStdString(), statement)) == 0) break;
+        ++killed;
+    }
+    EXPECT_GT(killed, 10);
+    a.open();
+    expect_sound(*a.store);
+    expect_sound(server);
+    const Store whole = Store::open(copy, a.clock.options());
+    sync_with_server(whole, a.session("administrator"), other);
+    EXPECT_EQ(rows_on(server), rows_on(other));
+    EXPECT_EQ(rows_at(*a.store, true), rows_at(whole, true));
 }
 
 TEST_F(SyncCutOff, ALostConnectionSaysSoAndLosesNothing) {
