@@ -103,6 +103,7 @@ Connection::Connection(const ServerAddress& server)
         QSqlDatabase::removeDatabase(QString::fromStdString(name_));
         fail_to_connect(path_, said);
     }
+    execute("SET client_min_messages = warning");  // the driver prints notices
 }
 
 Connection::~Connection() {
@@ -122,6 +123,10 @@ void Connection::execute(const QString& sql) {
         begin_statement();
         QSqlQuery query(database_);
         if (!query.exec(sql)) fail(query.lastError());
+        // Each statement has a result of its own, and the first that failed ends the rest.
+        while (query.nextResult()) {
+        }
+        if (query.lastError().isValid()) fail(query.lastError());
         return;
     }
     char* message = nullptr;

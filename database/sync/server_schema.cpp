@@ -5,6 +5,7 @@
 
 #include "database/rows/crypto.h"
 #include "database/schema/migration.h"
+#include "database/sync/server_rights.h"
 
 namespace fulcrum::database {
 namespace {
@@ -49,19 +50,6 @@ constexpr const char* owned[][2] = {{"person", "id"},
                                     {"correction_request", "person_id"},
                                     {"standing_override", "person_id"},
                                     {"curriculum_move", "person_id"}};
-
-/// Stations add rows; they change and delete those only that a newer version of a person or cohort replaces.
-const char* const station_rights = R"(
-DO $$ BEGIN
-    IF NOT EXISTS (SELECT 1 FROM pg_roles WHERE rolname = 'fulcrum_station') THEN CREATE ROLE fulcrum_station; END IF;
-END $$;
-REVOKE ALL ON ALL TABLES IN SCHEMA public FROM PUBLIC, fulcrum_station;
-GRANT USAGE ON SCHEMA public TO fulcrum_station;
-GRANT SELECT, INSERT ON ALL TABLES IN SCHEMA public TO fulcrum_station;
-REVOKE INSERT ON programme_server, erasure, erased_payload FROM fulcrum_station;
-GRANT UPDATE ON person, cohort, programme TO fulcrum_station;
-GRANT DELETE ON person_role, credential, cohort_member, cohort_educator TO fulcrum_station;
-)";
 
 bool has_table(Connection& server, const char* name) {
     Query row(server,
@@ -141,7 +129,7 @@ ServerSchema create_server(Connection& server, std::int64_t now) {
             .run();
     }
     Query(server, "UPDATE programme_server SET schema = ?").bind(schema.to).run();
-    server.execute(station_rights);
+    set_server_rights(server);
     transaction.commit();
     return schema;
 }

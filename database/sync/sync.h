@@ -36,9 +36,9 @@ struct SyncOptions {
     std::function<bool()> stop = {};
 };
 
-/// Operation::backup (an administrator); where the store has no administrator yet, the station itself may. Throws
-/// AccessDenied and StoreError: unreachable, missing, older_schema, newer_schema; conflict where the store
-/// belongs to another programme or is not the one that the server knows; sealed_demo.
+/// Operation::backup (an administrator); where the store has no administrator yet, the station itself may.
+/// Throws AccessDenied and StoreError: unreachable, missing, older_schema, newer_schema; conflict where the
+/// store belongs to another programme or is not the one that the server knows; sealed_demo.
 SyncResult sync_with_server(const Store& store, const Session& session, const ServerAddress& address,
                             const SyncOptions& options = {});
 

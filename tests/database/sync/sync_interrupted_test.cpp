@@ -229,6 +229,42 @@ TEST(ServerAddress, IsReadAndAPasswordInItIsRefused) {
 
 class ServerTables : public Sync {};
 
+TEST_F(ServerTables, ATraineesAccountSeesOwnRowsOnlyAndWritesNone) {
+    const std::string own = fill(a);
+    a.record("ben", true, 44);
+    a.open();
+    sync(a);
+    const PostgresqlServer& postgresql = *PostgresqlServer::of_this_process();
+    const auto connect_as = [&](const std::string& login) {
+        postgresql.execute(server, "CREATE ROLE \"" + a.id(login) + "\" LOGIN IN ROLE fulcrum_trainee");
+        return std::make_unique<Connection>(PostgresqlServer::as(server, a.id(login)));
+    };
+    const auto ann = connect_as("ann"), eve = connect_as("eve");
+    const auto count = [](Connection& connection, const std::string& from) {
+        Query row(connection, QString::fromStdString("SELECT COUNT(*) FROM " + from));
+        return row.next() ? row.integer(0) : -1;
+    };
+    Connection owner(server);
+    for (const char* table : {"attempt", "score", "gate", "metric", "trace_chunk", "comment", "rating",
+                              "rating_item", "rating_release", "person"}) {
+        const std::int64_t all = count(owner, table), hers = count(*ann, table), none = count(*eve, table);
+        EXPECT_GT(hers, 0) << table;
+        EXPECT_LE(hers, all) << table;
+        EXPECT_EQ(none, std::string(table) == "person" ? 1 : 0) << table;
+    }
+    EXPECT_EQ(count(*ann, "attempt"), 2);
+    EXPECT_EQ(count(*ann, "attempt WHERE person_id <> '" + a.id("ann") + "'"), 0);
+    EXPECT_EQ(count(*ann, "person"), 1);
+    // Nothing that a client can set makes her somebody else.
+    for (const std::string& sql :
+         {std::string("SET ROLE owner"), std::string("SET row_security = off; SELECT COUNT(*) FROM attempt"),
+          std::string("SELECT * FROM credential"), std::string("SELECT * FROM audit_payload"),
+          std::string("SELECT * FROM cohort_member"), std::string("UPDATE score SET points = 100"),
+          std::string("DELETE FROM attempt"), std::string("INSERT INTO erasure VALUES ('x', 1)")})
+        EXPECT_EQ(error_kind([&] { ann->execute(QString::fromStdString(sql)); }), StoreErrorKind::read_only)
+            << sql;
+}
+
 TEST_F(ServerTables, HaveTheColumnsOfAStoreAndItsRefusals) {
     Connection connection(server);
     for (const SyncTable& table : sync_tables()) {
@@ -248,6 +284,18 @@ TEST_F(ServerTables, HaveTheColumnsOfAStoreAndItsRefusals) {
          {"UPDATE attempt SET seed = 1", "UPDATE score SET points = 100", "UPDATE audit_entry SET time = 1",
           "DELETE FROM audit_entry", "DELETE FROM rating", "UPDATE comment SET text = 'x'"})
         EXPECT_EQ(error_kind([&] { connection.execute(sql); }), StoreErrorKind::conflict) << sql;
+}
+
+TEST_F(ServerTables, AFailureOfALaterStatementIsNotLost) {
+    Connection connection(server);
+    EXPECT_EQ(error_kind([&] { connection.execute("SELECT 1; SELECT nothing; SELECT 2"); }),
+              StoreErrorKind::failed);
+    EXPECT_EQ(error_kind([&] {
+                  Transaction transaction(connection);
+                  connection.execute("DELETE FROM erasure; INSERT INTO programme VALUES (NULL)");
+              }),
+              StoreErrorKind::conflict);
+    connection.execute("SELECT 1; SELECT 2");
 }
 
 TEST_F(ServerTables, AreMadeOnceAndUpgraded) {
