@@ -115,7 +115,8 @@ void fail_on_server(const std::string& server, const std::string& state, const s
              "nothing is lost; sync again when the server can be reached");
     if (state == "42501")
         fail(StoreErrorKind::read_only, "this account of the server may not do that",
-             "have the server's administrator make it a member of fulcrum_station");
+             "a station's account has to be a member of fulcrum_station; create and erase need the "
+             "database's owner");
     if (kind == "23" || state == "P0001")
         fail(StoreErrorKind::conflict, "refused by a rule of the server",
              "sync again; if it is refused again, `fulcrum db check` looks at this store");
