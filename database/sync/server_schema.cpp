@@ -4,7 +4,6 @@
 #include <QRegularExpression>
 
 #include "database/rows/crypto.h"
-#include "database/schema/migration.h"
 #include "database/sync/server_rights.h"
 
 namespace fulcrum::database {
@@ -105,11 +104,11 @@ QString step_for_server(const QString& step) {
     return result.replace(reference, "\\1 DEFERRABLE");
 }
 
-ServerSchema create_server(Connection& server, std::int64_t now) {
+ServerSchema create_server(Connection& server, std::int64_t now, int target) {
     require_version(server);
     Transaction transaction(server);
     server.execute("SELECT pg_advisory_xact_lock(" + QString::number(application_id) + ")");
-    ServerSchema schema{found_schema(server), latest_schema_version()};
+    ServerSchema schema{found_schema(server), target};
     if (schema.from > schema.to) fail_as_newer(server, schema.from);
     if (schema.from == 0 && has_table(server, "person"))
         throw StoreError(StoreErrorKind::not_a_store, server.path() + ": has tables of another program",
@@ -117,17 +116,17 @@ ServerSchema create_server(Connection& server, std::int64_t now) {
     for (int step = schema.from; step < schema.to; ++step) server.execute(step_for_server(schema_step(step)));
     if (schema.from == 0) {
         server.execute(server_tables);
-        for (const auto& [table, column] : owned)
-            server.execute(
-                QString("CREATE TRIGGER of_erased_person BEFORE INSERT OR UPDATE ON %1 FOR EACH ROW "
-                        "EXECUTE FUNCTION of_erased_person('%2')")
-                    .arg(table, column));
         Query(server, "INSERT INTO programme_server (id, schema, created) VALUES (?, ?, ?)")
             .bind(random_uuid())
             .bind(schema.to)
             .bind(now)
             .run();
     }
+    for (const auto& [table, column] : owned)
+        server.execute(
+            QString("DROP TRIGGER IF EXISTS of_erased_person ON %1; CREATE TRIGGER of_erased_person BEFORE "
+                    "INSERT OR UPDATE ON %1 FOR EACH ROW EXECUTE FUNCTION of_erased_person('%2')")
+                .arg(table, column));
     Query(server, "UPDATE programme_server SET schema = ?").bind(schema.to).run();
     set_server_rights(server);
     transaction.commit();

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "database/rows/connection.h"
+#include "database/schema/migration.h"
 #include "database/sync/programme_server.h"
 
 namespace fulcrum::database {
@@ -15,8 +16,8 @@ namespace fulcrum::database {
 QString step_for_server(const QString& step);
 
 /// Makes or upgrades the tables, in one transaction; `now`: ms since 1970. Throws StoreError: newer_schema,
-/// not_a_store (tables of something else), read_only.
-ServerSchema create_server(Connection& server, std::int64_t now);
+/// not_a_store (tables of something else), read_only. `target`: the schema to reach.
+ServerSchema create_server(Connection& server, std::int64_t now, int target = latest_schema_version());
 /// The server's id. Throws StoreError: missing (create it first), newer_schema, older_schema.
 std::string require_server(Connection& server);
 

@@ -304,6 +304,13 @@ TEST_F(ServerTables, AreMadeOnceAndUpgraded) {
     EXPECT_EQ(made.from, 0);
     EXPECT_EQ(made.to, Store::schema_version());
     EXPECT_EQ(create_programme_server(empty).from, Store::schema_version());
+    const ServerAddress older = PostgresqlServer::of_this_process()->new_database(false);
+    Connection connection(older);
+    create_server(connection, 0, 16);
+    connection.execute("INSERT INTO cohort (id, name, created) VALUES ('c', 'Year 1', 0)");
+    EXPECT_EQ(create_programme_server(older).from, 16);
+    Query version(connection, "SELECT version FROM cohort");
+    EXPECT_TRUE(version.next() && version.integer(0) == 1);
     const ServerAddress foreign = PostgresqlServer::of_this_process()->new_database(false);
     PostgresqlServer::of_this_process()->execute(foreign, "CREATE TABLE person (name text)");
     EXPECT_EQ(error_kind([&] { create_programme_server(foreign); }), StoreErrorKind::not_a_store);
