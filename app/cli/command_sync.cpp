@@ -118,6 +118,7 @@ int check_server(const Arguments& arguments) {
                     {"stations", check.stations},
                     {"audit_rows", check.audit_rows},
                     {"signatures", check.signatures},
+                    {"records", check.records},
                     {"problems", check.problems}});
     } else {
         std::cout << "audit logs of " << check.stations
@@ -169,7 +170,7 @@ std::vector<Command> server_commands() {
              "",
              0,
              0,
-             "Checks the audit logs and signatures of all stations on the server.",
+             "Checks the audit logs of all stations on the server, their signatures, and what was signed.",
              {to, json_option()},
              check_server},
             {"server erase",

@@ -18,10 +18,11 @@ struct ServerSchema {
 ServerSchema create_programme_server(const ServerAddress& address);
 
 struct ServerCheck {
-    std::int64_t stations = 0, audit_rows = 0, signatures = 0;
+    std::int64_t stations = 0, audit_rows = 0, signatures = 0, records = 0;
     std::vector<std::string> problems;
 };
-/// Verifies the audit chain and the signatures of every station that has pushed.
+/// Verifies the audit chain and the signatures of every station that has pushed, and compares attempts,
+/// traces, scores and reviews with the digests that were signed.
 ServerCheck check_programme_server(const ServerAddress& address);
 
 struct ErasedRows {

@@ -92,6 +92,29 @@ TEST_F(SyncConflict, ALoginThatTwoPeopleHaveWaitsAndEverythingElseIsTransferred)
     expect_sound(server);
 }
 
+TEST_F(SyncConflict, WhatTheServersOwnerChangesByHandIsFound) {
+    const std::string attempt = fill(a);
+    a.open();
+    sync(a);
+    expect_sound(server);
+    Connection connection(server);
+    const auto finds = [&](const std::string& sql, const std::string& words) {
+        connection.execute("SET session_replication_role = replica");  // no trigger stops the owner
+        connection.execute(QString::fromStdString(sql));
+        bool found = false;
+        for (const std::string& problem : check_programme_server(server).problems)
+            found = found || problem.find(words) != std::string::npos;
+        EXPECT_TRUE(found) << sql;
+    };
+    finds("UPDATE score SET points = 99 WHERE attempt_id = '" + attempt + "'", "not as the station");
+    finds("DELETE FROM trace_chunk WHERE attempt_id = '" + attempt + "' AND stream = 0", "trace " + attempt);
+    finds("UPDATE attempt SET seed = 1 WHERE id = '" + attempt + "'", "attempt " + attempt);
+    finds("UPDATE audit_entry SET time = time + 1 WHERE sequence = 3", "changed after it was written");
+    finds("UPDATE audit_signature SET signature = 'x' WHERE sequence = 4", "its signature does not fit");
+    finds("INSERT INTO attempt_void SELECT id, person_id, 1, 'x' FROM attempt WHERE id = '" + attempt + "'",
+          "void of attempt " + attempt + ": there without");
+}
+
 class SyncErasure : public SyncConflict {};
 
 TEST_F(SyncErasure, ErasedOnTheServerStaysErasedAfterAnOfflineStationsPush) {
