@@ -28,6 +28,7 @@ std::vector<Command> curricula_commands();   ///< curriculum list, move
 std::vector<Command> roster_commands();      ///< people import, cohort import
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
+std::vector<Command> server_commands();      ///< sync, server ...
 std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab
 
 Option json_option();

@@ -118,8 +118,32 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, bool events
 
 }  // namespace
 
+QString has_trace_here(const QString& attempt) {
+    return QString(
+               "(%1.station_id = (SELECT value FROM setting WHERE key = 'this_station') OR EXISTS (SELECT 1 "
+               "FROM "
+               "trace_chunk here WHERE here.attempt_id = %1.id))")
+        .arg(attempt);
+}
+
+void require_trace_here(const Store& store, const std::string& attempt_id) {
+    Query row(store.connection(),
+              "SELECT s.name FROM attempt a JOIN station s ON s.id = a.station_id WHERE a.id = ? AND "
+              "NOT " +
+                  has_trace_here("a"));
+    row.bind(attempt_id);
+    if (row.next())
+        throw StoreError(
+            StoreErrorKind::not_found,
+            {QT_TRANSLATE_NOOP(
+                 "errors", "the trace of attempt %1 is not in this store: it was recorded at the station %2"),
+             attempt_id, row.text(0)},
+            QT_TRANSLATE_NOOP("errors", "open it there"));
+}
+
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     return read_chunks(store_, attempt_id, false);
 }
 
@@ -127,6 +151,7 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
                              const std::function<void(std::size_t)>& prepare,
                              const std::function<void(std::size_t, const TraceOverview&)>& visit) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     std::vector<TraceChunk> samples, inputs;
     {
         Query rows(store_.connection(),
@@ -183,6 +208,7 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
 
 std::vector<std::uint8_t> Attempts::start_state(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     Query row(store_.connection(), "SELECT checksum, state FROM attempt_origin WHERE attempt_id = ?");
     row.bind(attempt_id);
     if (!row.next()) return {};
@@ -200,6 +226,7 @@ std::vector<std::uint8_t> Attempts::start_state(const Session& session, const st
 
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     return read_chunks(store_, attempt_id, true).events;
 }
 

@@ -49,9 +49,12 @@ std::vector<AttemptSummary> Attempts::interrupted_without_score(const Session& s
     filter.state = AttemptState::interrupted;
     filter.limit = -1;
     std::vector<AttemptSummary> attempts = query_attempts(store_, session, filter);
-    Query scored(store_.connection(),
-                 "SELECT attempt_id FROM score WHERE in_force = 1 AND attempt_id IN "
-                 "(SELECT id FROM attempt WHERE state = 'interrupted')");
+    Query scored(
+        store_.connection(),
+        "SELECT attempt_id FROM score WHERE in_force = 1 AND attempt_id IN "
+        "(SELECT id FROM attempt WHERE state = 'interrupted') UNION SELECT a.id FROM attempt a WHERE "
+        "NOT " +
+            has_trace_here("a"));
     std::set<std::string> done;
     while (scored.next()) done.insert(scored.text(0));
     attempts.erase(std::remove_if(attempts.begin(), attempts.end(),

@@ -95,6 +95,7 @@ void replace_people(const Store& store, const Session& director, Table table, co
     require_cohort(store, cohort_id);
     const std::string before = joined(ids_in(store.connection(), table, cohort_id));
     write_people(store, table, cohort_id, person_ids);
+    Query(store.connection(), "UPDATE cohort SET version = version + 1 WHERE id = ?").bind(cohort_id).run();
     Audit(store).append(
         director, cohort_id, table == Table::members ? "cohort.set_members" : "cohort.set_educators",
         json_object({{"before", before}, {"after", joined(person_ids)}}), {{RecordKind::cohort, cohort_id}});
@@ -149,7 +150,10 @@ void People::rename_cohort(const Session& director, const std::string& cohort_id
     Transaction transaction(store_.connection());
     require_cohort(store_, cohort_id);
     require_free_name(store_, name, cohort_id);
-    Query(store_.connection(), "UPDATE cohort SET name = ? WHERE id = ?").bind(name).bind(cohort_id).run();
+    Query(store_.connection(), "UPDATE cohort SET name = ?, version = version + 1 WHERE id = ?")
+        .bind(name)
+        .bind(cohort_id)
+        .run();
     Audit(store_).append(director, cohort_id, "cohort.rename", json_object({{"after", name}}),
                          {{RecordKind::cohort, cohort_id}});
     transaction.commit();

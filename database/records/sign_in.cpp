@@ -174,6 +174,7 @@ void write_verifier(const Store& store, const std::string& person_id, const std:
     }
     const BootTime since_boot = store.boot_time();
     query.bind(store.now()).bind(since_boot.boot).bind(since_boot.ms).run();
+    Query(store.connection(), "UPDATE person SET version = version + 1 WHERE id = ?").bind(person_id).run();
 }
 
 CreatedProgramme People::create_programme(const std::string& programme, const std::string& login,
@@ -385,7 +386,9 @@ std::string People::recover_administrator(const std::string& login, const std::s
     Transaction transaction(store_.connection());
     write_verifier(store_, account.id, verifier, false);
     // A code serves once.
-    Query(store_.connection(), "UPDATE programme SET recovery_verifier = ?").bind(next_verifier).run();
+    Query(store_.connection(), "UPDATE programme SET recovery_verifier = ?, version = version + 1")
+        .bind(next_verifier)
+        .run();
     forget_wrong_tries(store_, login);
     const Session session =
         SessionMaker::person(account.id, account.login, account.name, {Role::administrator},

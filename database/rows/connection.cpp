@@ -5,6 +5,7 @@
 
 #include <QSqlDriver>
 #include <QSqlError>
+#include <QSqlField>
 #include <QSqlRecord>
 #include <atomic>
 #include <chrono>
@@ -87,6 +88,28 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     execute("PRAGMA synchronous = FULL");
 }
 
+Connection::Connection(const ServerAddress& server)
+    : path_(server.text()), name_(unique_connection_name()), is_server_(true) {
+    database_ = QSqlDatabase::addDatabase("QPSQL", QString::fromStdString(name_));
+    if (!database_.isValid()) {
+        throw StoreError(StoreErrorKind::failed,
+                         QT_TRANSLATE_NOOP("errors", "the PostgreSQL driver of Qt is missing"),
+                         QT_TRANSLATE_NOOP("errors", "install libqt5sql5-psql"));
+    }
+    if (!server.host.empty()) database_.setHostName(QString::fromStdString(server.host));
+    if (!server.database.empty()) database_.setDatabaseName(QString::fromStdString(server.database));
+    if (!server.user.empty()) database_.setUserName(QString::fromStdString(server.user));
+    if (server.port != 0) database_.setPort(server.port);
+    database_.setConnectOptions(QString::fromStdString(server.options()));
+    if (!database_.open()) {
+        const std::string said = database_.lastError().text().simplified().toStdString();
+        database_ = QSqlDatabase();
+        QSqlDatabase::removeDatabase(QString::fromStdString(name_));
+        fail_to_connect(path_, said);
+    }
+    execute("SET client_min_messages = warning");  // the driver prints notices
+}
+
 Connection::~Connection() {
     database_.close();
     database_ = QSqlDatabase();
@@ -100,6 +123,16 @@ sqlite3* Connection::handle() const {
 }
 
 void Connection::execute(const QString& sql) {
+    if (is_server_) {
+        begin_statement();
+        QSqlQuery query(database_);
+        if (!query.exec(sql)) fail(query.lastError());
+        // Each statement has a result of its own, and the first that failed ends the rest.
+        while (query.nextResult()) {
+        }
+        if (query.lastError().isValid()) fail(query.lastError());
+        return;
+    }
     char* message = nullptr;
     const int code = sqlite3_exec(handle(), sql.toUtf8().constData(), nullptr, nullptr, &message);
     if (code != SQLITE_OK) {
@@ -168,28 +201,63 @@ void Connection::fail(const QString& text, int code) {
     }
 }
 
+void Connection::fail(const QSqlError& error) {
+    if (!is_server_) fail(error.databaseText());
+    fail_on_server(path_, error.nativeErrorCode().toStdString(),
+                   error.databaseText().simplified().toStdString());
+}
+
 Query::Query(Connection& connection, const QString& sql)
-    : connection_(connection), query_(connection.database()) {
+    : connection_(connection), sql_(sql), query_(connection.database()) {
+    if (connection_.is_server()) return;
     query_.setForwardOnly(true);
-    if (!query_.prepare(sql)) connection_.fail(query_.lastError().databaseText());
+    if (!query_.prepare(sql)) connection_.fail(query_.lastError());
+}
+
+Query& Query::bind(const QVariant& value) {
+    if (connection_.is_server()) {
+        values_.push_back(value);
+    } else {
+        query_.addBindValue(value);
+    }
+    return *this;
+}
+
+/// The statement with each ? outside of quotes replaced by its value.
+QString Query::with_values() const {
+    QString text;
+    std::size_t next = 0;
+    bool quoted = false;
+    for (const QChar c : sql_) {
+        if (c == QLatin1Char('\'')) quoted = !quoted;
+        if (c != QLatin1Char('?') || quoted) {
+            text += c;
+            continue;
+        }
+        const QVariant& value = values_.at(next++);
+        if (value.isNull()) {
+            text += QLatin1String("NULL");
+            continue;
+        }
+        QSqlField field(QString(), value.type());
+        field.setValue(value);
+        text += connection_.database().driver()->formatValue(field);
+    }
+    return text;
 }
 
 Query& Query::bind(const std::string& value) {
-    query_.addBindValue(QString::fromStdString(value));
-    return *this;
+    return bind(QVariant(QString::fromStdString(value)));
 }
 Query& Query::bind(const QByteArray& value) {
-    query_.addBindValue(value);
-    return *this;
+    return bind(QVariant(value));
 }
 Query& Query::bind(const std::vector<std::uint8_t>& value) {
-    query_.addBindValue(
-        QByteArray(reinterpret_cast<const char*>(value.data()), static_cast<int>(value.size())));
-    return *this;
+    return bind(
+        QVariant(QByteArray(reinterpret_cast<const char*>(value.data()), static_cast<int>(value.size()))));
 }
 Query& Query::bind(std::int64_t value) {
-    query_.addBindValue(static_cast<qlonglong>(value));
-    return *this;
+    return bind(QVariant(static_cast<qlonglong>(value)));
 }
 Query& Query::bind(double value) {
     if (!std::isfinite(value)) {
@@ -197,8 +265,7 @@ Query& Query::bind(double value) {
                          QT_TRANSLATE_NOOP("errors", "a number that is not finite cannot be stored"),
                          QT_TRANSLATE_NOOP("errors", "leave it out, with the reason"));
     }
-    query_.addBindValue(value);
-    return *this;
+    return bind(QVariant(value));
 }
 Query& Query::bind(const std::optional<double>& value) {
     return value ? bind(*value) : bind_null();
@@ -207,17 +274,22 @@ Query& Query::bind(const std::optional<bool>& value) {
     return value ? bind(*value) : bind_null();
 }
 Query& Query::bind_null() {
-    query_.addBindValue(QVariant());
-    return *this;
+    return bind(QVariant());
 }
 
 void Query::run() {
     ran_ = true;
-    if (!query_.exec()) connection_.fail(query_.lastError().databaseText());
+    if (connection_.is_server()) {
+        connection_.begin_statement();
+        if (!query_.exec(with_values())) connection_.fail(query_.lastError());
+        return;
+    }
+    if (!query_.exec()) connection_.fail(query_.lastError());
 }
 
 Query& Query::again() {
     query_.finish();
+    values_.clear();
     ran_ = has_ahead_ = false;
     return *this;
 }
@@ -225,13 +297,17 @@ Query& Query::again() {
 void Query::read_ahead() {
     has_ahead_ = query_.next();
     if (!has_ahead_) {
-        if (query_.lastError().isValid()) connection_.fail(query_.lastError().databaseText());
+        if (query_.lastError().isValid()) connection_.fail(query_.lastError());
         return;
     }
     const int columns = query_.record().count();
     ahead_.resize(static_cast<std::size_t>(columns));
-    for (int column = 0; column < columns; ++column)
-        ahead_[static_cast<std::size_t>(column)] = query_.value(column);
+    for (int column = 0; column < columns; ++column) {
+        QVariant value = query_.value(column);
+        // The driver for PostgreSQL gives integers from 0 up as unsigned ones.
+        if (value.type() == QVariant::ULongLong) value.convert(QVariant::LongLong);
+        ahead_[static_cast<std::size_t>(column)] = std::move(value);
+    }
 }
 
 bool Query::next() {
@@ -274,15 +350,20 @@ int Query::rows_changed() const {
 }
 
 Transaction::Transaction(Connection& connection) : connection_(connection) {
-    if (connection_.depth_ == 0) connection_.execute("BEGIN IMMEDIATE");
+    if (connection_.depth_ == 0) connection_.execute(connection_.is_server() ? "BEGIN" : "BEGIN IMMEDIATE");
     ++connection_.depth_;
 }
 
 Transaction::~Transaction() {
     if (!open_) return;
     --connection_.depth_;
-    // A failed rollback leaves nothing to do: SQLite has already rolled back on such errors.
-    if (connection_.depth_ == 0) sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    if (connection_.depth_ != 0) return;
+    // A failed rollback leaves nothing to do: the database has already rolled back on such errors.
+    if (connection_.is_server()) {
+        if (connection_.database().isOpen()) QSqlQuery(connection_.database()).exec("ROLLBACK");
+    } else {
+        sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
 }
 
 void Transaction::commit() {

@@ -24,7 +24,8 @@ enum class StoreErrorKind {
     conflict,     ///< login taken, administrator exists, already voided ...
     bad_value,    ///< a value out of its range: empty name, short password, empty reason
     sealed_demo,  ///< the demo store accepts practice only
-    failed,       ///< anything else that SQLite reports, in its words
+    unreachable,  ///< the programme server does not answer, or does not let this account in
+    failed,       ///< anything else that the database reports, in its words
 };
 
 /// what() is one line: `problem; hint`.
@@ -36,7 +37,8 @@ class StoreError : public HintedError {
     /// True if the caller gave invalid input (exit 2), false if the store failed (exit 1).
     bool is_bad_input() const noexcept {
         return kind_ != StoreErrorKind::corrupt && kind_ != StoreErrorKind::disk_full &&
-               kind_ != StoreErrorKind::locked && kind_ != StoreErrorKind::failed;
+               kind_ != StoreErrorKind::locked && kind_ != StoreErrorKind::unreachable &&
+               kind_ != StoreErrorKind::failed;
     }
 
   private:

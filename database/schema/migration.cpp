@@ -28,6 +28,18 @@ int latest_schema_version() {
     return version;
 }
 
+QString schema_step(int from) {
+    const QString name = steps().at(from);
+    QFile file(folder + "/" + name);
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw StoreError(
+            StoreErrorKind::failed,
+            {QT_TRANSLATE_NOOP("errors", "the program has no schema step %1"), name.toStdString()},
+            QT_TRANSLATE_NOOP("errors", "install it again"));
+    }
+    return QString::fromUtf8(file.readAll());
+}
+
 int read_schema_version(Connection& connection) {
     Query id(connection, "PRAGMA application_id");
     const std::int64_t found = id.next() ? id.integer(0) : 0;
@@ -41,7 +53,6 @@ int read_schema_version(Connection& connection) {
 }
 
 void migrate(Connection& connection, int target) {
-    const QStringList files = steps();
     while (true) {
         // Read inside the transaction: two programs may open an old store at the same moment.
         Transaction transaction(connection);
@@ -52,14 +63,7 @@ void migrate(Connection& connection, int target) {
             if (version.next()) from = static_cast<int>(version.integer(0));
         }
         if (from >= target) return;
-        QFile file(folder + "/" + files.at(from));
-        if (!file.open(QIODevice::ReadOnly)) {
-            throw StoreError(StoreErrorKind::failed,
-                             {QT_TRANSLATE_NOOP("errors", "the program has no schema step %1"),
-                              files.at(from).toStdString()},
-                             QT_TRANSLATE_NOOP("errors", "install it again"));
-        }
-        connection.execute(QString::fromUtf8(file.readAll()));
+        connection.execute(schema_step(from));
         Query broken(connection, "PRAGMA foreign_key_check");
         if (broken.next()) {
             throw StoreError(

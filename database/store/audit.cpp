@@ -103,6 +103,13 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     entry.payload = QJsonDocument(members).toJson(QJsonDocument::Compact).toStdString();
 }
 
+/// A server has the logs of many stations.
+Sentence place_of(const Connection& connection, const std::string& station, std::int64_t sequence) {
+    if (connection.is_server())
+        return {QT_TRANSLATE_NOOP("errors", "station %1, audit row %2"), station, sequence};
+    return {QT_TRANSLATE_NOOP("errors", "audit row %1"), sequence};
+}
+
 constexpr int with_signatures = 14;
 
 void sign_row(const Store& store, std::int64_t sequence, const Bytes& hash) {
@@ -194,9 +201,15 @@ std::string Audit::signing_key() const {
 }
 
 std::vector<Sentence> Audit::verify_signatures(std::int64_t& count) const {
-    const std::optional<StationKey> own = StationKey::existing(store_.station_id());
+    return verify_audit_signatures(store_.connection(), store_.station_id(), count);
+}
+
+std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own_station,
+                                              std::int64_t& count) {
+    const std::optional<StationKey> own =
+        own_station.empty() ? std::nullopt : StationKey::existing(own_station);
     Query rows(
-        store_.connection(),
+        connection,
         "SELECT e.station_id, e.sequence, e.hash, s.public_half, s.signature FROM audit_entry e LEFT JOIN "
         "audit_signature s ON s.station_id = e.station_id AND s.sequence = e.sequence ORDER BY e.station_id, "
         "e.sequence");
@@ -207,8 +220,8 @@ std::vector<Sentence> Audit::verify_signatures(std::int64_t& count) const {
         if (rows.text(0) != station) begun = false;
         station = rows.text(0);
         const std::int64_t sequence = rows.integer(1);
-        const Sentence place(QT_TRANSLATE_NOOP("errors", "audit row %1"), sequence);
-        const bool is_ours = own && station == store_.station_id() && sequence >= own->first_row();
+        const Sentence place = place_of(connection, station, sequence);
+        const bool is_ours = own && station == own_station && sequence >= own->first_row();
         if (rows.is_null(3)) {
             if (begun || is_ours) problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: not signed"), place});
             continue;
@@ -307,7 +320,11 @@ std::vector<std::string> Audit::kinds(const Session& administrator) const {
 }
 
 std::vector<Sentence> Audit::verify() const {
-    Query rows(store_.connection(),
+    return verify_audit_chains(store_.connection());
+}
+
+std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows erased) {
+    Query rows(connection,
                "SELECT e.station_id, e.sequence, e.time, e.actor_id, e.object_id, e.operation, e.digest, "
                "e.previous_hash, e.hash, "
                "p.salt, p.payload FROM audit_entry e "
@@ -317,7 +334,7 @@ std::vector<Sentence> Audit::verify() const {
     std::string station;
     Bytes previous(hash_size, 0);
     std::int64_t expected = 1;
-    std::map<std::string, std::set<std::int64_t>> erased, missing;  // by station
+    AuditRows missing;
     while (rows.next()) {
         if (rows.text(0) != station) {
             station = rows.text(0);
@@ -325,7 +342,7 @@ std::vector<Sentence> Audit::verify() const {
             expected = 1;
         }
         const std::int64_t sequence = rows.integer(1);
-        const Sentence place(QT_TRANSLATE_NOOP("errors", "audit row %1"), sequence);
+        const Sentence place = place_of(connection, station, sequence);
         if (sequence != expected)
             problems.push_back(
                 {QT_TRANSLATE_NOOP("errors", "audit rows %1 to %2 are missing"), expected, sequence - 1});
@@ -350,12 +367,12 @@ std::vector<Sentence> Audit::verify() const {
         for (const std::int64_t sequence : sequences) {
             if (erased[at].count(sequence) == 0)
                 problems.push_back(
-                    {QT_TRANSLATE_NOOP(
-                         "errors", "audit row %1: its payload is gone, and no erasure is in the audit log"),
-                     sequence});
+                    {QT_TRANSLATE_NOOP("errors",
+                                       "%1: its payload is gone, and no erasure is in the audit log"),
+                     place_of(connection, at, sequence)});
         }
     }
-    Query loose(store_.connection(),
+    Query loose(connection,
                 "SELECT p.sequence FROM audit_payload p WHERE NOT EXISTS (SELECT 1 FROM audit_entry e WHERE "
                 "e.station_id = p.station_id AND e.sequence = p.sequence)");
     while (loose.next())

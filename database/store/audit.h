@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,15 @@ struct AuditFilter {
     std::int64_t before_sequence = -1;    ///< older rows than this one
     int limit = 500;
 };
+
+/// Sequences by station.
+using AuditRows = std::map<std::string, std::set<std::int64_t>>;
+
+/// As Audit::verify(), of a store or a programme server; `erased`: payloads that are known to be erased.
+std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows erased = {});
+/// As Audit::verify_signatures(); `own`: the station whose key is on this machine.
+std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own,
+                                              std::int64_t& count);
 
 class Audit {
   public:

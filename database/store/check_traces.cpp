@@ -173,9 +173,13 @@ void check_chunks(const Store& store, CheckItem& item, CheckWatch& watch) {
 }
 
 void check_lengths(const Store& store, CheckItem& item) {
-    Query ends(store.connection(),
-               "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
-               "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running'");
+    // The traces of other stations' attempts stay there and on the programme server.
+    Query ends(
+        store.connection(),
+        "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
+        "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running' AND (station_id = ? OR "
+        "EXISTS (SELECT 1 FROM trace_chunk c WHERE c.attempt_id = attempt.id))");
+    ends.bind(store.station_id());
     while (ends.next()) {
         if (ends.integer(1) != ends.integer(2))
             item.problems.push_back(

@@ -132,6 +132,7 @@ TEST(Sentences, StandardExceptionsAreForErrorsOfTheProgram) {
         {"assessment/operators/operator.cpp", "a goal kind without a behaviour"},
         {"app/services/command_demonstrate.cpp", "PNG is part of Qt"},
         {"database/rows/crypto.cpp", "a broken library, a seed of the wrong size"},
+        {"database/sync/exchange.cpp", "a table that the caller took from the list"},
         {"sim_core/scene/json_schema.cpp", "the built-in schema is not valid"},
         {"sim_core/devices/device_page.cpp", "words of the operating system"},
         {"sim_core/devices/packets.cpp", "words of the operating system"},

@@ -4072,10 +4072,6 @@
         <translation>%1: Der Inhalt wurde geändert</translation>
     </message>
     <message>
-        <source>audit row %1: its payload is gone, and no erasure is in the audit log</source>
-        <translation>Protokollzeile %1: Der Inhalt fehlt, und das Protokoll verzeichnet keine Löschung</translation>
-    </message>
-    <message>
         <source>audit row %1: only its payload is left</source>
         <translation>Protokollzeile %1: Nur ihr Inhalt ist noch da</translation>
     </message>
@@ -4338,6 +4334,250 @@
     <message>
         <source>give at most 100,000</source>
         <translation>geben Sie höchstens 100000 an</translation>
+    </message>
+    <message>
+        <source>the trace of attempt %1 is not in this store: it was recorded at the station %2</source>
+        <translation>die Aufzeichnung des Versuchs %1 ist nicht in diesem Speicher: Sie wurde an der Station %2 gemacht</translation>
+    </message>
+    <message>
+        <source>open it there</source>
+        <translation>öffnen Sie ihn dort</translation>
+    </message>
+    <message>
+        <source>the PostgreSQL driver of Qt is missing</source>
+        <translation>der PostgreSQL-Treiber von Qt fehlt</translation>
+    </message>
+    <message>
+        <source>install libqt5sql5-psql</source>
+        <translation>installieren Sie libqt5sql5-psql</translation>
+    </message>
+    <message>
+        <source>the address of the server %1</source>
+        <translation>die Adresse des Servers %1</translation>
+    </message>
+    <message>
+        <source>write it as postgresql://USER@HOST:PORT/DATABASE</source>
+        <translation>schreiben Sie sie als postgresql://USER@HOST:PORT/DATABASE</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read</source>
+        <translation>&apos;%1&apos; kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>contains a password, which other users of this machine could read</source>
+        <translation>enthält ein Passwort, das andere Benutzer dieses Rechners lesen könnten</translation>
+    </message>
+    <message>
+        <source>leave it out; put it into the file ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a file in PGPASSFILE</source>
+        <translation>lassen Sie es weg; schreiben Sie es in die Datei ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, Rechte 0600), oder nennen Sie eine solche Datei in PGPASSFILE</translation>
+    </message>
+    <message>
+        <source>has the parameter &apos;%1&apos;, which is not known</source>
+        <translation>hat den Parameter &apos;%1&apos;, der nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>host, port and service are; for others use the environment variables of libpq</source>
+        <translation>bekannt sind host, port und service; für andere gibt es die Umgebungsvariablen von libpq</translation>
+    </message>
+    <message>
+        <source>contains a quote, a space, a backslash or a semicolon</source>
+        <translation>enthält ein Anführungszeichen, ein Leerzeichen, einen Rückstrich oder ein Semikolon</translation>
+    </message>
+    <message>
+        <source>names no database</source>
+        <translation>nennt keine Datenbank</translation>
+    </message>
+    <message>
+        <source>check the address, the network, and that the server runs; nothing is lost, and the next sync transfers what this one could not</source>
+        <translation>prüfen Sie die Adresse, das Netz und ob der Server läuft; nichts ist verloren, und der nächste Abgleich überträgt, was dieser nicht konnte</translation>
+    </message>
+    <message>
+        <source>put the right password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a file in PGPASSFILE</source>
+        <translation>schreiben Sie das richtige Passwort in ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, Rechte 0600), oder nennen Sie eine solche Datei in PGPASSFILE</translation>
+    </message>
+    <message>
+        <source>have the administrator of the server make it: createdb, then `fulcrum server create`</source>
+        <translation>lassen Sie sie vom Administrator des Servers anlegen: createdb, dann `fulcrum server create`</translation>
+    </message>
+    <message>
+        <source>name the account that the administrator of the server made for this station</source>
+        <translation>nennen Sie das Konto, das der Administrator des Servers für diese Station angelegt hat</translation>
+    </message>
+    <message>
+        <source>the connection must be encrypted: have the server&apos;s administrator turn ssl on</source>
+        <translation>die Verbindung muss verschlüsselt sein: Lassen Sie den Administrator des Servers ssl einschalten</translation>
+    </message>
+    <message>
+        <source>%1: cannot connect (%2)</source>
+        <translation>%1: keine Verbindung (%2)</translation>
+    </message>
+    <message>
+        <source>the connection was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>nothing is lost; sync again when the server can be reached</source>
+        <translation>nichts ist verloren; gleichen Sie wieder ab, sobald der Server erreichbar ist</translation>
+    </message>
+    <message>
+        <source>this account of the server may not do that</source>
+        <translation>dieses Konto des Servers darf das nicht</translation>
+    </message>
+    <message>
+        <source>a station&apos;s account has to be a member of fulcrum_station; create and erase need the database&apos;s owner</source>
+        <translation>das Konto einer Station muss zu fulcrum_station gehören; zum Anlegen und Löschen ist der Eigentümer der Datenbank nötig</translation>
+    </message>
+    <message>
+        <source>refused by a rule of the server</source>
+        <translation>von einer Regel des Servers abgelehnt</translation>
+    </message>
+    <message>
+        <source>sync again; if it is refused again, `fulcrum db check` looks at this store</source>
+        <translation>gleichen Sie wieder ab; wird es erneut abgelehnt, prüft `fulcrum db check` diesen Speicher</translation>
+    </message>
+    <message>
+        <source>another station is writing the same rows</source>
+        <translation>eine andere Station schreibt dieselben Zeilen</translation>
+    </message>
+    <message>
+        <source>sync again</source>
+        <translation>gleichen Sie wieder ab</translation>
+    </message>
+    <message>
+        <source>the server has no room or no connection left</source>
+        <translation>der Server hat keinen Platz oder keine freie Verbindung mehr</translation>
+    </message>
+    <message>
+        <source>tell its administrator, then sync again; what was stored before is intact</source>
+        <translation>sagen Sie es seinem Administrator und gleichen Sie dann wieder ab; was zuvor gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>%1: the server refused (%2)</source>
+        <translation>%1: vom Server abgelehnt (%2)</translation>
+    </message>
+    <message>
+        <source>tell its administrator</source>
+        <translation>sagen Sie es seinem Administrator</translation>
+    </message>
+    <message>
+        <source>station %1, audit row %2</source>
+        <translation>Station %1, Protokollzeile %2</translation>
+    </message>
+    <message>
+        <source>%1: its payload is gone, and no erasure is in the audit log</source>
+        <translation>%1: ihr Inhalt fehlt, und im Protokoll steht keine Löschung</translation>
+    </message>
+    <message>
+        <source>%1: has no person %2</source>
+        <translation>%1: hat keine Person %2</translation>
+    </message>
+    <message>
+        <source>give the id (UUID) that `fulcrum report --format json` and exports print</source>
+        <translation>geben Sie die Kennung (UUID) an, die `fulcrum report --format json` und Exporte ausgeben</translation>
+    </message>
+    <message>
+        <source>a person who was erased on the server is performing at this station</source>
+        <translation>eine Person, die auf dem Server gelöscht wurde, führt an dieser Station gerade einen Versuch durch</translation>
+    </message>
+    <message>
+        <source>sync again when the attempt has ended</source>
+        <translation>gleichen Sie wieder ab, wenn der Versuch beendet ist</translation>
+    </message>
+    <message>
+        <source>neither this store nor the server has a programme</source>
+        <translation>weder dieser Speicher noch der Server hat ein Programm</translation>
+    </message>
+    <message>
+        <source>make the programme at one station (start `fulcrum`, Create programme) and sync that one first</source>
+        <translation>legen Sie das Programm an einer Station an (`fulcrum` starten, Programm anlegen) und gleichen Sie diese zuerst ab</translation>
+    </message>
+    <message>
+        <source>this store belongs to another programme than the server</source>
+        <translation>dieser Speicher gehört zu einem anderen Programm als der Server</translation>
+    </message>
+    <message>
+        <source>name the right server; a further station begins with an empty store (`fulcrum db create`) and gets its people by sync</source>
+        <translation>nennen Sie den richtigen Server; eine weitere Station beginnt mit einem leeren Speicher (`fulcrum db create`) und erhält ihre Personen durch den Abgleich</translation>
+    </message>
+    <message>
+        <source>the audit log of this store is not the one that the server knows (row %1): an older copy is in its place, or it was rewritten</source>
+        <translation>das Protokoll dieses Speichers ist nicht das, das der Server kennt (Zeile %1): An seiner Stelle liegt eine ältere Kopie, oder es wurde umgeschrieben</translation>
+    </message>
+    <message>
+        <source>restore the newest backup; nothing was transferred</source>
+        <translation>stellen Sie die neueste Sicherung wieder her; es wurde nichts übertragen</translation>
+    </message>
+    <message>
+        <source>the demonstration is never synchronised</source>
+        <translation>die Vorführung wird nie abgeglichen</translation>
+    </message>
+    <message>
+        <source>name the store of the programme with --db</source>
+        <translation>nennen Sie mit --db den Speicher des Programms</translation>
+    </message>
+    <message>
+        <source>%1: there without an audit row (if a sync was cut off, the station&apos;s next one brings it)</source>
+        <translation>%1: vorhanden ohne Protokollzeile (wurde ein Abgleich unterbrochen, bringt sie der nächste dieser Station)</translation>
+    </message>
+    <message>
+        <source>%1: not as the station that made it has signed it</source>
+        <translation>%1: nicht so, wie die Station es unterschrieben hat</translation>
+    </message>
+    <message>
+        <source>%1: PostgreSQL %2 is too old</source>
+        <translation>%1: PostgreSQL %2 ist zu alt</translation>
+    </message>
+    <message>
+        <source>upgrade the server to PostgreSQL 12 or newer</source>
+        <translation>bringen Sie den Server auf PostgreSQL 12 oder neuer</translation>
+    </message>
+    <message>
+        <source>%1: made by a newer program (schema %2, this program knows %3)</source>
+        <translation>%1: von einem neueren Programm angelegt (Schema %2, dieses Programm kennt %3)</translation>
+    </message>
+    <message>
+        <source>update Fulcrum on this station, then sync again; nothing is lost</source>
+        <translation>bringen Sie Fulcrum an dieser Station auf den neuesten Stand und gleichen Sie dann wieder ab; nichts ist verloren</translation>
+    </message>
+    <message>
+        <source>a trigger of the schema has no form for a server</source>
+        <translation>ein Trigger des Schemas hat keine Form für einen Server</translation>
+    </message>
+    <message>
+        <source>report this: the program is incomplete</source>
+        <translation>melden Sie das: Das Programm ist unvollständig</translation>
+    </message>
+    <message>
+        <source>%1: has tables of another program</source>
+        <translation>%1: enthält Tabellen eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>make a database of its own (createdb) and name that</source>
+        <translation>legen Sie eine eigene Datenbank an (createdb) und nennen Sie diese</translation>
+    </message>
+    <message>
+        <source>%1: is not a programme server</source>
+        <translation>%1: ist kein Programmserver</translation>
+    </message>
+    <message>
+        <source>have its administrator run `fulcrum server create --to %1`</source>
+        <translation>lassen Sie seinen Administrator `fulcrum server create --to %1` ausführen</translation>
+    </message>
+    <message>
+        <source>%1: schema %2 is older than this program&apos;s %3</source>
+        <translation>%1: Schema %2 ist älter als das dieses Programms, %3</translation>
+    </message>
+    <message>
+        <source>have its administrator run `fulcrum server create --to %1` with this program; nothing is lost</source>
+        <translation>lassen Sie seinen Administrator `fulcrum server create --to %1` mit diesem Programm ausführen; nichts ist verloren</translation>
+    </message>
+    <message>
+        <source>the store has no table %1</source>
+        <translation>der Speicher hat keine Tabelle %1</translation>
+    </message>
+    <message>
+        <source>name the server: --to postgresql://USER@HOST:PORT/DATABASE</source>
+        <translation>nennen Sie den Server: --to postgresql://USER@HOST:PORT/DATABASE</translation>
     </message>
 </context>
 <context>
@@ -10719,6 +10959,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Store created</source>
         <translation>Datenbestand angelegt</translation>
+    </message>
+    <message>
+        <source>Synchronised with the programme server</source>
+        <translation>Mit dem Programmserver abgeglichen</translation>
+    </message>
+    <message>
+        <source>Received from the programme server</source>
+        <translation>Vom Programmserver empfangen</translation>
+    </message>
+    <message>
+        <source>Programme server: all</source>
+        <translation>Programmserver: alle</translation>
     </message>
     <message>
         <source>Tissue values set</source>
