@@ -11,8 +11,8 @@
 namespace fulcrum::app {
 namespace {
 
-std::string see_help(const Command& command) {
-    return "see fulcrum " + command.name + " --help";
+Sentence see_help(const Command& command) {
+    return {QT_TRANSLATE_NOOP("errors", "see fulcrum %1 --help"), command.name};
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -25,8 +25,10 @@ std::string joined(const std::vector<std::string>& words) {
     std::vector<std::string> known;
     for (const Option& one : command.options) known.push_back(one.name);
     const std::string near = nearest(option, known);
-    throw UsageError(option, "unknown option of fulcrum " + command.name,
-                     (near.empty() ? "" : "did you mean " + near + "? ") + see_help(command));
+    throw UsageError(
+        option, {QT_TRANSLATE_NOOP("errors", "unknown option of fulcrum %1"), command.name},
+        near.empty() ? see_help(command)
+                     : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? %2"), near, see_help(command)));
 }
 
 }  // namespace
@@ -45,11 +47,15 @@ Arguments::Arguments(const std::vector<std::string>& words, const Command& comma
     }
     if (wants_help()) return;  // before any other error of the line
     if (words_.size() < command.minimum_words)
-        throw UsageError(command.name, "too few arguments", "usage: " + command.usage());
+        throw UsageError(command.name, QT_TRANSLATE_NOOP("errors", "too few arguments"),
+                         {QT_TRANSLATE_NOOP("errors", "usage: %1"), command.usage()});
     if (words_.size() > command.maximum_words)
-        throw UsageError(words_[command.maximum_words], "unexpected argument", "usage: " + command.usage());
+        throw UsageError(words_[command.maximum_words], QT_TRANSLATE_NOOP("errors", "unexpected argument"),
+                         {QT_TRANSLATE_NOOP("errors", "usage: %1"), command.usage()});
     for (const std::string& word : words_)
-        if (word.empty()) throw UsageError("''", "an argument is empty", "usage: " + command.usage());
+        if (word.empty())
+            throw UsageError("''", QT_TRANSLATE_NOOP("errors", "an argument is empty"),
+                             {QT_TRANSLATE_NOOP("errors", "usage: %1"), command.usage()});
 }
 
 void Arguments::read_option(const Command& command, const std::vector<std::string>& words, std::size_t& at) {
@@ -62,24 +68,32 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
     }
     const Option* const option = command.option(name);
     if (option == nullptr) refuse_unknown(command, name);
-    if (has(option->name)) throw UsageError(name, "given twice", "give it once");
+    if (has(option->name))
+        throw UsageError(name, QT_TRANSLATE_NOOP("errors", "given twice"),
+                         QT_TRANSLATE_NOOP("errors", "give it once"));
     if (option->argument.empty()) {
-        if (attached) throw UsageError(name, "takes no argument", "leave '=" + *attached + "' out");
+        if (attached)
+            throw UsageError(name, QT_TRANSLATE_NOOP("errors", "takes no argument"),
+                             {QT_TRANSLATE_NOOP("errors", "leave '=%1' out"), *attached});
         values_[option->name] = "";
         return;
     }
-    const std::string hint = "write " + name + " " + option->argument + "; " + see_help(command);
+    const Sentence hint(QT_TRANSLATE_NOOP("errors", "write %1 %2; %3"), name, option->argument,
+                        see_help(command));
     if (!attached) {
-        if (at + 1 >= words.size()) throw UsageError(name, "its argument is missing", hint);
+        if (at + 1 >= words.size())
+            throw UsageError(name, QT_TRANSLATE_NOOP("errors", "its argument is missing"), hint);
         attached = words[++at];
     }
-    if (attached->empty()) throw UsageError(name, "its argument is empty", hint);
+    if (attached->empty()) throw UsageError(name, QT_TRANSLATE_NOOP("errors", "its argument is empty"), hint);
     const auto& choices = option->choices;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), *attached) == choices.end()) {
         const std::string near = nearest(*attached, choices);
-        throw UsageError(name, "'" + *attached + "' is not a known " + option->argument,
-                         near.empty() ? "use one of " + joined(choices)
-                                      : "did you mean " + near + "? Use one of " + joined(choices));
+        throw UsageError(
+            name, {QT_TRANSLATE_NOOP("errors", "'%1' is not a known %2"), *attached, option->argument},
+            near.empty() ? Sentence(QT_TRANSLATE_NOOP("errors", "use one of %1"), joined(choices))
+                         : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? Use one of %2"), near,
+                                    joined(choices)));
     }
     values_[option->name] = *attached;
 }
@@ -99,8 +113,9 @@ long long Arguments::integer(const std::string& option, long long fallback, long
     if (!text) return fallback;
     const auto number = parse_integer(*text, low, high);
     if (!number)
-        throw UsageError(option, "'" + *text + "' is not a whole number in the range",
-                         "give a number from " + std::to_string(low) + " to " + std::to_string(high));
+        throw UsageError(option,
+                         {QT_TRANSLATE_NOOP("errors", "'%1' is not a whole number in the range"), *text},
+                         {QT_TRANSLATE_NOOP("errors", "give a number from %1 to %2"), low, high});
     return *number;
 }
 
@@ -111,14 +126,16 @@ std::string Arguments::folder(const std::string& option, const std::string& fall
     try {
         require_writable_file((folder / "trial").string());
     } catch (const InputError&) {
-        throw UsageError(option, "cannot write to " + folder.string(), "name a writable folder");
+        throw UsageError(option, {QT_TRANSLATE_NOOP("errors", "cannot write to %1"), folder.string()},
+                         QT_TRANSLATE_NOOP("errors", "name a writable folder"));
     }
     return folder.string();
 }
 
 void Arguments::exclude(const std::string& one, const std::string& other) const {
     if (has(one) && has(other))
-        throw UsageError(one, "cannot be combined with " + other, "use only one of them");
+        throw UsageError(one, {QT_TRANSLATE_NOOP("errors", "cannot be combined with %1"), other},
+                         QT_TRANSLATE_NOOP("errors", "use only one of them"));
 }
 
 std::optional<long long> parse_integer(const std::string& text, long long low, long long high) {

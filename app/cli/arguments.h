@@ -16,7 +16,7 @@ struct Command;
 /// Bad usage. what() is one line, `OPTION: problem; hint`; exit status 2.
 class UsageError : public InputError {
   public:
-    UsageError(const std::string& place, const std::string& problem, const std::string& hint)
+    UsageError(const Sentence& place, const Sentence& problem, const Sentence& hint)
         : InputError(place, "", problem, hint) {}
 };
 

@@ -50,16 +50,18 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row.back();
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+/// `hint`, after the nearest known word where there is one.
+Sentence did_you_mean(const std::string& word, const std::vector<std::string>& known, const Sentence& hint) {
     const std::string near = nearest(word, known);
-    return near.empty() ? "" : "did you mean " + near + "? ";
+    return near.empty() ? hint : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? %2"), near, hint);
 }
 
 void require_utf8(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (!is_utf8(words[i]))
-            throw UsageError("argument " + std::to_string(i + 1), "is not valid UTF-8",
-                             "write it, and names of files, in UTF-8");
+            throw UsageError({QT_TRANSLATE_NOOP("errors", "argument %1"), i + 1},
+                             QT_TRANSLATE_NOOP("errors", "is not valid UTF-8"),
+                             QT_TRANSLATE_NOOP("errors", "write it, and names of files, in UTF-8"));
     }
 }
 
@@ -103,8 +105,9 @@ int start(const Command& command, std::vector<std::string> words) {
     arguments.push_back(nullptr);
     std::cout.flush();
     execv(path.c_str(), arguments.data());
-    throw UsageError(command.name, "needs the program '" + path + "', which is missing",
-                     "build the laboratory: ./run laboratory");
+    throw UsageError(command.name,
+                     {QT_TRANSLATE_NOOP("errors", "needs the program '%1', which is missing"), path},
+                     QT_TRANSLATE_NOOP("errors", "build the laboratory: ./run laboratory"));
 }
 
 }  // namespace
@@ -185,10 +188,13 @@ std::string CommandTable::action_of(std::vector<std::string>& words) const {
         if (words[at] == "--help" || words[at] == "-h") return group;
         if (takes_argument) ++at;
     }
-    if (at >= words.size()) throw UsageError(group, "the action is missing", "use one of " + list);
+    if (at >= words.size())
+        throw UsageError(group, QT_TRANSLATE_NOOP("errors", "the action is missing"),
+                         {QT_TRANSLATE_NOOP("errors", "use one of %1"), list});
     if (std::find(actions.begin(), actions.end(), words[at]) == actions.end())
-        throw UsageError(group + " " + words[at], "unknown action",
-                         did_you_mean(words[at], actions) + "Use one of " + list);
+        throw UsageError(
+            group + " " + words[at], QT_TRANSLATE_NOOP("errors", "unknown action"),
+            did_you_mean(words[at], actions, {QT_TRANSLATE_NOOP("errors", "use one of %1"), list}));
     const std::string name = group + " " + words[at];
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
     words.erase(words.begin());
@@ -213,8 +219,10 @@ Invocation CommandTable::parse(const std::vector<std::string>& given) const {
         std::vector<std::string> known = names();
         const bool option = first.rfind('-', 0) == 0;
         if (option) known = {"--help", "--version"};
-        throw UsageError(first.empty() ? "''" : first, option ? "unknown option" : "unknown command",
-                         did_you_mean(first, known) + "see fulcrum --help");
+        throw UsageError(first.empty() ? "''" : first,
+                         option ? Sentence(QT_TRANSLATE_NOOP("errors", "unknown option"))
+                                : Sentence(QT_TRANSLATE_NOOP("errors", "unknown command")),
+                         did_you_mean(first, known, QT_TRANSLATE_NOOP("errors", "see fulcrum --help")));
     }
     Invocation call{command, Arguments(words, *command), {}};
     const std::vector<std::string>& rest = call.arguments.words();

@@ -91,8 +91,8 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
     for (const std::string& login : logins) {
         const auto person = people.find_login(session, login);
         if (!person)
-            throw InputError("--experts", "", "no person '" + login + "'",
-                             "name logins of this store, separated by commas");
+            throw InputError("--experts", "", {QT_TRANSLATE_NOOP("errors", "no person '%1'"), login},
+                             QT_TRANSLATE_NOOP("errors", "name logins of this store, separated by commas"));
         database::AttemptFilter filter;
         filter.person_id = person->id;
         filter.task_id = loaded.task.id;
@@ -162,8 +162,9 @@ Setting setting_of(const Arguments& arguments) {
     if (family != setting.loaded.scene.variant)
         throw UsageError(
             "--variant",
-            "is " + setting.loaded.scene.variant + ", whose attempts are compared with the sets of " + family,
-            "name " + family + ", or remove its family from the task");
+            {QT_TRANSLATE_NOOP("errors", "is %1, whose attempts are compared with the sets of %2"),
+             setting.loaded.scene.variant, family},
+            {QT_TRANSLATE_NOOP("errors", "name %1, or remove its family from the task"), family});
     const bool experts = arguments.has("--experts");
     if (!experts && !arguments.has("--db")) return setting;
     setting.store = open_store(arguments, false);
@@ -219,7 +220,9 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
         request.provisional = false;
         request.familiarisation = familiarisation;
         const std::vector<std::string> logins = split(*arguments.value("--experts"));
-        if (logins.empty()) throw UsageError("--experts", "is empty", "give logins separated by commas");
+        if (logins.empty())
+            throw UsageError("--experts", QT_TRANSLATE_NOOP("errors", "is empty"),
+                             QT_TRANSLATE_NOOP("errors", "give logins separated by commas"));
         request.experts =
             stored_attempts(*setting.store, *setting.session, loaded, request.device_class, logins);
     }
@@ -304,17 +307,21 @@ int build_all(const Arguments& arguments) {
 
 int run_benchmark_build(const Arguments& arguments) {
     if (arguments.has("--operators") == arguments.has("--experts"))
-        throw UsageError("benchmark build", "needs either --operators or --experts", "give one of them");
+        throw UsageError("benchmark build",
+                         QT_TRANSLATE_NOOP("errors", "needs either --operators or --experts"),
+                         QT_TRANSLATE_NOOP("errors", "give one of them"));
     if (arguments.has("--all")) {
         for (const char* other : {"--experts", "--device-class", "--variant", "--db", "--json"})
             arguments.exclude("--all", other);
         if (!arguments.words().empty())
-            throw UsageError(arguments.words()[0], "--all builds the sets of all tasks",
-                             "remove one of them");
+            throw UsageError(arguments.words()[0],
+                             QT_TRANSLATE_NOOP("errors", "--all builds the sets of all tasks"),
+                             QT_TRANSLATE_NOOP("errors", "remove one of them"));
         return build_all(arguments);
     }
     if (arguments.words().empty())
-        throw UsageError("benchmark build", "names no task", "give a task, or --all");
+        throw UsageError("benchmark build", QT_TRANSLATE_NOOP("errors", "names no task"),
+                         QT_TRANSLATE_NOOP("errors", "give a task, or --all"));
     const Setting setting = setting_of(arguments);
     const DeviceClass device_class =
         find_row(device_classes, arguments.value_or("--device-class", "haptic"))->kind;

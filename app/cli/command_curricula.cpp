@@ -24,13 +24,16 @@ std::string standing_name(const TaskStanding& standing) {
 std::vector<std::string> chosen_people(const Arguments& arguments, const database::Store& store,
                                        const database::Session& session) {
     if (arguments.has("--person") + arguments.has("--cohort") != 1)
-        throw UsageError("curriculum move", "needs exactly one of --person and --cohort", "give one of them");
+        throw UsageError("curriculum move",
+                         QT_TRANSLATE_NOOP("errors", "needs exactly one of --person and --cohort"),
+                         QT_TRANSLATE_NOOP("errors", "give one of them"));
     if (arguments.has("--person")) return {person_named(arguments, store, session)};
     const std::string name = *arguments.value("--cohort");
     const auto cohort = database::People(store).find_cohort(session, name);
     if (!cohort)
-        throw InputError("--cohort", "", "no cohort '" + name + "' that you may read",
-                         "name a cohort of this store");
+        throw InputError("--cohort", "",
+                         {QT_TRANSLATE_NOOP("errors", "no cohort '%1' that you may read"), name},
+                         QT_TRANSLATE_NOOP("errors", "name a cohort of this store"));
     return cohort->members;
 }
 
@@ -72,10 +75,13 @@ json to_json(const CurriculumChange& change) {
 }
 
 int run_move(const Arguments& arguments) {
-    if (!arguments.has("--to")) throw UsageError("--to", "is missing", "name the version: --to rectal@2");
+    if (!arguments.has("--to"))
+        throw UsageError("--to", QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "name the version: --to rectal@2"));
     const bool dry = arguments.has("--dry-run");
     if (!dry && !arguments.has("--reason"))
-        throw UsageError("--reason", "is missing", "say why, or look first with --dry-run");
+        throw UsageError("--reason", QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "say why, or look first with --dry-run"));
     const std::string to = *arguments.value("--to");
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);

@@ -35,23 +35,30 @@ struct Columns {
 
     Columns(const std::string& path, const std::vector<std::string>& names) {
         std::ifstream file(path);
-        if (!file) throw InputError(path, "", "cannot be read", "give a CSV file with a header row");
+        if (!file)
+            throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "cannot be read"),
+                             QT_TRANSLATE_NOOP("errors", "give a CSV file with a header row"));
         CsvReader reader(file, path);
         std::vector<std::size_t> at(names.size());
-        if (!reader.next()) reader.fail_at(1, names[0], "the file is empty", "begin with a row of names");
+        if (!reader.next())
+            reader.fail_at(1, names[0], QT_TRANSLATE_NOOP("errors", "the file is empty"),
+                           QT_TRANSLATE_NOOP("errors", "begin with a row of names"));
         for (std::size_t i = 0; i < names.size(); ++i) {
             const auto& cells = reader.cells();
             const auto found = std::find(cells.begin(), cells.end(), names[i]);
             if (found == cells.end())
-                reader.fail(names[i], "the column is missing", "add it to the first row");
+                reader.fail(names[i], QT_TRANSLATE_NOOP("errors", "the column is missing"),
+                            QT_TRANSLATE_NOOP("errors", "add it to the first row"));
             at[i] = static_cast<std::size_t>(found - cells.begin());
         }
         const std::size_t width = reader.cells().size();
         while (reader.next()) {
             if (reader.cells().size() != width)
-                reader.fail("(row)", std::to_string(reader.cells().size()) + " cells",
-                            "write " + std::to_string(width) + " cells as in the first row");
-            if (rows.size() == most_rows) reader.fail("(row)", "too many rows", "give at most 100,000");
+                reader.fail("(row)", {QT_TRANSLATE_NOOP("errors", "%1 cells"), reader.cells().size()},
+                            {QT_TRANSLATE_NOOP("errors", "write %1 cells, as in the first row"), width});
+            if (rows.size() == most_rows)
+                reader.fail("(row)", QT_TRANSLATE_NOOP("errors", "too many rows"),
+                            QT_TRANSLATE_NOOP("errors", "give at most 100,000"));
             std::vector<std::string> row;
             for (const std::size_t column : at) row.emplace_back(reader.cells()[column]);
             rows.push_back(std::move(row));
@@ -61,9 +68,10 @@ struct Columns {
         bool ok = false;
         const double value = number_of(rows[row][column], ok);
         if (!ok)
-            throw InputError(path, std::to_string(row + 2) + ": " + name,
-                             CsvReader::quoted(rows[row][column]) + " is not a number",
-                             "write a finite number");
+            throw InputError(
+                path, std::to_string(row + 2) + ": " + name,
+                {QT_TRANSLATE_NOOP("errors", "%1 is not a number"), CsvReader::quoted(rows[row][column])},
+                QT_TRANSLATE_NOOP("errors", "write a finite number"));
         return value;
     }
 };
@@ -71,14 +79,17 @@ struct Columns {
 double chance_of(const std::string& text) {
     bool ok = false;
     const double q = number_of(text, ok);
-    if (!ok || q < 0 || q > 1) throw UsageError("--q", "'" + text + "' is not a chance", "give 0 to 1");
+    if (!ok || q < 0 || q > 1)
+        throw UsageError("--q", {QT_TRANSLATE_NOOP("errors", "'%1' is not a probability"), text},
+                         QT_TRANSLATE_NOOP("errors", "give a number from 0 to 1"));
     return q;
 }
 
 int run_rule(const Arguments& arguments) {
     for (const char* needed : {"--rule", "--q"})
         if (!arguments.has(needed))
-            throw UsageError(needed, "is missing", "see fulcrum curriculum rule --help");
+            throw UsageError(needed, QT_TRANSLATE_NOOP("errors", "is missing"),
+                             QT_TRANSLATE_NOOP("errors", "see fulcrum curriculum rule --help"));
     const PassRule rule = parse_pass_rule(*arguments.value("--rule"));
     const double q = chance_of(*arguments.value("--q"));
     const auto attempts = static_cast<int>(arguments.integer("--attempts", 30, 1, 1000));
@@ -105,14 +116,16 @@ int run_fit(const Arguments& arguments) {
     std::vector<double> values;
     for (std::size_t i = 0; i < columns.rows.size(); ++i) {
         if (columns.number(path, i, 0, "x") != static_cast<double>(i + 1))
-            throw InputError(path, std::to_string(i + 2) + ": x", "is not " + std::to_string(i + 1),
-                             "number the attempts 1, 2, 3, ... in order");
+            throw InputError(path, std::to_string(i + 2) + ": x",
+                             {QT_TRANSLATE_NOOP("errors", "is not %1"), i + 1},
+                             QT_TRANSLATE_NOOP("errors", "number the attempts 1, 2, 3, ... in order"));
         values.push_back(columns.number(path, i, 1, "y"));
     }
     const std::vector<CurveFit> fits = fit_curves(values);
     if (fits.empty())
-        throw InputError(path, "", std::to_string(values.size()) + " attempts are too few for a curve",
-                         "give at least " + std::to_string(fewest_attempts_of_a_curve));
+        throw InputError(path, "",
+                         {QT_TRANSLATE_NOOP("errors", "%1 attempts are too few for a curve"), values.size()},
+                         {QT_TRANSLATE_NOOP("errors", "give at least %1"), fewest_attempts_of_a_curve});
     const CurveFit& best = best_curve(fits);
     if (arguments.has("--json")) {
         print_json(curves_json(fits));
@@ -144,16 +157,19 @@ std::vector<std::vector<double>> table_of(const std::string& path) {
             std::make_pair(index(targets, columns.rows[i][0]), index(raters, columns.rows[i][1]));
         if (!cells.emplace(cell, columns.number(path, i, 2, "score")).second)
             throw InputError(path, std::to_string(i + 2) + ": rater",
-                             columns.rows[i][1] + " has rated " + columns.rows[i][0] + " twice",
-                             "give one score for each target and rater");
+                             {QT_TRANSLATE_NOOP("errors", "%1 has rated %2 twice"), columns.rows[i][1],
+                              columns.rows[i][0]},
+                             QT_TRANSLATE_NOOP("errors", "give one score for each target and rater"));
     }
     std::vector<std::vector<double>> table(targets.size(), std::vector<double>(raters.size()));
     for (std::size_t t = 0; t < targets.size(); ++t) {
         for (std::size_t r = 0; r < raters.size(); ++r) {
             const auto found = cells.find({t, r});
             if (found == cells.end())
-                throw InputError(path, "", "there is no score of " + targets[t] + " by " + raters[r],
-                                 "every rater must have rated every target");
+                throw InputError(
+                    path, "",
+                    {QT_TRANSLATE_NOOP("errors", "there is no score of %1 by %2"), targets[t], raters[r]},
+                    QT_TRANSLATE_NOOP("errors", "every rater must have rated every target"));
             table[t][r] = found->second;
         }
     }
@@ -167,7 +183,9 @@ int run_agreement(const Arguments& arguments) {
     try {
         agreement = agreement_json(table);
     } catch (const std::invalid_argument& error) {
-        throw InputError(path, "", error.what(), "give scores of two or more raters on two or more targets");
+        throw InputError(
+            path, "", error.what(),
+            QT_TRANSLATE_NOOP("errors", "give scores of two or more raters on two or more targets"));
     }
     if (arguments.has("--json")) {
         print_json(agreement);
@@ -188,8 +206,9 @@ int run_statistics(const Arguments& arguments) {
     for (std::size_t i = 0; i < columns.rows.size(); ++i) {
         double value = columns.number(path, i, 1, "value");
         if (logarithm && value <= 0)
-            throw InputError(path, std::to_string(i + 2) + ": value", "has no logarithm",
-                             "give values above 0, or --scale raw");
+            throw InputError(path, std::to_string(i + 2) + ": value",
+                             QT_TRANSLATE_NOOP("errors", "has no logarithm"),
+                             QT_TRANSLATE_NOOP("errors", "give values above 0, or --scale raw"));
         value = logarithm ? std::log(value) : value;
         const std::string& name = columns.rows[i][0];
         const auto found = std::find_if(experts.begin(), experts.end(),
@@ -202,7 +221,8 @@ int run_statistics(const Arguments& arguments) {
     }
     const std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, 2);
     if (!benchmark)
-        throw InputError(path, "", "fewer than 2 experts are left", "give the values of more experts");
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "fewer than 2 experts are left"),
+                         QT_TRANSLATE_NOOP("errors", "give the values of more experts"));
     nlohmann::json dropped = nlohmann::json::array();
     std::set<std::string> left_out;
     for (const LeftOutExpert& one : benchmark->left_out) {

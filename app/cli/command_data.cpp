@@ -33,7 +33,9 @@ std::string read_standard_input() {
     while (std::cin.read(part.data(), part.size()) || std::cin.gcount() > 0) {
         text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
         if (text.size() > standard_input_limit)
-            throw InputError("standard input", "", "is larger than 1 GiB", "give a smaller input");
+            throw InputError(QT_TRANSLATE_NOOP("errors", "standard input"), "",
+                             QT_TRANSLATE_NOOP("errors", "is larger than 1 GiB"),
+                             QT_TRANSLATE_NOOP("errors", "give a smaller input"));
     }
     return text;
 }
@@ -69,7 +71,8 @@ void print_notes(const nlohmann::json& document) {
 /// The verdict from a trace with its events.
 nlohmann::json verdict(const Arguments& arguments) {
     if (!arguments.has("--task"))
-        throw UsageError("--events", "needs the task that was performed", "name it: --task TASK");
+        throw UsageError("--events", QT_TRANSLATE_NOOP("errors", "needs the task that was performed"),
+                         QT_TRANSLATE_NOOP("errors", "name it: --task TASK"));
     return score_of_files(arguments.words()[0], *arguments.value("--events"),
                           {*arguments.value("--task"), arguments.value_or("--variant", ""),
                            arguments.value_or("--fidelity", "")},
@@ -94,8 +97,8 @@ void print_verdict(const nlohmann::json& document) {
 int run_metrics(const Arguments& arguments) {
     if (arguments.has("--events")) {
         if (arguments.has("--mapping"))
-            throw UsageError("--mapping", "cannot be used with --events",
-                             "a verdict needs a trace in the documented format");
+            throw UsageError("--mapping", QT_TRANSLATE_NOOP("errors", "cannot be used with --events"),
+                             QT_TRANSLATE_NOOP("errors", "a verdict needs a trace in the documented format"));
         const nlohmann::json document = verdict(arguments);
         if (arguments.has("--json")) {
             print_json(document);
@@ -106,8 +109,8 @@ int run_metrics(const Arguments& arguments) {
     }
     for (const char* option : {"--device-class", "--fidelity", "--variant"})
         if (arguments.has(option))
-            throw UsageError(option, "has no meaning without --events",
-                             "name the events: --events EVENTS.csv");
+            throw UsageError(option, QT_TRANSLATE_NOOP("errors", "has no meaning without --events"),
+                             QT_TRANSLATE_NOOP("errors", "name the events: --events EVENTS.csv"));
     std::optional<MetricContext> context;
     if (const auto task = arguments.value("--task")) {
         const LoadedTask loaded = load_task_and_scene(*task);
@@ -145,7 +148,8 @@ std::string check_text(const std::string& text, const std::string& file) {
     }
     const nlohmann::json document = JsonDocument::parse(text, file).root();
     if (!document.is_object())
-        throw InputError(file, "/", "is not a JSON object", "give a scene, task or benchmark file");
+        throw InputError(file, "/", QT_TRANSLATE_NOOP("errors", "is not a JSON object"),
+                         QT_TRANSLATE_NOOP("errors", "give a scene, task or benchmark file"));
     if (document.contains("goals") || document.contains("briefing")) {
         const TaskDefinition task = parse_task(text, file);
         check_gates(task, file);
@@ -167,7 +171,8 @@ std::string check_file(const std::string& path) {
     }
     const nlohmann::json document = JsonDocument::load(path).root();
     if (!document.is_object())
-        throw InputError(path, "/", "is not a JSON object", "give a scene, task or benchmark file");
+        throw InputError(path, "/", QT_TRANSLATE_NOOP("errors", "is not a JSON object"),
+                         QT_TRANSLATE_NOOP("errors", "give a scene, task or benchmark file"));
     if (document.contains("goals") || document.contains("briefing")) {
         const TaskDefinition task = load_task(path);
         check_gates(task, path);
@@ -192,7 +197,7 @@ int run_check(const Arguments& arguments) {
         } catch (const InputError& error) {
             ok = false;
             files.push_back({{"file", path}, {"ok", false}, {"is", nullptr}, {"problem", error.what()}});
-            std::cerr << "fulcrum: " << error.what() << '\n';
+            std::cerr << "fulcrum: " << line_of(error) << '\n';
         }
     }
     if (arguments.has("--json")) print_json({{"ok", ok}, {"files", files}});

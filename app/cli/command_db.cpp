@@ -32,18 +32,24 @@ std::string known_head(const Arguments& arguments) {
     constexpr std::size_t least = 16, most = 64;
     if (arguments.has("--against") && (head.size() < least || head.size() > most ||
                                        head.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos))
-        throw UsageError("--against", "'" + head + "' is not the head of an audit log",
-                         "give its first 16 to 64 hexadecimal digits, as reports and `db audit` print them");
+        throw UsageError(
+            "--against", {QT_TRANSLATE_NOOP("errors", "'%1' is not the head of an audit log"), head},
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "give its first 16 to 64 hexadecimal digits, as reports and `db audit` print them"));
     return head;
 }
 
 void add_head(const database::Store& store, const std::string& head, database::CheckReport& report) {
     database::CheckItem item;
-    item.name = "known head";
+    item.name = QT_TRANSLATE_NOOP("errors", "known head");
     item.count = 1;
     if (!database::Audit(store).has_head(head))
-        item.problems.push_back("no audit row has the head " + head +
-                                ": the store was rewritten, or an older copy is in its place");
+        item.problems.push_back(
+            {QT_TRANSLATE_NOOP(
+                 "errors",
+                 "no audit row has the head %1: the store was rewritten, or an older copy is in its place"),
+             head});
     item.ok = item.problems.empty();
     report.ok = report.ok && item.ok;
     report.items.push_back(std::move(item));
@@ -55,20 +61,32 @@ std::string known_key(const Arguments& arguments) {
     constexpr std::size_t least = 16, most = 32;
     if (arguments.has("--key") && (key.size() < least || key.size() > most ||
                                    key.find_first_not_of("0123456789abcdef") != std::string::npos))
-        throw UsageError("--key", "'" + key + "' is not the fingerprint of a station's key",
-                         "give its first 16 to 32 hexadecimal digits, as reports and `db audit` print them");
+        throw UsageError(
+            "--key", {QT_TRANSLATE_NOOP("errors", "'%1' is not the fingerprint of a station's key"), key},
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "give its first 16 to 32 hexadecimal digits, as reports and `db audit` print them"));
     return key;
 }
 
 void add_key(const database::Store& store, const std::string& key, database::CheckReport& report) {
     database::CheckItem item;
-    item.name = "known key";
+    item.name = QT_TRANSLATE_NOOP("errors", "known key");
     item.count = 1;
     const std::string found = database::Audit(store).signing_key();
     if (found.compare(0, key.size(), key) != 0)
-        item.problems.push_back("the newest audit row is " +
-                                (found.empty() ? "not signed" : "signed by the key " + found) + ", not by " +
-                                key + ": the log was written by somebody else, or the station has a new key");
+        item.problems.push_back(
+            found.empty()
+                ? Sentence(QT_TRANSLATE_NOOP(
+                               "errors",
+                               "the newest audit row is not signed (it should be, by %1): the log was "
+                               "written by somebody else, or the station has a new key"),
+                           key)
+                : Sentence(
+                      QT_TRANSLATE_NOOP("errors",
+                                        "the newest audit row is signed by the key %1, not by %2: the log "
+                                        "was written by somebody else, or the station has a new key"),
+                      found, key));
     item.ok = item.problems.empty();
     report.ok = report.ok && item.ok;
     report.items.push_back(std::move(item));
@@ -85,11 +103,13 @@ int check(const Arguments& arguments) {
     if (!key.empty()) add_key(store, key, report);
     nlohmann::json items = nlohmann::json::array();
     for (const database::CheckItem& item : report.items) {
-        items.push_back(
-            {{"name", item.name}, {"ok", item.ok}, {"count", item.count}, {"problems", item.problems}});
+        items.push_back({{"name", item.name},
+                         {"ok", item.ok},
+                         {"count", item.count},
+                         {"problems", english_of(item.problems)}});
         if (!arguments.has("--json")) {
             std::cout << item.name << ": " << (item.ok ? "ok" : "BROKEN") << " (" << item.count << ")\n";
-            for (const std::string& problem : item.problems) std::cout << "  " << problem << '\n';
+            for (const Sentence& problem : item.problems) std::cout << "  " << problem.words() << '\n';
         }
     }
     const int schema = store.found_schema(), current = database::Store::schema_version();
@@ -121,8 +141,11 @@ int backup(const Arguments& arguments) {
 int restore(const Arguments& arguments) {
     const std::string path = store_path(arguments), from = arguments.words()[0];
     if (!arguments.has("--as"))
-        throw UsageError("--as", "is missing; only an administrator of the backup restores it",
-                         "sign in with --as LOGIN, and --password-file FILE where there is no terminal");
+        throw UsageError(
+            "--as",
+            QT_TRANSLATE_NOOP("errors", "is missing; only an administrator of the backup restores it"),
+            QT_TRANSLATE_NOOP(
+                "errors", "sign in with --as LOGIN, and --password-file FILE where there is no terminal"));
     const database::Replaced done = database::restore_store(
         from, path, [&](const database::Store& copy) { return session_of(arguments, copy); });
     if (arguments.has("--json")) {
@@ -164,8 +187,9 @@ database::UtcMilliseconds moment_of(const Arguments& arguments, const std::strin
     if (day.isValid()) return QDateTime(end ? day.addDays(1) : day, QTime(0, 0), Qt::UTC).toMSecsSinceEpoch();
     const QDateTime moment = QDateTime::fromString(words, QStringLiteral("yyyy-MM-dd'T'HH:mm:ss'Z'"));
     if (!moment.isValid())
-        throw UsageError(option, "'" + *given + "' is not a time",
-                         "give a day (2026-11-21) or a time (2026-11-21T04:07:37Z), UTC");
+        throw UsageError(
+            option, {QT_TRANSLATE_NOOP("errors", "'%1' is not a time"), *given},
+            QT_TRANSLATE_NOOP("errors", "give a day (2026-11-21) or a time (2026-11-21T04:07:37Z), UTC"));
     return QDateTime(moment.date(), moment.time(), Qt::UTC).toMSecsSinceEpoch();
 }
 
@@ -176,8 +200,8 @@ void require_kind(const std::string& kind, const std::vector<std::string>& kinds
         if (kind == known || known.rfind(kind + ".", 0) == 0) return;
         list += (list.empty() ? "" : ", ") + known;
     }
-    throw UsageError("--kind", "no entry of kind '" + kind + "'",
-                     "name one of " + list + ", or the part before a dot");
+    throw UsageError("--kind", {QT_TRANSLATE_NOOP("errors", "no entry of kind '%1'"), kind},
+                     {QT_TRANSLATE_NOOP("errors", "name one of %1, or the part before a dot"), list});
 }
 
 const char* verdict(const std::optional<bool>& passed) {
@@ -207,7 +231,8 @@ int audit(const Arguments& arguments) {
     filter.until = moment_of(arguments, "--until", true);
     filter.limit = static_cast<int>(arguments.integer("--limit", 500, 1, 1000000));
     if (filter.until > 0 && filter.until <= filter.from)
-        throw UsageError("--until", "is not after --from", "give a later time");
+        throw UsageError("--until", QT_TRANSLATE_NOOP("errors", "is not after --from"),
+                         QT_TRANSLATE_NOOP("errors", "give a later time"));
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
     const database::Audit log(store);
@@ -216,7 +241,7 @@ int audit(const Arguments& arguments) {
     filter.kind = arguments.value_or("--kind", "");
     if (!filter.kind.empty()) require_kind(filter.kind, log.kinds(session));
     const std::vector<database::AuditEntry> entries = log.entries(session, filter);
-    const std::vector<std::string> problems = log.verify();
+    const std::vector<std::string> problems = english_of(log.verify());
     if (arguments.has("--json")) {
         nlohmann::json rows = nlohmann::json::array();
         for (const database::AuditEntry& entry : entries) rows.push_back(json_of(entry));
@@ -250,7 +275,7 @@ nlohmann::json json_of(const RecomputedScore& one) {
             {"passed_in_force", or_null(one.passed_in_force)},
             {"passed", or_null(one.passed)},
             {"not_scored_because", or_null(words_of(one.not_scored_because))},
-            {"problem", or_null(one.problem)}};
+            {"problem", or_null(one.problem.words())}};
 }
 
 int recompute(const Arguments& arguments) {
@@ -271,7 +296,8 @@ int recompute(const Arguments& arguments) {
         rows.push_back(json_of(one));
         if (arguments.has("--json")) continue;
         std::cout << one.attempt_id << ' ' << one.task_id << ": "
-                  << (one.problem.empty() ? verdict(one.passed) : one.problem) << " (" << one.why << ")\n";
+                  << (one.problem.empty() ? verdict(one.passed) : one.problem.words()) << " (" << one.why
+                  << ")\n";
     }
     if (arguments.has("--json")) {
         print_json({{"store", path}, {"recomputed", rows}});
@@ -294,10 +320,10 @@ int score(const Arguments& arguments) {
                         {"task", one.task_id},
                         {"duration_s", one.duration_s},
                         {"passed", or_null(one.passed)},
-                        {"because", or_null(words_of(one.why))}});
+                        {"because", or_null(one.problem.empty() ? words_of(one.why) : one.problem.words())}});
         if (!arguments.has("--json"))
             std::cout << one.attempt_id << ' ' << one.task_id << ": " << verdict(one.passed) << " ("
-                      << words_of(one.why) << ")\n";
+                      << (one.problem.empty() ? words_of(one.why) : one.problem.words()) << ")\n";
     }
     if (arguments.has("--json")) {
         print_json({{"store", store_path(arguments)}, {"scored", rows}});

@@ -214,7 +214,7 @@ int run_perform(const Arguments& arguments) {
     const std::vector<database::AssetFile> unknown = database::AcceptedAssets(store).unknown(meta.assets);
     if (meta.mode == AttemptMode::assessed && !unknown.empty()) {
         meta.mode = AttemptMode::practice;
-        std::cerr << "fulcrum: " << database::practice_only_words(unknown) << '\n';
+        std::cerr << "fulcrum: " << database::practice_only_words(unknown).words() << '\n';
     }
     meta.person_id = person.id;
     meta.curriculum = database::Curricula(store).in_force(session, person.id, curriculum).name();

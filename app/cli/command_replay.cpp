@@ -49,14 +49,17 @@ int run_replay(const Arguments& arguments) {
     AttemptRecord record{std::move(trace.inputs), std::move(trace.samples), std::move(trace.steps),
                          std::move(trace.events), summary.meta.force_devices};
     if (record.inputs.size() != record.samples.size())
-        throw InputError(id, "trace", "the numbers of inputs and samples differ", "run fulcrum db check");
+        throw InputError(id, "trace", QT_TRANSLATE_NOOP("errors", "the numbers of inputs and samples differ"),
+                         QT_TRANSLATE_NOOP("errors", "run fulcrum db check"));
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
     if (summary.meta.origin) {
         if (summary.meta.origin->build != state_build())
-            throw InputError(id, "",
-                             "began with a state that \"" + summary.meta.origin->build +
-                                 "\" wrote and this build (\"" + state_build() + "\") cannot read",
-                             "replay it with that version of the program");
+            throw InputError(
+                id, "",
+                {QT_TRANSLATE_NOOP(
+                     "errors", "began with a state that \"%1\" wrote and this build (\"%2\") cannot read"),
+                 summary.meta.origin->build, state_build()},
+                QT_TRANSLATE_NOOP("errors", "replay it with that version of the program"));
         restore_engine(engine, attempts.start_state(session, id));
     }
     const ReplayOutcome outcome = replay_record(engine, record);

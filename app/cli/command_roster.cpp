@@ -38,7 +38,7 @@ json role_names(const std::vector<database::Role>& roles) {
 }
 
 void print_left_out(const Roster& roster) {
-    for (const std::string& line : roster.left_out) std::cout << "left out: " << line << '\n';
+    for (const Sentence& line : roster.left_out) std::cout << "left out: " << line.words() << '\n';
 }
 
 void print_people(const std::vector<PersonImport>& steps, bool dry, bool with_passwords) {
@@ -101,7 +101,7 @@ int import_people(const Arguments& arguments) {
                             {"why", or_null(step.why)},
                             {"one_time_password", or_null(file ? std::string() : step.one_time_password)}});
         }
-        print_json({{"dry_run", dry}, {"people", rows}, {"left_out", roster.left_out}});
+        print_json({{"dry_run", dry}, {"people", rows}, {"left_out", english_of(roster.left_out)}});
     } else {
         print_people(steps, dry, !file);
         print_left_out(roster);
@@ -131,7 +131,7 @@ int import_cohorts(const Arguments& arguments) {
                             {"educators", step.educators},
                             {"missing", step.missing}});
         }
-        print_json({{"dry_run", dry}, {"cohorts", rows}, {"left_out", roster.left_out}});
+        print_json({{"dry_run", dry}, {"cohorts", rows}, {"left_out", english_of(roster.left_out)}});
         return missing ? 1 : 0;
     }
     for (const CohortImport& step : steps) {

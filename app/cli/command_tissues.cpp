@@ -22,8 +22,9 @@ database::TissueValues parse_values(const std::string& list, const SiteTissues& 
         const bool complete = dot != std::string::npos && equals != std::string::npos && dot < equals;
         const auto value = complete ? parse_decimal(part.substr(equals + 1)) : std::nullopt;
         if (!value)
-            throw UsageError("--set", "'" + part + "' is not a value",
-                             "write TISSUE.KEY=NUMBER, for example areolar.penetrate_n=0.12");
+            throw UsageError(
+                "--set", {QT_TRANSLATE_NOOP("errors", "'%1' is not a value"), part},
+                QT_TRANSLATE_NOOP("errors", "write TISSUE.KEY=NUMBER, for example areolar.penetrate_n=0.12"));
         values[part.substr(0, dot)][part.substr(dot + 1, equals - dot - 1)] = *value;
     }
     return values;
@@ -57,8 +58,8 @@ int run_tissues(const Arguments& arguments) {
     arguments.exclude("--set", "--scene-values");
     const bool sets = arguments.has("--set") || arguments.has("--scene-values");
     if (arguments.has("--reason") && !sets)
-        throw UsageError("--reason", "there is no change to give a reason for",
-                         "add --set or --scene-values");
+        throw UsageError("--reason", QT_TRANSLATE_NOOP("errors", "there is no change to give a reason for"),
+                         QT_TRANSLATE_NOOP("errors", "add --set or --scene-values"));
     const std::string& task = arguments.words()[0];
     const database::Store store = open_store(arguments, false);
     const database::Session session = sets ? person_session(arguments, store) : session_of(arguments, store);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 
+#include <QCoreApplication>
 #include <iostream>
 
 #include "app/cli/terminal.h"
@@ -16,6 +17,7 @@ std::vector<Command> headless_commands() {
     for (const Command& command : roster_commands()) commands.push_back(command);
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
+    for (const Command& command : server_commands()) commands.push_back(command);
     for (const Command& command : laboratory_commands()) commands.push_back(command);
     return commands;
 }
@@ -53,6 +55,15 @@ std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& 
     return more;
 }
 
+std::string line_of(const std::exception& error) {
+    std::string line = sentence_of(error).words([](const char* context, const char* source) {
+        return QCoreApplication::translate(context, source).toStdString();
+    });
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
+    return line;
+}
+
 void print_json(const nlohmann::json& document) {
     std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
@@ -74,8 +85,8 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
     if (!login) {
         for (const char* option : {"--role", "--password-file"})
             if (arguments.has(option))
-                throw UsageError(option, "has no meaning without --as",
-                                 "name the person who signs in: --as LOGIN");
+                throw UsageError(option, QT_TRANSLATE_NOOP("errors", "has no meaning without --as"),
+                                 QT_TRANSLATE_NOOP("errors", "name the person who signs in: --as LOGIN"));
         return store.station_session();
     }
     std::optional<database::Role> role;
@@ -89,8 +100,10 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
 
 database::Session person_session(const Arguments& arguments, const database::Store& store) {
     if (!arguments.has("--as"))
-        throw UsageError("--as", "is missing; this command reads personal data",
-                         "sign in with --as LOGIN, and --password-file FILE where there is no terminal");
+        throw UsageError(
+            "--as", QT_TRANSLATE_NOOP("errors", "is missing; this command reads personal data"),
+            QT_TRANSLATE_NOOP(
+                "errors", "sign in with --as LOGIN, and --password-file FILE where there is no terminal"));
     return session_of(arguments, store);
 }
 
@@ -100,8 +113,9 @@ std::string person_named(const Arguments& arguments, const database::Store& stor
     if (!login) return {};
     const auto person = database::People(store).find_login(session, *login);
     if (!person)
-        throw InputError("--person", "", "no person '" + *login + "' that you may read",
-                         "name a login of this store");
+        throw InputError("--person", "",
+                         {QT_TRANSLATE_NOOP("errors", "no person '%1' that you may read"), *login},
+                         QT_TRANSLATE_NOOP("errors", "name a login of this store"));
     return person->id;
 }
 

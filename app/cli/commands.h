@@ -28,6 +28,7 @@ std::vector<Command> curricula_commands();   ///< curriculum list, move
 std::vector<Command> roster_commands();      ///< people import, cohort import
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
+std::vector<Command> server_commands();      ///< sync, server ...
 std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab
 
 Option json_option();
@@ -42,6 +43,8 @@ std::vector<std::string> device_class_names();  ///< choices of --device-class
 /// `more`, then `rest`.
 std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& rest);
 
+/// What an error says, in one line and in the language in use.
+std::string line_of(const std::exception& error);
 /// One JSON document on standard output.
 void print_json(const nlohmann::json& document);
 std::string store_path(const Arguments& arguments);

@@ -125,8 +125,11 @@ std::string CommandTable::help(const std::string& name) const {
     if (const Command* const command = find(name)) return help_of(*command);
     if (!is_group(name)) {
         const std::string near = nearest(name, names());
-        throw UsageError(name, "unknown command",
-                         (near.empty() ? "" : "did you mean " + near + "? ") + "see fulcrum --help");
+        throw UsageError(
+            name, QT_TRANSLATE_NOOP("errors", "unknown command"),
+            near.empty()
+                ? Sentence(QT_TRANSLATE_NOOP("errors", "see fulcrum --help"))
+                : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? see fulcrum --help"), near));
     }
     std::string text = "usage: fulcrum " + name + " ACTION [options]\n\nactions:\n";
     for (const Command& command : commands_) {
@@ -162,7 +165,8 @@ std::string CommandTable::manual() const {
 
 std::string CommandTable::completion(const std::string& shell) const {
     if (shell != "bash" && shell != "zsh")
-        throw UsageError(shell, "no completion for this shell", "use bash or zsh");
+        throw UsageError(shell, QT_TRANSLATE_NOOP("errors", "no completion for this shell"),
+                         QT_TRANSLATE_NOOP("errors", "use bash or zsh"));
     std::string text =
         shell == "zsh" ? "#compdef fulcrum\nautoload -U +X bashcompinit && bashcompinit\n" : "";
     text +=

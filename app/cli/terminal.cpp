@@ -81,7 +81,8 @@ std::string read_line(const SilentTerminal& terminal) {
 
 std::string ask_password(const std::string& login) {
     if (isatty(STDIN_FILENO) == 0)
-        throw UsageError("--as", "there is no terminal to ask for a password", "give --password-file FILE");
+        throw UsageError("--as", QT_TRANSLATE_NOOP("errors", "there is no terminal to ask for a password"),
+                         QT_TRANSLATE_NOOP("errors", "give --password-file FILE"));
     for (;;) {
         std::cerr << "Password of " << login << ": " << std::flush;
         std::string line;
@@ -91,7 +92,9 @@ std::string ask_password(const std::string& login) {
         }
         std::cerr << '\n';
         if (signal_seen == 0) {
-            if (line.empty()) throw UsageError("--as", "no password was entered", "type it and press Enter");
+            if (line.empty())
+                throw UsageError("--as", QT_TRANSLATE_NOOP("errors", "no password was entered"),
+                                 QT_TRANSLATE_NOOP("errors", "type it and press Enter"));
             return line;
         }
         std::raise(signal_seen);  // deliver it now; a program that was stopped asks again when resumed
@@ -100,11 +103,12 @@ std::string ask_password(const std::string& login) {
 
 std::string read_password(const std::string& path) {
     const auto fail = [&](const char* problem) {
-        return InputError(path, "", problem, "give a file with the password on its first line");
+        return InputError(path, "", problem,
+                          QT_TRANSLATE_NOOP("errors", "give a file with the password on its first line"));
     };
     // Without O_NONBLOCK a named pipe without a writer would block the program.
     const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) throw fail("cannot be read");
+    if (file < 0) throw fail(QT_TRANSLATE_NOOP("errors", "cannot be read"));
     std::string text;
     bool failed = false;
     while (text.size() < longest_password && text.find('\n') == std::string::npos) {
@@ -121,9 +125,9 @@ std::string read_password(const std::string& path) {
         }
     }
     close(file);
-    if (failed) throw fail("cannot be read");
+    if (failed) throw fail(QT_TRANSLATE_NOOP("errors", "cannot be read"));
     text.resize(std::min(text.size(), text.find('\n')));
-    if (text.empty()) throw fail("its first line is empty");
+    if (text.empty()) throw fail(QT_TRANSLATE_NOOP("errors", "its first line is empty"));
     return text;
 }
 

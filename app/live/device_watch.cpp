@@ -83,4 +83,23 @@ void DeviceWatch::follow(const RigSample& sample, bool on_hold) noexcept {
     was_held_ = on_hold;
 }
 
+Sentence loss_of(DeviceTrouble trouble, int culprit) {
+    const Sentence device = culprit == 0   ? QT_TRANSLATE_NOOP("errors", "The left hand's device")
+                            : culprit == 1 ? QT_TRANSLATE_NOOP("errors", "The right hand's device")
+                                           : QT_TRANSLATE_NOOP("errors", "The scope's device");
+    const Sentence what =
+        trouble == DeviceTrouble::impossible_reading
+            ? Sentence(
+                  QT_TRANSLATE_NOOP("errors", "%1 gave an impossible reading (not a number, or a jump)."),
+                  device)
+            : Sentence(QT_TRANSLATE_NOOP("errors", "%1 does not answer."), device);
+    return {
+        QT_TRANSLATE_NOOP("errors",
+                          "%1 The force was reduced to zero and the timer is stopped; the recording is kept. "
+                          "Reconnect the device: within one minute the attempt can resume as practice, "
+                          "after that it is closed as interrupted. An attempt that had already failed "
+                          "stays failed."),
+        what};
+}
+
 }  // namespace fulcrum::app

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "sim_core/instrument/device.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::app {
 
@@ -70,5 +71,8 @@ class DeviceWatch {
     int culprit_ = 0;
     bool lost_ = false, was_held_ = false, went_on_ = false, seen_ = false;
 };
+
+/// What happened to the device of `culprit` (0 left hand, 1 right hand, 2 scope), and what to do.
+Sentence loss_of(DeviceTrouble trouble, int culprit);
 
 }  // namespace fulcrum::app

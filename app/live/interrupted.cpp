@@ -13,10 +13,11 @@ void require_same_task(const database::AttemptSummary& summary, const LoadedTask
     const database::AssetFile& now = loaded.assets.front();
     for (const database::AssetFile& then : assets) {
         if (then.name == now.name && then.digest != now.digest)
-            throw InputError(now.name, "",
-                             "is not the file that attempt " + summary.meta.id + " began with (sha256 " +
-                                 then.digest + ")",
-                             "restore that file, then start the program again");
+            throw InputError(
+                now.name, "",
+                {QT_TRANSLATE_NOOP("errors", "is not the file that attempt %1 began with (sha256 %2)"),
+                 summary.meta.id, then.digest},
+                QT_TRANSLATE_NOOP("errors", "restore that file, then start the program again"));
     }
 }
 
@@ -47,17 +48,17 @@ std::vector<ui::InterruptedScore> score_interrupted(const std::string& store_pat
                                   summary.meta.task_id))
             break;
         ui::InterruptedScore one{
-            summary.meta.id, summary.meta.task_id, summary.meta.started, summary.duration_s, {}, {}};
+            summary.meta.id, summary.meta.task_id, summary.meta.started, summary.duration_s, {}, {}, {}};
         try {
             const ScoredAttempt score = score_one(attempts, session, summary);
             attempts.add_score(session, summary.meta.id, to_row(score, summary.meta.limits));
             one.passed = score.score.passed;
             one.why = score.score.passed ? score.score.advice : score.score.not_scored_because;
         } catch (const InputError& error) {
-            one.why = Statement::plain(error.what());
+            one.problem = error.sentence();
         } catch (const database::StoreError& error) {
             if (error.kind() != database::StoreErrorKind::corrupt) throw;
-            one.why = Statement::plain(error.what());
+            one.problem = error.sentence();
         }
         scored.push_back(std::move(one));
     }

@@ -40,12 +40,6 @@ struct Watched {
     HandAlignment hand[hand_count];
 };
 
-const char* device_name(int culprit) {
-    return culprit == 0   ? "The left hand's device"
-           : culprit == 1 ? "The right hand's device"
-                          : "The scope's device";
-}
-
 }  // namespace
 
 struct LiveAttempt::State : public AttemptSink {
@@ -74,7 +68,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<bool> ended{false}, finished{false}, failed{false};
 
     mutable std::mutex end_mutex;  // guards message and result, which the recorder thread passes to the owner
-    std::string trouble;
+    Sentence trouble;
     std::exception_ptr error;
     std::optional<ui::AttemptOutcome> result;
     std::optional<ScoredAttempt> scored;
@@ -115,7 +109,7 @@ struct LiveAttempt::State : public AttemptSink {
     void run_recorder();
     void drain();
     void finish();
-    void fail(const std::string& what, std::exception_ptr why);
+    void fail(const Sentence& what, std::exception_ptr why);
     std::uint32_t device_flags(const RigSample& sample) noexcept;
 };
 
@@ -255,7 +249,7 @@ void LiveAttempt::State::drain() {
     if (recording->became_practice()) became_practice.store(true);
 }
 
-void LiveAttempt::State::fail(const std::string& what, std::exception_ptr why) {
+void LiveAttempt::State::fail(const Sentence& what, std::exception_ptr why) {
     const std::lock_guard<std::mutex> lock(end_mutex);
     trouble = what;
     error = std::move(why);
@@ -266,10 +260,13 @@ void LiveAttempt::State::run_recorder() {
     try {
         build();
         may_begin.wait();
-        if (stop.load()) return fail("the attempt had not begun; nothing was stored", nullptr);
+        if (stop.load())
+            return fail(QT_TRANSLATE_NOOP("errors", "the attempt had not begun; nothing was stored"),
+                        nullptr);
         if (recorded()) recording = std::make_unique<AttemptRecording>(request, targets);
     } catch (const std::exception& why) {
-        return fail(std::string("the attempt could not be started: ") + why.what(), std::current_exception());
+        return fail({QT_TRANSLATE_NOOP("errors", "the attempt could not be started: %1"), sentence_of(why)},
+                    std::current_exception());
     }
     running.store(true);
     world_thread = std::thread([this] { run_world(); });
@@ -288,8 +285,11 @@ void LiveAttempt::State::run_recorder() {
         stop.store(true);
         if (haptic_thread.joinable()) haptic_thread.join();
         if (world_thread.joinable()) world_thread.join();
-        fail(std::string("the attempt could not be stored completely: ") + why.what() +
-                 "; the part that was stored is kept and listed as interrupted",
+        fail({QT_TRANSLATE_NOOP(
+                  "errors",
+                  "the attempt could not be stored completely: %1; the part that was stored is kept "
+                  "and listed as interrupted"),
+              sentence_of(why)},
              std::current_exception());
     }
 }
@@ -448,7 +448,7 @@ ui::Realignment LiveAttempt::realignment() {
     return shown;
 }
 
-std::string LiveAttempt::message() const {
+Sentence LiveAttempt::message() const {
     const State& state = *state_;
     if (state.failed.load()) {
         const std::lock_guard<std::mutex> lock(state.end_mutex);
@@ -456,13 +456,7 @@ std::string LiveAttempt::message() const {
     }
     if (state.device_lost.load()) {
         const Watched& watched = state.watched.value();
-        const std::string what = watched.trouble == DeviceTrouble::impossible_reading
-                                     ? " gave an impossible reading (not a number, or a jump)."
-                                     : " does not answer.";
-        return device_name(watched.culprit) + what +
-               " The force was reduced to zero and the timer is stopped; the recording is kept. Reconnect "
-               "the device: within one minute the attempt can resume as practice, after that it is closed as "
-               "interrupted. An attempt that had already failed stays failed.";
+        return loss_of(watched.trouble, watched.culprit);
     }
     return {};
 }

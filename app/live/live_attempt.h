@@ -70,7 +70,7 @@ class LiveAttempt : public ui::AttemptSession {
     void resume() override;
     void abandon() override;
     void interrupt() override;
-    std::string message() const override;
+    Sentence message() const override;
     const std::optional<ui::AttemptOutcome>& outcome() const override;
 
     /// Waits until the attempt is finished or failed.

@@ -13,13 +13,17 @@ namespace fulcrum::app {
 
 std::vector<RigSample> inputs_from_csv(const std::string& path, const Scene& scene) {
     const Trace trace = read_trace_csv(path);
-    if (trace.t.size() < 2) throw InputError(path, "", "has fewer than two samples", "give a recorded trace");
+    if (trace.t.size() < 2)
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "has fewer than two samples"),
+                         QT_TRANSLATE_NOOP("errors", "give a recorded trace"));
     bool any = false;
     for (const HandTrace& hand : trace.hand) any = any || hand.has(Channel::position);
     if (!any)
-        throw InputError(path, "1",
-                         "has no tip positions: columns left.px left.py left.pz (or right) are missing",
-                         "add the tip positions of at least one hand");
+        throw InputError(
+            path, "1",
+            QT_TRANSLATE_NOOP("errors",
+                              "has no tip positions: columns left.px left.py left.pz (or right) are missing"),
+            QT_TRANSLATE_NOOP("errors", "add the tip positions of at least one hand"));
 
     const double duration = trace.t.back() - trace.t.front();
     const auto ticks = static_cast<std::size_t>(std::floor(duration * scene.tick_rate)) + 1;

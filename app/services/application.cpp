@@ -80,20 +80,25 @@ class Services : public ui::ApplicationServices {
         store_->require(request.session, database::Operation::perform_attempt,
                         database::Subject::person(request.session.person_id()));
         if (request.assessed && request.practice_only)
-            throw InputError(request.task_id, "", "is not assessed with: " + request.device,
-                             "choose practice, or use another device");
+            throw InputError(
+                request.task_id, "",
+                {QT_TRANSLATE_NOOP("errors", "this device is for practice only"), request.device},
+                QT_TRANSLATE_NOOP("errors", "choose practice, or use another device"));
         if (request.from != nullptr) return begin_at_moment(request);
         if (request.goal > 0) return begin_at_goal(request);
         if (request.ghost && request.assessed)
-            throw InputError(request.task_id, "", "is not assessed with a ghost", "choose practice");
+            throw InputError(request.task_id, "",
+                             QT_TRANSLATE_NOOP("errors", "an attempt with a ghost is for practice only"),
+                             QT_TRANSLATE_NOOP("errors", "choose practice"));
         LoadedTask loaded = load_site_task(*store_, request.session, {request.task_id, request.variant, {}});
         if (request.assessed) require_assessable(loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
         const std::vector<database::AssetFile> unknown =
             database::AcceptedAssets(*store_).unknown(assets_of(request.session, loaded, limits));
         if (request.assessed && !unknown.empty())
-            throw InputError("task " + loaded.task.id, "", database::practice_only_words(unknown),
-                             "perform it as practice until then");
+            throw InputError({QT_TRANSLATE_NOOP("errors", "task %1"), loaded.task.id}, "",
+                             database::practice_only_words(unknown),
+                             QT_TRANSLATE_NOOP("errors", "perform it as practice until then"));
         LiveRequest live;
         live.loaded = std::move(loaded);
         live.seed = request.seed;
@@ -186,7 +191,7 @@ class Services : public ui::ApplicationServices {
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
         return devices_.hands(scene, std::move(others));
     }
-    std::string device_trouble() override { return devices_.trouble(); }
+    Sentence device_trouble() override { return devices_.trouble(); }
     std::function<std::vector<ui::ListedDevice>()> list_devices() override { return devices_of_machine(); }
     std::optional<ui::DeviceReadings> device_readings() override { return devices_.readings(); }
     double force_scale(const std::string& kind) const override { return Devices::force_scale(kind); }
@@ -223,8 +228,10 @@ class Services : public ui::ApplicationServices {
         const ui::AttemptRequest& request, LoadedTask loaded, std::uint64_t seed,
         database::AttemptOrigin origin, std::function<bool(AttemptEngine&, const std::atomic<bool>&)> bring) {
         if (request.assessed)
-            throw InputError(request.task_id, "", "cannot be assessed from the middle of an attempt",
-                             "choose practice");
+            throw InputError(
+                request.task_id, "",
+                QT_TRANSLATE_NOOP("errors", "an attempt that begins in the middle is for practice only"),
+                QT_TRANSLATE_NOOP("errors", "choose practice"));
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
         LiveRequest live;
         live.meta =
@@ -247,8 +254,10 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<ui::AttemptSession> begin_at_moment(const ui::AttemptRequest& request) {
         const auto moment = std::dynamic_pointer_cast<const TraceMoment>(request.from);
         if (moment == nullptr)
-            throw InputError(request.task_id, "", "the moment is not one of a replay of this program",
-                             "open the replay again");
+            throw InputError(
+                request.task_id, "",
+                QT_TRANSLATE_NOOP("errors", "this moment does not belong to a replay that is open"),
+                QT_TRANSLATE_NOOP("errors", "open the replay again"));
         database::AttemptOrigin origin;
         origin.source_id = moment->attempt_id;
         origin.goal = moment->goal;
@@ -260,8 +269,9 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<ui::AttemptSession> begin_at_goal(const ui::AttemptRequest& request) {
         LoadedTask loaded = load_site_task(*store_, request.session, {request.task_id, request.variant, {}});
         if (request.goal >= static_cast<int>(loaded.task.goals.size()))
-            throw InputError(request.task_id, "", "has no goal " + std::to_string(request.goal + 1),
-                             "choose one of its goals");
+            throw InputError(request.task_id, "",
+                             {QT_TRANSLATE_NOOP("errors", "has no goal %1"), request.goal + 1},
+                             QT_TRANSLATE_NOOP("errors", "choose one of its goals"));
         database::AttemptOrigin origin;
         origin.goal = request.goal;
         return begin_from(request, std::move(loaded), demonstration_seed, std::move(origin),

@@ -46,9 +46,12 @@ int verify(const Arguments& arguments, const database::Store& store, const datab
 }
 
 int write(const Arguments& arguments, const database::Store& store, const database::Session& session) {
-    if (!arguments.has("--stage")) throw UsageError("--stage", "is missing", "name the stage: --stage A");
+    if (!arguments.has("--stage"))
+        throw UsageError("--stage", QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "name the stage: --stage A"));
     if (!arguments.has("--output"))
-        throw UsageError("--output", "is missing", "name the file to write: -o FILE");
+        throw UsageError("--output", QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "name the file to write: -o FILE"));
     const std::string person = person_named(arguments, store, session);
     const std::string stage = *arguments.value("--stage"), path = *arguments.value("--output");
     for (const database::Certificate& one :
@@ -65,13 +68,17 @@ int write(const Arguments& arguments, const database::Store& store, const databa
         return 0;
     }
     throw InputError(
-        "--stage", stage, "this person has not completed the stage",
-        "a certificate needs proficiency in every task of the stage; provisional limits give none");
+        "--stage", stage, QT_TRANSLATE_NOOP("errors", "this person has not completed the stage"),
+        QT_TRANSLATE_NOOP(
+            "errors",
+            "a certificate needs proficiency in every task of the stage; provisional limits give none"));
 }
 
 int run_certificate(const Arguments& arguments) {
     if (arguments.has("--verify") + arguments.has("--person") != 1)
-        throw UsageError("certificate", "needs exactly one of --verify and --person", "give one of them");
+        throw UsageError("certificate",
+                         QT_TRANSLATE_NOOP("errors", "needs exactly one of --verify and --person"),
+                         QT_TRANSLATE_NOOP("errors", "give one of them"));
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
     return arguments.has("--verify") ? verify(arguments, store, session) : write(arguments, store, session);

@@ -10,6 +10,7 @@
 #include "app/services/devices.h"
 #include "app/services/program.h"
 #include "sim_core/numerics/number_text.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -108,7 +109,9 @@ int test_device(const Arguments& arguments, const std::string& specification) {
         for (const auto& force : client.facts().force)
             if (force) peak = std::max(peak, std::min(gentle_n, force->continuous));
         if (peak == 0)
-            throw UsageError("--force", "is not possible: this device renders no force", "leave it out");
+            throw UsageError("--force",
+                             QT_TRANSLATE_NOOP("errors", "is not possible: this device renders no force"),
+                             QT_TRANSLATE_NOOP("errors", "leave it out"));
     }
     const DeviceTrial trial = try_device(client, seconds, peak);
     if (arguments.has("--json"))
@@ -117,7 +120,7 @@ int test_device(const Arguments& arguments, const std::string& specification) {
         print_trial(client, trial);
     const bool ended = client.poll() == DaemonClient::Health::ended;
     if (client.message().empty()) return 0;
-    std::cerr << "fulcrum: " << client.message() << '\n';
+    std::cerr << "fulcrum: " << ui::plain(ui::sentence_text(client.message())) << '\n';
     return ended || present_nowhere(client, trial) ? 1 : 0;
 }
 
@@ -125,7 +128,8 @@ int run_devices(const Arguments& arguments) {
     if (const auto specification = arguments.value("--test")) return test_device(arguments, *specification);
     for (const char* option : {"--seconds", "--force"})
         if (arguments.has(option))
-            throw UsageError(option, "has no meaning without --test", "name a device: --test DEVICE");
+            throw UsageError(option, QT_TRANSLATE_NOOP("errors", "has no meaning without --test"),
+                             QT_TRANSLATE_NOOP("errors", "name a device: --test DEVICE"));
     const std::vector<ListedDevice> devices = devices_of_machine()();
     if (arguments.has("--json"))
         print_json({{"devices", devices_json(devices)}});

@@ -12,42 +12,65 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/cli/commands.h"
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {
 namespace {
 
-/// Prints the text as one line on standard error; returns the exit status.
-int report(std::string line, int status) {
-    for (char& c : line)
-        if (c == '\n' || c == '\r') c = ' ';
-    std::cerr << "fulcrum: " << line << '\n';
+/// Prints the error as one line on standard error; returns the exit status.
+int report(const std::exception& error, int status) {
+    std::cerr << "fulcrum: " << line_of(error) << '\n';
     return status;
+}
+int report(const Sentence& sentence, int status) {
+    return report(WordedError(sentence), status);
 }
 
 int run(const Invocation& call) {
     const int status = call.run();
     if (!std::cout.flush())
-        return report("standard output: not everything could be written; check the pipe or free some space",
+        return report(QT_TRANSLATE_NOOP("errors",
+                                        "standard output: not everything could be written; check the pipe or "
+                                        "free some space"),
                       1);
     return status;
 }
 
 int parse_and_run(const CommandTable& table, int& argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
-    const Invocation call = table.parse(std::vector<std::string>(argv + 1, argv + argc));
-    if (!call.draws()) {
+    std::optional<Invocation> call;
+    std::exception_ptr refused;
+    try {
+        call = table.parse(std::vector<std::string>(argv + 1, argv + argc));
+    } catch (const std::exception&) {
+        refused = std::current_exception();
+    }
+    if (!call) {
+        const QCoreApplication application(argc, argv);
+        return guarded([&] {
+            use_language_or(ui::Language::english);
+            std::rethrow_exception(refused);
+            return 0;
+        });
+    }
+    if (!call->draws()) {
         const QCoreApplication application(argc, argv);
         set_plain_formats();
-        return run(call);
+        return guarded([&] {
+            use_language_or(ui::Language::english);
+            return run(*call);
+        });
     }
     if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
     set_plain_formats();
-    use_language_or(ui::Language::english);
-    return run(call);
+    return guarded([&] {
+        use_language_or(ui::Language::english);
+        return run(*call);
+    });
 }
 
 }  // namespace
@@ -56,19 +79,20 @@ int guarded(const std::function<int()>& action) {
     try {
         return action();
     } catch (const InputError& error) {
-        return report(error.what(), 2);
+        return report(error, 2);
     } catch (const database::StoreError& error) {
-        return report(error.what(), error.is_bad_input() ? 2 : 1);
+        return report(error, error.is_bad_input() ? 2 : 1);
     } catch (const database::AccessDenied& error) {
-        return report(error.what(), 2);
+        return report(error, 2);
     } catch (const database::SignInRefused& error) {
-        return report(error.what(), 2);
+        return report(error, 2);
     } catch (const nlohmann::json::exception& error) {
-        return report(std::string("JSON: ") + error.what() + "; correct the document", 2);
+        return report({QT_TRANSLATE_NOOP("errors", "JSON: %1; correct the document"), error.what()}, 2);
     } catch (const std::bad_alloc&) {
-        return report("not enough memory; close other programs or give smaller input", 1);
+        return report(
+            QT_TRANSLATE_NOOP("errors", "not enough memory; close other programs or give smaller input"), 1);
     } catch (const std::exception& error) {
-        return report(error.what(), 1);
+        return report(error, 1);
     }
 }
 
@@ -92,13 +116,14 @@ void use_language_or(ui::Language otherwise) {
     const std::optional<ui::Language> language = ui::chosen_language(otherwise);
     if (!language)
         throw InputError("FULCRUM_LANGUAGE", "",
-                         "\"" + qgetenv("FULCRUM_LANGUAGE").toStdString() + "\" names no language",
-                         "use one of: " + names_of(ui::languages));
+                         {QT_TRANSLATE_NOOP("errors", "\"%1\" is not the name of a language"),
+                          qgetenv("FULCRUM_LANGUAGE").toStdString()},
+                         {QT_TRANSLATE_NOOP("errors", "use one of: %1"), names_of(ui::languages)});
     ui::use_language(*language);
 }
 
 int run_command_line(const CommandTable& table, int& argc, char** argv) {
-    return guarded([&] { return parse_and_run(table, argc, argv); });
+    return parse_and_run(table, argc, argv);
 }
 
 }  // namespace fulcrum::app

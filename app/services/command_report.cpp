@@ -30,7 +30,8 @@ int report_files(const Arguments& arguments, const std::vector<std::string>& fil
 /// The record of one attempt as tables, in the folder --output.
 int write_trace(const Arguments& arguments) {
     if (!arguments.has("--attempt"))
-        throw UsageError("--format trace", "is for one attempt", "name it: --attempt ID");
+        throw UsageError("--format trace", QT_TRANSLATE_NOOP("errors", "is for one attempt"),
+                         QT_TRANSLATE_NOOP("errors", "name it: --attempt ID"));
     const database::Store store = open_store(arguments, false);
     const database::Session session = session_of(arguments, store);
     return report_files(
@@ -39,10 +40,12 @@ int write_trace(const Arguments& arguments) {
 
 int run_report(const Arguments& arguments) {
     if (arguments.has("--person") + arguments.has("--cohort") + arguments.has("--attempt") != 1)
-        throw UsageError("report", "needs exactly one of --person, --cohort and --attempt",
-                         "give one of them");
+        throw UsageError("report",
+                         QT_TRANSLATE_NOOP("errors", "needs exactly one of --person, --cohort and --attempt"),
+                         QT_TRANSLATE_NOOP("errors", "give one of them"));
     if (!arguments.has("--output"))
-        throw UsageError("--output", "is missing", "name the file to write: -o FILE");
+        throw UsageError("--output", QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "name the file to write: -o FILE"));
     if (arguments.value_or("--format", "pdf") == "trace") return write_trace(arguments);
     ui::ReportRequest request;
     request.format = ui::parse_report_format(arguments.value_or("--format", "pdf"));
@@ -60,8 +63,9 @@ int run_report(const Arguments& arguments) {
         const std::string name = *arguments.value("--cohort");
         const auto cohort = database::People(store).find_cohort(session, name);
         if (!cohort)
-            throw InputError("--cohort", "", "no cohort '" + name + "' that you may read",
-                             "name a cohort of this store");
+            throw InputError("--cohort", "",
+                             {QT_TRANSLATE_NOOP("errors", "no cohort '%1' that you may read"), name},
+                             QT_TRANSLATE_NOOP("errors", "name a cohort of this store"));
         request.cohort_id = cohort->id;
     }
     std::vector<TaskDefinition> tasks;

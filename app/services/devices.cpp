@@ -90,7 +90,7 @@ std::shared_ptr<Rig> Devices::hands(const Scene& scene, std::shared_ptr<Rig> oth
                                        std::move(others), SlotUse{}, force_scale(kind_of(specification_)));
 }
 
-std::string Devices::trouble() {
+Sentence Devices::trouble() {
     if (client_ == nullptr) return {};
     client_->poll();
     return client_->message();

@@ -15,7 +15,7 @@ class Devices {
     ui::DeviceInUse in_use() const;
     /// Throws InputError.
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others);
-    std::string trouble();
+    Sentence trouble();
     std::optional<ui::DeviceReadings> readings();
     /// Share of the model's force for devices of this kind, kept in the settings of the program.
     static double force_scale(const std::string& kind);

@@ -34,8 +34,14 @@ bool TraceMoment::bring(AttemptEngine& engine, const std::atomic<bool>& stop) co
         cursor.run_to(std::min(tick, cursor.tick() + ticks_between_looks));
     }
     if (!cursor.settle() || engine.ended() || !cursor.outcome().identical) {
-        throw InputError(attempt_id, "", "cannot be continued from this moment: its simulation differs here",
-                         "another build of the program recorded it; practise from the beginning");
+        throw InputError(
+            attempt_id, "",
+            QT_TRANSLATE_NOOP("errors",
+                              "the attempt cannot be continued from this moment: the simulation differs from "
+                              "the recording here"),
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "it was recorded with another version of the program; practise from the beginning"));
     }
     return true;
 }

@@ -138,7 +138,9 @@ class Replay : public ui::ReplaySource {
             if (!request_.start_is_readable) {
                 AttemptEngine poses_only(request_.loaded.scene, request_.loaded.task, request_.seed);
                 publish(poses_only.initial_snapshot(), 0);
-                throw StateArchiveError("another build");
+                throw StateArchiveError(QT_TRANSLATE_NOOP(
+                    "errors",
+                    "the stored state was written by another version of the program, or for another scene"));
             }
             Player ahead(request_, *record_);
             publish(ahead.engine.initial_snapshot(), ahead.cursor.tick());

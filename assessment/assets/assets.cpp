@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 std::string assets_folder() {
     if (const char* named = std::getenv("FULCRUM_ASSETS"); named != nullptr && *named != '\0') {
         if (!fs::is_directory(fs::path(named) / "tasks"))
-            throw InputError(named, "", "holds no tasks folder", "set FULCRUM_ASSETS to the assets folder");
+            throw InputError(named, "", QT_TRANSLATE_NOOP("errors", "contains no folder \"tasks\""),
+                             QT_TRANSLATE_NOOP("errors", "set FULCRUM_ASSETS to the assets folder"));
         return named;
     }
     std::error_code error;
@@ -26,8 +27,9 @@ std::string assets_folder() {
         }
         if (folder == folder.root_path()) break;
     }
-    throw InputError("assets", "", "not found next to the program or above it",
-                     "set FULCRUM_ASSETS to the assets folder");
+    throw InputError(QT_TRANSLATE_NOOP("errors", "assets"), "",
+                     QT_TRANSLATE_NOOP("errors", "the folder was not found next to the program or above it"),
+                     QT_TRANSLATE_NOOP("errors", "set FULCRUM_ASSETS to the assets folder"));
 }
 
 std::string asset_path(const std::string& relative) {
@@ -59,7 +61,9 @@ std::string task_file(const std::string& id) {
     if (found != tasks.end()) return found->second;
     std::string known;
     for (const auto& [other, file] : tasks) known += (known.empty() ? "" : ", ") + other;
-    throw InputError("command line", "task", "no task '" + id + "'", "name one of " + known);
+    throw InputError(QT_TRANSLATE_NOOP("errors", "command line"), "task",
+                     {QT_TRANSLATE_NOOP("errors", "no task '%1'"), id},
+                     {QT_TRANSLATE_NOOP("errors", "name one of %1"), known});
 }
 
 }  // namespace fulcrum

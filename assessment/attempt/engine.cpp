@@ -221,7 +221,8 @@ bool perform_to_goal(AttemptEngine& engine, Rig& rig, int goal, const std::funct
         run_headless(engine, rig, sink, {}, {}, [&] { return past() || (stopped = !keep_going()); });
     if (stopped || (past() && outcome.cancelled)) return !stopped;
     throw InputError(engine.task().id, "/goals/" + std::to_string(goal),
-                     "the expert did not come to this goal", "begin at an earlier goal");
+                     QT_TRANSLATE_NOOP("errors", "the expert did not reach this goal"),
+                     QT_TRANSLATE_NOOP("errors", "begin at an earlier goal"));
 }
 
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples,

@@ -111,7 +111,7 @@ void ReplayCursor::transfer(StateArchive& archive) {
     archive.finish();
     if (!archive.reads()) return;
     if (next_input_ > record_.inputs.size() || next_step_ > record_.steps.size())
-        throw StateArchiveError("the state belongs to another record");
+        throw StateArchiveError(QT_TRANSLATE_NOOP("errors", "the stored state belongs to another attempt"));
     outcome_ = ReplayOutcome();
     stopped_ = false;
 }

@@ -25,7 +25,8 @@ void read_stages(const JsonDocument& document, Curriculum& curriculum) {
     for (const json& node : document.root().at("stages")) {
         const CurriculumStage stage{node.at("id").get<std::string>(), node.at("title").get<std::string>()};
         if (curriculum.find_stage(stage.id) != nullptr)
-            document.fail("/stages", "stage " + stage.id + " is listed twice", "give every stage its own id");
+            document.fail("/stages", {QT_TRANSLATE_NOOP("errors", "stage %1 is listed twice"), stage.id},
+                          QT_TRANSLATE_NOOP("errors", "give every stage its own id"));
         curriculum.stages.push_back(stage);
     }
 }
@@ -38,7 +39,7 @@ CurriculumTask read_task(const JsonDocument& document, std::size_t number, const
     try {
         task.rule = parse_pass_rule(node.at("rule").get<std::string>());
     } catch (const InputError& error) {
-        document.fail(place(number, "rule"), error.problem(), error.hint());
+        document.fail(place(number, "rule"), error.problem_sentence(), error.hint_sentence());
     }
     if (node.contains("variants")) task.variants = node.at("variants").get<int>();
     for (const json& name : node.at("device_classes"))
@@ -67,19 +68,23 @@ void check_prerequisites(const JsonDocument& document, const Curriculum& curricu
         for (const std::string& before : task.after) {
             const CurriculumTask* other = curriculum.find(before);
             if (other == nullptr)
-                document.fail(place(i, "after"), before + " is not a task of this curriculum",
-                              "add it to /tasks, or remove it here");
+                document.fail(place(i, "after"),
+                              {QT_TRANSLATE_NOOP("errors", "%1 is not a task of this curriculum"), before},
+                              QT_TRANSLATE_NOOP("errors", "add it to /tasks, or remove it here"));
             if (rank_of(curriculum, other->stage) > rank_of(curriculum, task.stage))
-                document.fail(place(i, "after"), before + " belongs to a later stage than " + task.task,
-                              "name tasks of the same or an earlier stage");
+                document.fail(
+                    place(i, "after"),
+                    {QT_TRANSLATE_NOOP("errors", "%1 belongs to a later stage than %2"), before, task.task},
+                    QT_TRANSLATE_NOOP("errors", "name tasks of the same or an earlier stage"));
         }
     }
     for (std::size_t i = 0; i < curriculum.tasks.size(); ++i) {
         std::set<std::string> seen;
         const std::string& task = curriculum.tasks[i].task;
         if (in_cycle(curriculum, task, task, seen))
-            document.fail(place(i, "after"), task + " would unlock only after itself",
-                          "remove one of the prerequisites on the way back to " + task);
+            document.fail(
+                place(i, "after"), {QT_TRANSLATE_NOOP("errors", "%1 would unlock only after itself"), task},
+                {QT_TRANSLATE_NOOP("errors", "remove one of the prerequisites on the way back to %1"), task});
     }
 }
 
@@ -122,13 +127,17 @@ Curriculum parse_curriculum(const std::string& text, const std::string& file,
     for (const json& node : document.root().at("tasks")) {
         CurriculumTask task = read_task(document, number, node);
         if (std::find(tasks.begin(), tasks.end(), task.task) == tasks.end())
-            document.fail(place(number, "task"), "no task " + task.task + " is installed",
-                          "name a file of assets/tasks");
+            document.fail(place(number, "task"),
+                          {QT_TRANSLATE_NOOP("errors", "no task %1 is installed"), task.task},
+                          QT_TRANSLATE_NOOP("errors", "name a file of assets/tasks"));
         if (curriculum.find(task.task) != nullptr)
-            document.fail(place(number, "task"), task.task + " is listed twice", "list every task once");
+            document.fail(place(number, "task"),
+                          {QT_TRANSLATE_NOOP("errors", "%1 is listed twice"), task.task},
+                          QT_TRANSLATE_NOOP("errors", "list every task once"));
         if (curriculum.find_stage(task.stage) == nullptr)
-            document.fail(place(number, "stage"), "there is no stage " + task.stage,
-                          "name one of /stages, or add it there");
+            document.fail(place(number, "stage"),
+                          {QT_TRANSLATE_NOOP("errors", "there is no stage %1"), task.stage},
+                          QT_TRANSLATE_NOOP("errors", "name one of /stages, or add it there"));
         curriculum.tasks.push_back(std::move(task));
         ++number;
     }
@@ -155,12 +164,15 @@ Curriculum load_versions(const std::string& folder, const std::string& id,
     std::sort(versions.begin(), versions.end(),
               [](const Curriculum& a, const Curriculum& b) { return a.version > b.version; });
     if (versions.empty())
-        throw InputError(folder, "", "holds no curriculum " + id, "install the program's assets again");
+        throw InputError(folder, "", {QT_TRANSLATE_NOOP("errors", "contains no curriculum %1"), id},
+                         QT_TRANSLATE_NOOP("errors", "install the program's assets again"));
     for (std::size_t i = 1; i < versions.size(); ++i)
         if (versions[i].version == versions[i - 1].version)
-            throw InputError(folder + "/" + versions[i].file, "/version",
-                             "is that of " + versions[i - 1].file + " too",
-                             "a version in use is never edited: raise the version of the changed file");
+            throw InputError(
+                folder + "/" + versions[i].file, "/version",
+                {QT_TRANSLATE_NOOP("errors", "the file %1 has the same version"), versions[i - 1].file},
+                QT_TRANSLATE_NOOP("errors",
+                                  "a version in use is never edited: raise the version of the changed file"));
     Curriculum newest = std::move(versions.front());
     newest.older.assign(std::make_move_iterator(versions.begin() + 1),
                         std::make_move_iterator(versions.end()));

@@ -10,8 +10,9 @@ namespace fulcrum {
 
 std::string next_version_text(const Curriculum& from, const std::map<std::string, PassRule>& rules) {
     if (from.text.empty())
-        throw InputError("curriculum " + from.name(), "", "was not read from a file",
-                         "choose an installed curriculum");
+        throw InputError({QT_TRANSLATE_NOOP("errors", "curriculum %1"), from.name()}, "",
+                         QT_TRANSLATE_NOOP("errors", "was not read from a file"),
+                         QT_TRANSLATE_NOOP("errors", "choose an installed curriculum"));
     // Ordered, so that a person finds everything where it was.
     auto document = nlohmann::ordered_json::parse(from.text);
     document["version"] = from.version + 1;
@@ -21,8 +22,9 @@ std::string next_version_text(const Curriculum& from, const std::map<std::string
             nodes.begin(), nodes.end(),
             [&, &id = task](const nlohmann::ordered_json& node) { return node.at("task") == id; });
         if (found == nodes.end())
-            throw InputError("curriculum " + from.name(), "/tasks", "has no task " + task,
-                             "name one of its tasks");
+            throw InputError({QT_TRANSLATE_NOOP("errors", "curriculum %1"), from.name()}, "/tasks",
+                             {QT_TRANSLATE_NOOP("errors", "has no task %1"), task},
+                             QT_TRANSLATE_NOOP("errors", "name one of its tasks"));
         (*found)["rule"] = pass_rule_text(rule);
     }
     return document.dump(2) + "\n";

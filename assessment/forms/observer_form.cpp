@@ -26,16 +26,18 @@ void check_anchors(const JsonDocument& document, std::size_t number, const FormI
         const std::string where = place(number, "/anchors/" + std::to_string(i) + "/rating");
         if (rating < item.lowest || rating > item.highest)
             document.fail(
-                where, "is outside the scale of the item (is " + std::to_string(rating) + ")",
-                "use a rating from " + std::to_string(item.lowest) + " to " + std::to_string(item.highest));
+                where, {QT_TRANSLATE_NOOP("errors", "is outside the scale of the item (is %1)"), rating},
+                {QT_TRANSLATE_NOOP("errors", "use a rating from %1 to %2"), item.lowest, item.highest});
         if (i > 0 && rating <= item.anchors[i - 1].rating)
-            document.fail(where, "does not follow the anchor before it (is " + std::to_string(rating) + ")",
-                          "list the anchors by rising rating, each rating once");
+            document.fail(
+                where, {QT_TRANSLATE_NOOP("errors", "does not follow the anchor before it (is %1)"), rating},
+                QT_TRANSLATE_NOOP("errors", "list the anchors by rising rating, each rating once"));
     }
     if (item.anchors.front().rating != item.lowest || item.anchors.back().rating != item.highest)
         document.fail(
-            place(number, "/anchors"), "leaves an end of the scale without words",
-            "describe the ratings " + std::to_string(item.lowest) + " and " + std::to_string(item.highest));
+            place(number, "/anchors"),
+            QT_TRANSLATE_NOOP("errors", "leaves an end of the scale without words"),
+            {QT_TRANSLATE_NOOP("errors", "describe the ratings %1 and %2"), item.lowest, item.highest});
 }
 
 FormItem read_item(const JsonDocument& document, std::size_t number, const json& node) {
@@ -46,8 +48,8 @@ FormItem read_item(const JsonDocument& document, std::size_t number, const json&
     item.highest = node.at("highest").get<int>();
     if (item.highest <= item.lowest)
         document.fail(place(number, "/highest"),
-                      "must be above /lowest (is " + std::to_string(item.highest) + ")",
-                      "give the scale at least two ratings");
+                      {QT_TRANSLATE_NOOP("errors", "must be above /lowest (is %1)"), item.highest},
+                      QT_TRANSLATE_NOOP("errors", "give the scale at least two ratings"));
     if (node.contains("optional")) item.optional = node.at("optional").get<bool>();
     for (const json& anchor : node.at("anchors"))
         item.anchors.push_back({anchor.at("rating").get<int>(), anchor.at("text").get<std::string>()});
@@ -110,8 +112,9 @@ ObserverForm parse_form(const std::string& text, const std::string& file) {
     for (const json& node : root.at("items")) {
         FormItem item = read_item(document, form.items.size(), node);
         if (form.find(item.id) != nullptr)
-            document.fail(place(form.items.size(), "/id"), item.id + " is listed twice",
-                          "give every item its own id");
+            document.fail(place(form.items.size(), "/id"),
+                          {QT_TRANSLATE_NOOP("errors", "%1 is listed twice"), item.id},
+                          QT_TRANSLATE_NOOP("errors", "give every item its own id"));
         form.items.push_back(std::move(item));
     }
     return form;
@@ -132,8 +135,11 @@ std::vector<ObserverForm> load_forms(const std::string& folder) {
         ObserverForm form = load_form(path);
         for (const ObserverForm& other : forms)
             if (other.name() == form.name())
-                throw InputError(path, "/version", "is that of another form " + form.id,
-                                 "raise the version of the changed file, or give it an id of its own");
+                throw InputError(
+                    path, "/version",
+                    {QT_TRANSLATE_NOOP("errors", "another form has the same id and version: %1"), form.id},
+                    QT_TRANSLATE_NOOP("errors",
+                                      "raise the version of the changed file, or give it an id of its own"));
         forms.push_back(std::move(form));
     }
     std::sort(forms.begin(), forms.end(), [](const ObserverForm& a, const ObserverForm& b) {

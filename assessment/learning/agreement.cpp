@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim_core/numerics/name_table.h"
+
 namespace fulcrum {
 namespace {
 
@@ -53,17 +55,19 @@ struct Table {
 
 Table table_of(const std::vector<std::vector<double>>& ratings) {
     if (ratings.size() < 2 || ratings[0].size() < 2)
-        throw std::invalid_argument("needs at least two targets and two raters");
+        throw std::invalid_argument(QT_TRANSLATE_NOOP("errors", "needs at least two targets and two raters"));
     Table table;
     table.n = static_cast<double>(ratings.size());
     table.k = static_cast<double>(ratings[0].size());
     double mean = 0;
     std::vector<double> raters(ratings[0].size(), 0.0), targets;
     for (const std::vector<double>& row : ratings) {
-        if (row.size() != raters.size()) throw std::invalid_argument("a rating is missing");
+        if (row.size() != raters.size())
+            throw std::invalid_argument(QT_TRANSLATE_NOOP("errors", "a rating is missing"));
         double sum = 0;
         for (std::size_t j = 0; j < row.size(); ++j) {
-            if (!std::isfinite(row[j])) throw std::invalid_argument("a rating is not a number");
+            if (!std::isfinite(row[j]))
+                throw std::invalid_argument(QT_TRANSLATE_NOOP("errors", "a rating is not a number"));
             sum += row[j];
             raters[j] += row[j] / table.n;
         }
@@ -84,7 +88,7 @@ Table table_of(const std::vector<std::vector<double>>& ratings) {
     table.within /= table.n * (table.k - 1);
     table.raters /= table.k - 1;
     table.residual /= (table.n - 1) * (table.k - 1);
-    if (total <= 0) throw std::invalid_argument("all ratings are equal");
+    if (total <= 0) throw std::invalid_argument(QT_TRANSLATE_NOOP("errors", "all ratings are equal"));
     return table;
 }
 
@@ -152,7 +156,8 @@ IntraclassCorrelations intraclass_correlations(const std::vector<std::vector<dou
 double cronbach_alpha(const std::vector<std::vector<double>>& scores) {
     const Table t = table_of(scores);
     // As ICC(3,k): the same quantity in other words.
-    if (t.between <= 0) throw std::invalid_argument("all targets have the same sum");
+    if (t.between <= 0)
+        throw std::invalid_argument(QT_TRANSLATE_NOOP("errors", "all targets have the same sum"));
     return 1 - t.residual / t.between;
 }
 

@@ -18,9 +18,10 @@ constexpr int most = 60;
 // The last N attempts are kept as bits: 2^15 states at most.
 constexpr int most_of = 16;
 
-[[noreturn]] void refuse(const std::string& text, const std::string& wrong) {
-    throw InputError("pass rule '" + text + "'", "", wrong,
-                     "write row:K, of:K,N or lc-cusum:P0,P1,H, such as lc-cusum:0.1,0.3,2.5");
+[[noreturn]] void refuse(const std::string& text, const Sentence& wrong) {
+    throw InputError(
+        Sentence(QT_TRANSLATE_NOOP("errors", "pass rule '%1'"), text), "", wrong,
+        QT_TRANSLATE_NOOP("errors", "write row:K, of:K,N or lc-cusum:P0,P1,H, such as lc-cusum:0.1,0.3,2.5"));
 }
 
 /// The numbers behind the colon, exactly `count`.
@@ -33,19 +34,19 @@ std::vector<double> numbers_of(const std::string& text, std::size_t from, std::s
         char* rest = nullptr;
         const double value = std::strtod(part.c_str(), &rest);
         if (part.empty() || *rest != '\0' || !std::isfinite(value))
-            refuse(text, "'" + part + "' is not a number");
+            refuse(text, {QT_TRANSLATE_NOOP("errors", "'%1' is not a number"), part});
         numbers.push_back(value);
         at = end + 1;
     }
     if (numbers.size() != count)
-        refuse(text, "has " + std::to_string(numbers.size()) + " numbers where " + std::to_string(count) +
-                         " are needed");
+        refuse(text,
+               {QT_TRANSLATE_NOOP("errors", "has %1 numbers where %2 are needed"), numbers.size(), count});
     return numbers;
 }
 
 int whole(const std::string& text, double value) {
     if (value != std::floor(value) || value < 1 || value > most)
-        refuse(text, "K and N must be whole numbers from 1 to " + std::to_string(most));
+        refuse(text, {QT_TRANSLATE_NOOP("errors", "K and N must be whole numbers from 1 to %1"), most});
     return static_cast<int>(value);
 }
 
@@ -92,18 +93,20 @@ PassRule parse_pass_rule(const std::string& text) {
         const std::vector<double> numbers = numbers_of(text, 3, 2);
         rule.k = whole(text, numbers[0]);
         rule.n = whole(text, numbers[1]);
-        if (rule.n > most_of) refuse(text, "N must be at most " + std::to_string(most_of));
-        if (rule.k > rule.n) refuse(text, "K is larger than N");
+        if (rule.n > most_of) refuse(text, {QT_TRANSLATE_NOOP("errors", "N must be at most %1"), most_of});
+        if (rule.k > rule.n) refuse(text, QT_TRANSLATE_NOOP("errors", "K is larger than N"));
     } else if (text.rfind("lc-cusum:", 0) == 0) {
         rule.kind = PassRuleKind::lc_cusum;
         const std::vector<double> numbers = numbers_of(text, 9, 3);
         rule.p0 = numbers[0];
         rule.p1 = numbers[1];
         rule.h = numbers[2];
-        if (!(rule.p0 > 0 && rule.p0 < rule.p1 && rule.p1 < 1)) refuse(text, "needs 0 < P0 < P1 < 1");
-        if (rule.h <= 0 || rule.h > 100) refuse(text, "H must be above 0 and at most 100");
+        if (!(rule.p0 > 0 && rule.p0 < rule.p1 && rule.p1 < 1))
+            refuse(text, QT_TRANSLATE_NOOP("errors", "needs 0 < P0 < P1 < 1"));
+        if (rule.h <= 0 || rule.h > 100)
+            refuse(text, QT_TRANSLATE_NOOP("errors", "H must be above 0 and at most 100"));
     } else {
-        refuse(text, "is not a rule");
+        refuse(text, QT_TRANSLATE_NOOP("errors", "is not a rule"));
     }
     return rule;
 }

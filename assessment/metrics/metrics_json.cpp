@@ -28,8 +28,8 @@ auto named(const nlohmann::json& row, const char* key, const Row (&names)[n], co
     const auto word = row.at(key).get<std::string>();
     const Row* found = find_row(names, word);
     if (found == nullptr)
-        throw InputError(file, place + "/" + key, "unknown name \"" + word + "\"",
-                         "give one of: " + names_of(names));
+        throw InputError(file, place + "/" + key, {QT_TRANSLATE_NOOP("errors", "unknown name \"%1\""), word},
+                         {QT_TRANSLATE_NOOP("errors", "give one of: %1"), names_of(names)});
     return found->kind;
 }
 
@@ -88,12 +88,13 @@ std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const st
     std::size_t index = 0;
     try {
         if (!rows.is_array())
-            throw InputError(file, "/metrics", "not a list", "give the metrics array of an attempt");
+            throw InputError(file, "/metrics", QT_TRANSLATE_NOOP("errors", "not a list"),
+                             QT_TRANSLATE_NOOP("errors", "give the metrics array of an attempt"));
         for (; index < rows.size(); ++index)
             results.push_back(result_from_json(rows[index], file, "/metrics/" + std::to_string(index)));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(file, "/metrics/" + std::to_string(index), error.what(),
-                         "give every key of a metric row");
+                         QT_TRANSLATE_NOOP("errors", "give every key of a metric row"));
     }
     return results;
 }

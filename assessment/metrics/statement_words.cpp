@@ -370,10 +370,6 @@ class Wording {
 
 }  // namespace
 
-std::string in_english(const char* /*context*/, const char* source) {
-    return source;
-}
-
 std::string words_of(const Statement& statement, Translate translate) {
     if (statement.empty()) return {};
     if (statement.id() == StatementId::plain) return *statement.text("text");

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "assessment/metrics/statement.h"
-#include "sim_core/numerics/name_table.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum {
 
@@ -21,11 +21,6 @@ struct StatementRow {
     const char* words;
 };
 extern const StatementRow statements[static_cast<std::size_t>(StatementId::not_scored) + 1];
-
-/// A marked text (QT_TRANSLATE_NOOP) in the reader's language.
-using Translate = std::string (*)(const char* context, const char* source);
-/// The text as it is.
-std::string in_english(const char* context, const char* source);
 
 /// "" for an empty statement. A parameter that is missing leaves its name in braces.
 std::string words_of(const Statement& statement, Translate translate = in_english);

@@ -44,9 +44,10 @@ std::unique_ptr<ObservingRig> through_device(std::unique_ptr<ObservingRig> hands
         case DeviceClass::external:
             break;
     }
-    throw InputError("operator", row_of(device_classes, device_class).name,
-                     "there is no model of this class of devices",
-                     "use haptic, synthetic, tracked, controller or mouse-keyboard");
+    throw InputError(
+        QT_TRANSLATE_NOOP("errors", "operator"), row_of(device_classes, device_class).name,
+        QT_TRANSLATE_NOOP("errors", "there is no model of this class of devices"),
+        QT_TRANSLATE_NOOP("errors", "use haptic, synthetic, tracked, controller or mouse-keyboard"));
 }
 
 }  // namespace fulcrum

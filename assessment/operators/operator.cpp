@@ -24,9 +24,11 @@ GoalSite site_of(const TaskDefinition& task) {
     const GoalSite site = task.goals.empty() ? GoalSite::targets : type_of(task.goals.front().kind).site;
     for (const Goal& goal : task.goals)
         if (type_of(goal.kind).site != site)
-            throw InputError("operator", task.id,
-                             "an operator does not perform goals of different parts of a scene in one task",
-                             "choose a task whose goals are all of one site");
+            throw InputError(
+                QT_TRANSLATE_NOOP("errors", "operator"), task.id,
+                QT_TRANSLATE_NOOP(
+                    "errors", "an operator does not perform goals of different parts of a scene in one task"),
+                QT_TRANSLATE_NOOP("errors", "choose a task whose goals are all of one site"));
     return site;
 }
 
@@ -112,8 +114,9 @@ class SyntheticOperator : public ObservingRig {
 OperatorLevel operator_level(const std::string& name) {
     const auto* row = find_row(operator_levels, name);
     if (row == nullptr)
-        throw InputError("operator", name, "no operator of this name",
-                         "give one of: " + names_of(operator_levels));
+        throw InputError(QT_TRANSLATE_NOOP("errors", "operator"), name,
+                         QT_TRANSLATE_NOOP("errors", "no operator of this name"),
+                         {QT_TRANSLATE_NOOP("errors", "give one of: %1"), names_of(operator_levels)});
     return row->kind;
 }
 
@@ -136,19 +139,24 @@ std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefini
             blade += spec.cuts() ? 1 : 0;
         }
         if (grasper != 1 || blade != 1) {
-            throw InputError("operator", task.id, "a sheet is divided with a grasper and a blade",
-                             "give one hand a grasper and the other scissors or a hook");
+            throw InputError(
+                QT_TRANSLATE_NOOP("errors", "operator"), task.id,
+                QT_TRANSLATE_NOOP("errors", "a sheet is divided with a grasper and a blade"),
+                QT_TRANSLATE_NOOP("errors", "give one hand a grasper and the other scissors or a hook"));
         }
     }
     if (site == GoalSite::camera_targets && !scene.instruments.empty())
-        throw InputError("operator", task.id, "an operator does not hold the scope and instruments at once",
-                         "choose a task without instruments");
+        throw InputError(
+            QT_TRANSLATE_NOOP("errors", "operator"), task.id,
+            QT_TRANSLATE_NOOP("errors", "an operator does not hold the scope and instruments at once"),
+            QT_TRANSLATE_NOOP("errors", "choose a task without instruments"));
     for (const Hand hand : {Hand::left, Hand::right}) {
         if ((site == GoalSite::bowel || site == GoalSite::bands || site == GoalSite::objects) &&
             scene.instrument(hand) == nullptr) {
-            throw InputError("operator", task.id,
-                             std::string("the scene gives the ") + hand_name(hand) + " hand no instrument",
-                             "add a grasper to the scene");
+            throw InputError(
+                QT_TRANSLATE_NOOP("errors", "operator"), task.id,
+                {QT_TRANSLATE_NOOP("errors", "the scene gives the %1 hand no instrument"), hand_name(hand)},
+                QT_TRANSLATE_NOOP("errors", "add a grasper to the scene"));
         }
     }
     return std::make_unique<SyntheticOperator>(skill, task, scene, attempt);

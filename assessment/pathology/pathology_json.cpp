@@ -226,7 +226,8 @@ PathologyReport parse_pathology(const std::string& text, const std::string& file
         report.lowest_level = root.at("lowest_level").is_null() ? -1 : root.at("lowest_level").get<int>();
         return report;
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(file, "/", error.what(), "give a pathology report as the program writes it");
+        throw InputError(file, "/", error.what(),
+                         QT_TRANSLATE_NOOP("errors", "give a pathology report as the program writes it"));
     }
 }
 

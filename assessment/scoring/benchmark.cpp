@@ -72,20 +72,26 @@ BenchmarkLevel level_from_json(const json& row) {
 void check_level(const JsonDocument& document, const BenchmarkLevel& level, const std::string& place) {
     const MetricDescriptor* descriptor = find_metric(level.metric);
     if (descriptor == nullptr)
-        document.fail(place + "/metric", "unknown metric '" + level.metric + "'", "give the id of a metric");
+        document.fail(place + "/metric", {QT_TRANSLATE_NOOP("errors", "unknown metric '%1'"), level.metric},
+                      QT_TRANSLATE_NOOP("errors", "give the id of a metric"));
     if (descriptor->unit != level.unit)
-        document.fail(place + "/unit", "unit '" + level.unit + "' of a metric in '" + descriptor->unit + "'",
-                      "build the set again");
+        document.fail(
+            place + "/unit",
+            {QT_TRANSLATE_NOOP("errors", "unit '%1' of a metric in '%2'"), level.unit, descriptor->unit},
+            QT_TRANSLATE_NOOP("errors", "build the set again"));
     if (descriptor->version != level.metric_version)
         document.fail(place + "/metric_version",
-                      "version " + std::to_string(level.metric_version) +
-                          " where the program computes version " + std::to_string(descriptor->version),
-                      "build the set again");
+                      {QT_TRANSLATE_NOOP("errors", "version %1 where the program computes version %2"),
+                       level.metric_version, descriptor->version},
+                      QT_TRANSLATE_NOOP("errors", "build the set again"));
     if (descriptor->scale != level.scale)
-        document.fail(place + "/scale", "not the scale of the metric", "build the set again");
+        document.fail(place + "/scale", QT_TRANSLATE_NOOP("errors", "not the scale of the metric"),
+                      QT_TRANSLATE_NOOP("errors", "build the set again"));
     if (!level.absolute_limit && !(level.deviation > 0))
-        document.fail(place + "/deviation", "neither a deviation above 0 nor an absolute limit",
-                      "give the deviation, or the worst expert value as absolute_limit");
+        document.fail(
+            place + "/deviation",
+            QT_TRANSLATE_NOOP("errors", "neither a deviation above 0 nor an absolute limit"),
+            QT_TRANSLATE_NOOP("errors", "give the deviation, or the worst expert value as absolute_limit"));
 }
 
 }  // namespace
@@ -166,7 +172,9 @@ BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
         BenchmarkLevel level = level_from_json(row);
         check_level(document, level, place);
         if (!seen.emplace(level.metric, level.hand, level.tissue).second)
-            document.fail(place, "the level of '" + level.metric + "' is given twice", "remove one");
+            document.fail(place,
+                          {QT_TRANSLATE_NOOP("errors", "the level of '%1' is given twice"), level.metric},
+                          QT_TRANSLATE_NOOP("errors", "remove one"));
         set.levels.push_back(std::move(level));
     }
     return set;

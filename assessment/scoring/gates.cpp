@@ -162,34 +162,39 @@ void check_gates(const TaskDefinition& task, const std::string& file) {
     for (std::size_t i = 0; i < task.gates.size(); ++i) {
         const GateSpec& gate = task.gates[i];
         const std::string place = "/gates/" + std::to_string(i);
-        const auto refuse = [&](const char* key, const std::string& wrong, const std::string& hint) {
+        const auto refuse = [&](const char* key, const Sentence& wrong, const Sentence& hint) {
             throw InputError(file, place + key, wrong, hint);
         };
         const MetricDescriptor* d = find_metric(gate.metric);
         if (d == nullptr)
-            refuse("/metric", "unknown metric '" + gate.metric + "'", "give the id of a metric");
+            refuse("/metric", {QT_TRANSLATE_NOOP("errors", "unknown metric '%1'"), gate.metric},
+                   QT_TRANSLATE_NOOP("errors", "give the id of a metric"));
         if (d->direction == Direction::context)
-            refuse("/metric", "'" + gate.metric + "' is context only",
-                   "gate a metric that is better in one direction");
+            refuse("/metric", {QT_TRANSLATE_NOOP("errors", "'%1' is context only"), gate.metric},
+                   QT_TRANSLATE_NOOP("errors", "gate a metric that is better in one direction"));
         // A gate that stops harm may rest on a value that does not tell experts from novices.
         if (gate.safety.empty() && only_describes(task.context, gate.metric, gate.hand))
-            refuse("/metric", "'" + gate.metric + "' is context in this task",
-                   "remove it from context, or remove the gate");
+            refuse("/metric", {QT_TRANSLATE_NOOP("errors", "'%1' is context in this task"), gate.metric},
+                   QT_TRANSLATE_NOOP("errors", "remove it from context, or remove the gate"));
         const bool counted = d->needs_events && d->aggregation == Aggregation::count;
         if (d->hands == Hands::each && gate.hand.empty() && !counted)
-            refuse("/hand", "'" + gate.metric + "' is measured for each hand", "give hand left or right");
+            refuse("/hand", {QT_TRANSLATE_NOOP("errors", "'%1' is measured for each hand"), gate.metric},
+                   QT_TRANSLATE_NOOP("errors", "give hand left or right"));
         if (d->hands != Hands::each && !gate.hand.empty())
-            refuse("/hand", "'" + gate.metric + "' belongs to no single hand", "remove hand");
+            refuse("/hand", {QT_TRANSLATE_NOOP("errors", "'%1' belongs to no single hand"), gate.metric},
+                   QT_TRANSLATE_NOOP("errors", "remove hand"));
         if (!d->per_tissue && !gate.tissue.empty())
-            refuse("/tissue", "'" + gate.metric + "' has no rows by tissue", "remove tissue");
+            refuse("/tissue", {QT_TRANSLATE_NOOP("errors", "'%1' has no rows by tissue"), gate.metric},
+                   QT_TRANSLATE_NOOP("errors", "remove tissue"));
         if (gate.kind == GateKind::benchmark && ++benchmark_gates > benchmark_gate_limit)
-            refuse("", "more than " + std::to_string(benchmark_gate_limit) + " benchmark gates",
-                   "show the others without a gate");
+            refuse("", {QT_TRANSLATE_NOOP("errors", "more than %1 benchmark gates"), benchmark_gate_limit},
+                   QT_TRANSLATE_NOOP("errors", "show the others without a gate"));
     }
     for (std::size_t i = 0; i < task.metrics.size(); ++i)
         if (find_metric(task.metrics[i]) == nullptr)
             throw InputError(file, "/metrics/" + std::to_string(i),
-                             "unknown metric '" + task.metrics[i] + "'", "give the id of a metric");
+                             {QT_TRANSLATE_NOOP("errors", "unknown metric '%1'"), task.metrics[i]},
+                             QT_TRANSLATE_NOOP("errors", "give the id of a metric"));
 }
 
 }  // namespace fulcrum

@@ -11,33 +11,44 @@ namespace fulcrum {
 
 std::optional<GoalFault> goal_fault(const Goal& goal, const Scene& scene) {
     const GoalType& type = type_of(goal.kind);
-    const auto lacks = [&](const char* what, const char* hint) {
-        return GoalFault{"", "the scene \"" + scene.id + "\" has no " + what, hint};
+    const auto lacks = [&](const Sentence& problem, const Sentence& hint) {
+        return GoalFault{"", problem, hint};
     };
     switch (type.site) {
         case GoalSite::targets:
             if (!scene.targets)
-                return lacks("targets to touch", "add \"targets\" to the scene or name another scene");
+                return lacks(
+                    {QT_TRANSLATE_NOOP("errors", "the scene \"%1\" has no targets to touch"), scene.id},
+                    QT_TRANSLATE_NOOP("errors", "add \"targets\" to the scene or name another scene"));
             break;
         case GoalSite::bowel:
-            if (!scene.bowel) return lacks("bowel", "add \"bowel\" to the scene or name another scene");
+            if (!scene.bowel)
+                return lacks({QT_TRANSLATE_NOOP("errors", "the scene \"%1\" has no bowel"), scene.id},
+                             QT_TRANSLATE_NOOP("errors", "add \"bowel\" to the scene or name another scene"));
             break;
         case GoalSite::sheet:
             if (!scene.sheet && !scene.septa)
-                return lacks("sheet to divide",
-                             "add \"sheet\" or \"septa\" to the scene or name another scene");
+                return lacks(
+                    {QT_TRANSLATE_NOOP("errors", "the scene \"%1\" has no sheet to divide"), scene.id},
+                    QT_TRANSLATE_NOOP("errors",
+                                      "add \"sheet\" or \"septa\" to the scene or name another scene"));
             break;
         case GoalSite::bands:
-            if (!scene.bands) return lacks("bands", "add \"bands\" to the scene or name another scene");
+            if (!scene.bands)
+                return lacks({QT_TRANSLATE_NOOP("errors", "the scene \"%1\" has no bands"), scene.id},
+                             QT_TRANSLATE_NOOP("errors", "add \"bands\" to the scene or name another scene"));
             break;
         case GoalSite::objects:
             if (!scene.objects)
-                return lacks("objects to hand over", "add \"objects\" to the scene or name another scene");
+                return lacks(
+                    {QT_TRANSLATE_NOOP("errors", "the scene \"%1\" has no objects to hand over"), scene.id},
+                    QT_TRANSLATE_NOOP("errors", "add \"objects\" to the scene or name another scene"));
             break;
         case GoalSite::camera_targets:
             if (!scene.camera_targets)
-                return lacks("targets for the camera",
-                             "add \"camera_targets\" to the scene or name another scene");
+                return lacks(
+                    {QT_TRANSLATE_NOOP("errors", "the scene \"%1\" has no targets for the camera"), scene.id},
+                    QT_TRANSLATE_NOOP("errors", "add \"camera_targets\" to the scene or name another scene"));
             break;
     }
     return type.suits == nullptr ? std::nullopt : type.suits(goal, scene);

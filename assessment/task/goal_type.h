@@ -11,6 +11,7 @@
 #include <string>
 
 #include "sim_core/numerics/name_table.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum {
 
@@ -48,7 +49,7 @@ struct GoalKey {
 /// What is wrong with a goal.
 struct GoalFault {
     std::string key;  ///< of the task file, "" the goal as a whole
-    std::string problem, hint;
+    Sentence problem, hint;
 };
 
 struct GoalType {
@@ -101,11 +102,16 @@ std::unique_ptr<GoalTracker> track_tip(const Goal& goal, const GoalWatch& watch)
 std::optional<GoalFault> check_framing(const Goal& goal);
 std::optional<GoalFault> camera_targets_suit(const Goal& goal, const Scene& scene);
 
-inline constexpr GoalKey centre = {"centre_deg", "degrees from the middle of the image"};
-inline constexpr GoalKey horizon = {"horizon_deg", "degrees between the image's upright and the body's"};
-inline constexpr GoalKey size = {"size_share", "how far the size may be off the wanted one"};
-inline constexpr GoalKey traction_low = {"traction_low_n_m", "the least traction across the line, N/m"};
-inline constexpr GoalKey traction_high = {"traction_high_n_m", "the most traction across the line, N/m"};
+inline constexpr GoalKey centre = {"centre_deg",
+                                   QT_TRANSLATE_NOOP("errors", "degrees from the middle of the image")};
+inline constexpr GoalKey horizon = {
+    "horizon_deg", QT_TRANSLATE_NOOP("errors", "degrees between the image's upright and the body's")};
+inline constexpr GoalKey size = {"size_share",
+                                 QT_TRANSLATE_NOOP("errors", "how far the size may be off the wanted one")};
+inline constexpr GoalKey traction_low = {
+    "traction_low_n_m", QT_TRANSLATE_NOOP("errors", "the least traction across the line, N/m")};
+inline constexpr GoalKey traction_high = {
+    "traction_high_n_m", QT_TRANSLATE_NOOP("errors", "the most traction across the line, N/m")};
 
 }  // namespace goals
 
@@ -116,7 +122,9 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::targets,
      GoalMeasure::count,
      false,
-     {{{"hand", "left or right"}, {"count", "how many spheres"}, {"hold_s", "seconds to hold each"}}},
+     {{{"hand", QT_TRANSLATE_NOOP("errors", "left or right")},
+       {"count", QT_TRANSLATE_NOOP("errors", "how many spheres")},
+       {"hold_s", QT_TRANSLATE_NOOP("errors", "seconds to hold each")}}},
      nullptr,
      goals::targets_suit,
      goals::track_targets},
@@ -126,11 +134,11 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::bowel,
      GoalMeasure::metres,
      false,
-     {{{"length_m", "metres of bowel to run"},
-       {"from_m", "where to start"},
-       {"to_m", "where the run leads"},
-       {"minimum_step_m", "shortest step that counts"},
-       {"maximum_step_m", "longest step that counts"}}},
+     {{{"length_m", QT_TRANSLATE_NOOP("errors", "metres of bowel to run")},
+       {"from_m", QT_TRANSLATE_NOOP("errors", "where to start")},
+       {"to_m", QT_TRANSLATE_NOOP("errors", "where the run leads")},
+       {"minimum_step_m", QT_TRANSLATE_NOOP("errors", "shortest step that counts")},
+       {"maximum_step_m", QT_TRANSLATE_NOOP("errors", "longest step that counts")}}},
      goals::check_run,
      goals::on_bowel,
      goals::track_run},
@@ -140,10 +148,10 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::bowel,
      GoalMeasure::seconds,
      false,
-     {{{"hold_s", "seconds to hold"},
-       {"from_m", "where the stretch begins"},
-       {"to_m", "where the stretch ends"},
-       {"height_m", "metres above the resting height"}}},
+     {{{"hold_s", QT_TRANSLATE_NOOP("errors", "seconds to hold")},
+       {"from_m", QT_TRANSLATE_NOOP("errors", "where the stretch begins")},
+       {"to_m", QT_TRANSLATE_NOOP("errors", "where the stretch ends")},
+       {"height_m", QT_TRANSLATE_NOOP("errors", "metres above the resting height")}}},
      goals::check_stretch,
      goals::on_bowel,
      goals::track_lift},
@@ -153,7 +161,9 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::sheet,
      GoalMeasure::seconds,
      true,
-     {{{"hold_s", "seconds to keep the traction"}, goals::traction_low, goals::traction_high}},
+     {{{"hold_s", QT_TRANSLATE_NOOP("errors", "seconds to keep the traction")},
+       goals::traction_low,
+       goals::traction_high}},
      goals::check_traction,
      goals::line_suits,
      goals::track_tension},
@@ -163,9 +173,9 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::sheet,
      GoalMeasure::metres,
      true,
-     {{{"length_m", "metres of the marked line"},
-       {"tolerance_m", "metres from the line that are too far"},
-       {"corridor_m", "metres from the line within which a cut divides it"},
+     {{{"length_m", QT_TRANSLATE_NOOP("errors", "metres of the marked line")},
+       {"tolerance_m", QT_TRANSLATE_NOOP("errors", "metres from the line that are too far")},
+       {"corridor_m", QT_TRANSLATE_NOOP("errors", "metres from the line within which a cut divides it")},
        goals::traction_low,
        goals::traction_high}},
      goals::check_line,
@@ -177,7 +187,7 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::sheet,
      GoalMeasure::seconds,
      false,
-     {{{"hold_s", "seconds without a hold"}}},
+     {{{"hold_s", QT_TRANSLATE_NOOP("errors", "seconds without a hold")}}},
      nullptr,
      goals::line_suits,
      goals::track_let_go},
@@ -187,7 +197,7 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::bands,
      GoalMeasure::count,
      false,
-     {{{"count", "how many bands"}}},
+     {{{"count", QT_TRANSLATE_NOOP("errors", "how many bands")}}},
      nullptr,
      goals::enough_bands,
      goals::track_bands},
@@ -197,7 +207,8 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::bands,
      GoalMeasure::count,
      false,
-     {{{"count", "how many vessels"}, {"hold_s", "seconds without bleeding"}}},
+     {{{"count", QT_TRANSLATE_NOOP("errors", "how many vessels")},
+       {"hold_s", QT_TRANSLATE_NOOP("errors", "seconds without bleeding")}}},
      nullptr,
      goals::enough_vessels,
      goals::track_bleeding},
@@ -207,10 +218,10 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::bowel,
      GoalMeasure::seconds,
      false,
-     {{{"hand", "left or right"},
-       {"hold_s", "seconds of contact"},
-       {"from_m", "where the stretch begins"},
-       {"to_m", "where the stretch ends"}}},
+     {{{"hand", QT_TRANSLATE_NOOP("errors", "left or right")},
+       {"hold_s", QT_TRANSLATE_NOOP("errors", "seconds of contact")},
+       {"from_m", QT_TRANSLATE_NOOP("errors", "where the stretch begins")},
+       {"to_m", QT_TRANSLATE_NOOP("errors", "where the stretch ends")}}},
      goals::check_stretch,
      goals::on_bowel,
      goals::track_palpation},
@@ -220,10 +231,11 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::objects,
      GoalMeasure::count,
      false,
-     {{{"hand", "the hand that lifts each ring: left or right"},
-       {"count", "how many rings"},
-       {"hold_s", "seconds that both hands hold a ring in the air"},
-       {"height_m", "metres above the tray from where on a ring is in the air"}}},
+     {{{"hand", QT_TRANSLATE_NOOP("errors", "the hand that lifts each ring: left or right")},
+       {"count", QT_TRANSLATE_NOOP("errors", "how many rings")},
+       {"hold_s", QT_TRANSLATE_NOOP("errors", "seconds that both hands hold a ring in the air")},
+       {"height_m",
+        QT_TRANSLATE_NOOP("errors", "metres above the tray from where on a ring is in the air")}}},
      goals::check_transfer,
      goals::objects_suit,
      goals::track_transfer},
@@ -233,8 +245,8 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::camera_targets,
      GoalMeasure::count,
      false,
-     {{{"count", "how many targets"},
-       {"hold_s", "seconds to keep each framed"},
+     {{{"count", QT_TRANSLATE_NOOP("errors", "how many targets")},
+       {"hold_s", QT_TRANSLATE_NOOP("errors", "seconds to keep each framed")},
        goals::centre,
        goals::horizon,
        goals::size}},
@@ -247,7 +259,10 @@ inline constexpr GoalType goal_types[] = {
      GoalSite::camera_targets,
      GoalMeasure::seconds,
      false,
-     {{{"hold_s", "seconds in all that the tip is framed"}, goals::centre, goals::horizon, goals::size}},
+     {{{"hold_s", QT_TRANSLATE_NOOP("errors", "seconds in all that the tip is framed")},
+       goals::centre,
+       goals::horizon,
+       goals::size}},
      goals::check_framing,
      nullptr,
      goals::track_tip},

@@ -75,8 +75,9 @@ class TaskReader {
         const std::string ending = ".json";
         if (name.find_first_of("/\\") != std::string::npos || name.size() <= ending.size() ||
             name.compare(name.size() - ending.size(), ending.size(), ending) != 0) {
-            document_.fail(place, "\"" + name + "\" is not the name of a scene file",
-                           "give a file name of assets/scenes, such as a2_targets.json");
+            document_.fail(
+                place, {QT_TRANSLATE_NOOP("errors", "\"%1\" is not the name of a scene file"), name},
+                QT_TRANSLATE_NOOP("errors", "give a file name of assets/scenes, such as a2_targets.json"));
         }
     }
 
@@ -98,22 +99,28 @@ class TaskReader {
             check_scene_name(place + "/scene", variant.scene);
             for (const TaskVariant& other : task_.variants)
                 if (other.id == variant.id || other.scene == variant.scene)
-                    document_.fail(place, "the variant \"" + variant.id + "\" or its scene is given twice",
-                                   "give every variant an id and a scene of its own");
+                    document_.fail(
+                        place,
+                        {QT_TRANSLATE_NOOP("errors", "the variant \"%1\" or its scene is given twice"),
+                         variant.id},
+                        QT_TRANSLATE_NOOP("errors", "give every variant an id and a scene of its own"));
             task_.variants.push_back(std::move(variant));
         }
         const TaskVariant& first = task_.variants.front();
         if (first.id != standard_variant || first.scene != task_.scene || first.family != first.id)
-            document_.fail("/variants/0", "is not the standard variant",
-                           std::string("list \"") + standard_variant + "\" with the task's own scene first");
+            document_.fail("/variants/0", QT_TRANSLATE_NOOP("errors", "is not the standard variant"),
+                           {QT_TRANSLATE_NOOP("errors", "list \"%1\" with the task's own scene first"),
+                            standard_variant});
         for (std::size_t i = 0; i < task_.variants.size(); ++i) {
             const std::string& family = task_.variants[i].family;
             if (std::none_of(task_.variants.begin(), task_.variants.end(), [&](const TaskVariant& one) {
                     return one.id == family && one.family == family;
                 }))
-                document_.fail("/variants/" + std::to_string(i) + "/family",
-                               "\"" + family + "\" is not a variant with sets of its own",
-                               "name a variant of this task that has no other family, or remove the key");
+                document_.fail(
+                    "/variants/" + std::to_string(i) + "/family",
+                    {QT_TRANSLATE_NOOP("errors", "\"%1\" is not a variant with sets of its own"), family},
+                    QT_TRANSLATE_NOOP(
+                        "errors", "name a variant of this task that has no other family, or remove the key"));
         }
     }
 
@@ -143,16 +150,19 @@ class TaskReader {
         for (std::size_t i = 0; i < task_.metrics.size(); ++i) {
             const auto end = task_.metrics.begin() + static_cast<std::ptrdiff_t>(i);
             if (std::find(task_.metrics.begin(), end, task_.metrics[i]) != end) {
-                document_.fail("/metrics/" + std::to_string(i),
-                               "the metric \"" + task_.metrics[i] + "\" is given twice",
-                               "remove one of the two");
+                document_.fail(
+                    "/metrics/" + std::to_string(i),
+                    {QT_TRANSLATE_NOOP("errors", "the metric \"%1\" is given twice"), task_.metrics[i]},
+                    QT_TRANSLATE_NOOP("errors", "remove one of the two"));
             }
         }
         for (std::size_t i = 0; i < task_.context.size(); ++i) {
             const std::string id = task_.context[i].substr(0, task_.context[i].find('.'));
             if (std::find(task_.metrics.begin(), task_.metrics.end(), id) == task_.metrics.end())
-                document_.fail("/context/" + std::to_string(i), "\"" + id + "\" is not among the metrics",
-                               "name a metric of this task, alone or with .left or .right");
+                document_.fail(
+                    "/context/" + std::to_string(i),
+                    {QT_TRANSLATE_NOOP("errors", "\"%1\" is not among the metrics"), id},
+                    QT_TRANSLATE_NOOP("errors", "name a metric of this task, alone or with .left or .right"));
         }
     }
 
@@ -163,8 +173,9 @@ class TaskReader {
             const Goal goal = read_goal(node, place);
             for (const Goal& other : task_.goals) {
                 if (other.id == goal.id)
-                    document_.fail(place + "/id", "the goal \"" + goal.id + "\" is given twice",
-                                   "give every goal its own id");
+                    document_.fail(place + "/id",
+                                   {QT_TRANSLATE_NOOP("errors", "the goal \"%1\" is given twice"), goal.id},
+                                   QT_TRANSLATE_NOOP("errors", "give every goal its own id"));
             }
             check_goal(node, place, goal);
             task_.goals.push_back(goal);
@@ -186,8 +197,9 @@ class TaskReader {
         const GoalType& type = type_of(goal.kind);
         for (const GoalKey& key : type.keys) {
             if (key.name == nullptr || node.contains(key.name)) continue;
-            document_.fail(place, std::string("a goal of kind ") + type.name + " needs \"" + key.name + "\"",
-                           std::string("add it: ") + key.meaning);
+            document_.fail(
+                place, {QT_TRANSLATE_NOOP("errors", "a goal of kind %1 needs \"%2\""), type.name, key.name},
+                {QT_TRANSLATE_NOOP("errors", "add it: %1"), key.meaning});
         }
         if (type.check == nullptr) return;
         if (const std::optional<GoalFault> fault = type.check(goal))
@@ -200,9 +212,11 @@ class TaskReader {
             const std::string place = "/gates/" + std::to_string(i);
             const GateSpec gate = read_gate(list[i], place);
             if (gate.kind == GateKind::benchmark && ++benchmark_gates > most_benchmark_gates) {
-                document_.fail(place,
-                               "more than " + std::to_string(most_benchmark_gates) + " benchmark gates",
-                               "show the metric without gating it, or make the gate absolute");
+                document_.fail(
+                    place,
+                    {QT_TRANSLATE_NOOP("errors", "more than %1 benchmark gates"), most_benchmark_gates},
+                    QT_TRANSLATE_NOOP("errors",
+                                      "show the metric without gating it, or make the gate absolute"));
             }
             task_.gates.push_back(gate);
         }
@@ -221,27 +235,34 @@ class TaskReader {
         copy(node, "advice", gate.advice);
         copy(node, "safety", gate.safety);
         if (std::find(task_.metrics.begin(), task_.metrics.end(), gate.metric) == task_.metrics.end()) {
-            document_.fail(place + "/metric",
-                           "the gate's metric \"" + gate.metric + "\" is not among the task's metrics",
-                           "add it to \"metrics\" or correct its id");
+            document_.fail(
+                place + "/metric",
+                {QT_TRANSLATE_NOOP("errors", "the gate's metric \"%1\" is not among the task's metrics"),
+                 gate.metric},
+                QT_TRANSLATE_NOOP("errors", "add it to \"metrics\" or correct its id"));
         }
         for (const GateSpec& other : task_.gates) {
             if (other.metric == gate.metric && other.hand == gate.hand && other.tissue == gate.tissue &&
                 other.kind == gate.kind) {
-                document_.fail(place, "the gate on \"" + gate.metric + "\" is given twice",
-                               "remove one, or give it another hand or tissue");
+                document_.fail(
+                    place, {QT_TRANSLATE_NOOP("errors", "the gate on \"%1\" is given twice"), gate.metric},
+                    QT_TRANSLATE_NOOP("errors", "remove one, or give it another hand or tissue"));
             }
         }
         if (gate.kind == GateKind::absolute) {
             if (!node.contains("limit") || !node.contains("limit_source"))
-                document_.fail(place, "an absolute gate without limit and limit_source",
-                               "add both: the value and where it comes from");
+                document_.fail(place,
+                               QT_TRANSLATE_NOOP("errors", "an absolute gate without limit and limit_source"),
+                               QT_TRANSLATE_NOOP("errors", "add both: the value and where it comes from"));
             return gate;
         }
         for (const char* key : {"limit", "limit_source", "provisional", "exclusive"}) {
             if (node.contains(key))
-                document_.fail(place + "/" + key, "a benchmark gate with a limit of its own",
-                               "remove it (the benchmark set gives it) or make the gate absolute");
+                document_.fail(
+                    place + "/" + key,
+                    QT_TRANSLATE_NOOP("errors", "a benchmark gate with a limit of its own"),
+                    QT_TRANSLATE_NOOP("errors",
+                                      "remove it (the benchmark set gives it) or make the gate absolute"));
         }
         return gate;
     }
@@ -273,10 +294,11 @@ void require_assessable(const TaskDefinition& task, DeviceClass device_class) {
     std::string named;
     for (const DeviceClass one : task.device_classes)
         named += (named.empty() ? "" : ", ") + std::string(row_of(device_classes, one).title);
-    throw InputError("task " + task.id, "/device_classes",
-                     std::string("attempts with ") + row_of(device_classes, device_class).title +
-                         " are not assessed, they are practice only",
-                     "practise, or use one of: " + named);
+    throw InputError(
+        {QT_TRANSLATE_NOOP("errors", "task %1"), task.id}, "/device_classes",
+        {QT_TRANSLATE_NOOP("errors", "attempts with %1 are not assessed, they are practice only"),
+         row_of(device_classes, device_class).title},
+        {QT_TRANSLATE_NOOP("errors", "practise, or use one of: %1"), named});
 }
 
 }  // namespace fulcrum

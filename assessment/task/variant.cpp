@@ -22,8 +22,9 @@ const TaskVariant& require_variant(const TaskDefinition& task, const std::string
     if (variant != nullptr) return *variant;
     std::string known;
     for (const TaskVariant& one : task.variants) known += (known.empty() ? "" : ", ") + one.id;
-    throw InputError("task " + task.id, "/variants", "has no variant \"" + id + "\"",
-                     "choose one of these: " + known);
+    throw InputError({QT_TRANSLATE_NOOP("errors", "task %1"), task.id}, "/variants",
+                     {QT_TRANSLATE_NOOP("errors", "has no variant \"%1\""), id},
+                     {QT_TRANSLATE_NOOP("errors", "choose one of these: %1"), known});
 }
 
 std::string variant_family(const TaskDefinition& task, const std::string& id) {

@@ -27,13 +27,12 @@ class CsvReader {
         return true;
     }
     const std::vector<std::string_view>& cells() const { return cells_; }
-    [[noreturn]] void fail(const std::string& column, const std::string& wrong,
-                           const std::string& hint) const {
+    [[noreturn]] void fail(const std::string& column, const Sentence& wrong, const Sentence& hint) const {
         fail_at(row_, column, wrong, hint);
     }
     /// For what should have been in a row that is not there.
-    [[noreturn]] void fail_at(std::size_t row, const std::string& column, const std::string& wrong,
-                              const std::string& hint) const {
+    [[noreturn]] void fail_at(std::size_t row, const std::string& column, const Sentence& wrong,
+                              const Sentence& hint) const {
         throw InputError(file_, std::to_string(row) + ": " + column, wrong, hint);
     }
     /// Cells are shown in errors; they may hold anything.
@@ -60,8 +59,8 @@ class CsvReader {
             position_ += static_cast<std::size_t>(newline - begin);
             if (line_.size() > trace_csv_line_limit) {
                 ++row_;
-                fail("(line)", "longer than " + std::to_string(trace_csv_line_limit) + " bytes",
-                     "write one sample a row");
+                fail("(line)", {QT_TRANSLATE_NOOP("errors", "longer than %1 bytes"), trace_csv_line_limit},
+                     QT_TRANSLATE_NOOP("errors", "write one sample per row"));
             }
             if (newline != end) {
                 ++position_;

@@ -29,13 +29,15 @@ std::string decimal(Number number) {
 void require_row(CsvReader& reader, std::size_t row, const char* const (&expected)[column_count],
                  const char* what) {
     if (!reader.next())
-        reader.fail_at(row, "t", std::string("the row of ") + what + " is missing",
-                       "write t,event,hand,tissue,value,detail, then s,-,-,-,event,event");
+        reader.fail_at(
+            row, "t", {QT_TRANSLATE_NOOP("errors", "the row of %1 is missing"), what},
+            QT_TRANSLATE_NOOP("errors", "write t,event,hand,tissue,value,detail, then s,-,-,-,event,event"));
     std::vector<std::string_view> cells = reader.cells();
     if (row == 1 && cells[0].substr(0, 3) == "\xEF\xBB\xBF") cells[0].remove_prefix(3);
     if (!std::equal(cells.begin(), cells.end(), std::begin(expected), std::end(expected)))
-        reader.fail("(row)", std::string("these are not the ") + what + " of an events file",
-                    "write t,event,hand,tissue,value,detail, then s,-,-,-,event,event");
+        reader.fail(
+            "(row)", {QT_TRANSLATE_NOOP("errors", "these are not the %1 of an events file"), what},
+            QT_TRANSLATE_NOOP("errors", "write t,event,hand,tissue,value,detail, then s,-,-,-,event,event"));
 }
 
 template <typename Number>
@@ -44,12 +46,16 @@ Number number_in(const CsvReader& reader, std::size_t column, double low, double
     Number value{};
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size())
-        reader.fail(column_names[column], CsvReader::quoted(cell) + " is not a number",
-                    column == 5 ? "write a whole number" : "write a number");
+        reader.fail(column_names[column],
+                    {QT_TRANSLATE_NOOP("errors", "%1 is not a number"), CsvReader::quoted(cell)},
+                    column == 5 ? Sentence(QT_TRANSLATE_NOOP("errors", "write a whole number"))
+                                : Sentence(QT_TRANSLATE_NOOP("errors", "write a number")));
     const auto wide = static_cast<double>(value);
     if (!(wide >= low && wide <= high))
-        reader.fail(column_names[column], CsvReader::quoted(cell) + " is out of range",
-                    "write a number from " + decimal(low) + " to " + decimal(high));
+        reader.fail(
+            column_names[column],
+            {QT_TRANSLATE_NOOP("errors", "%1 is out of range"), CsvReader::quoted(cell)},
+            {QT_TRANSLATE_NOOP("errors", "write a number from %1 to %2"), decimal(low), decimal(high)});
     return value;
 }
 
@@ -58,7 +64,8 @@ std::uint8_t hand_in(const CsvReader& reader) {
     if (cell.empty()) return 255;
     for (int hand = 0; hand < hand_count; ++hand)
         if (cell == hand_name(static_cast<Hand>(hand))) return static_cast<std::uint8_t>(hand);
-    reader.fail("hand", CsvReader::quoted(cell) + " is not a hand", "write left, right or nothing");
+    reader.fail("hand", {QT_TRANSLATE_NOOP("errors", "%1 is not a hand"), CsvReader::quoted(cell)},
+                QT_TRANSLATE_NOOP("errors", "write left, right or nothing"));
 }
 
 std::int8_t tissue_in(const CsvReader& reader, const std::vector<std::string>& tissues) {
@@ -66,16 +73,18 @@ std::int8_t tissue_in(const CsvReader& reader, const std::vector<std::string>& t
     if (cell.empty()) return -1;
     const auto found = std::find(tissues.begin(), tissues.end(), cell);
     if (found == tissues.end())
-        reader.fail("tissue", CsvReader::quoted(cell) + " is not a tissue of this task",
-                    "write a label of the task's scene or of the trace, or nothing");
+        reader.fail(
+            "tissue",
+            {QT_TRANSLATE_NOOP("errors", "%1 is not a tissue of this task"), CsvReader::quoted(cell)},
+            QT_TRANSLATE_NOOP("errors", "write a label of the task's scene or of the trace, or nothing"));
     return static_cast<std::int8_t>(found - tissues.begin());
 }
 
 EventKind kind_in(const CsvReader& reader) {
     const std::string_view cell = reader.cells()[1];
     if (const auto* row = find_row(event_kinds, cell)) return row->kind;
-    reader.fail("event", CsvReader::quoted(cell) + " is not an event",
-                "write a name from docs/FORMATS.md, such as grasp");
+    reader.fail("event", {QT_TRANSLATE_NOOP("errors", "%1 is not an event"), CsvReader::quoted(cell)},
+                QT_TRANSLATE_NOOP("errors", "write a name from docs/FORMATS.md, such as grasp"));
 }
 
 }  // namespace
@@ -98,19 +107,19 @@ void write_events_csv(std::vector<Event> events, const std::vector<std::string>&
 std::vector<Event> read_events_csv(std::istream& in, const std::string& file,
                                    const std::vector<std::string>& tissues, double tick_period) {
     CsvReader reader(in, file);
-    require_row(reader, 1, column_names, "names");
-    require_row(reader, 2, column_units, "units");
+    require_row(reader, 1, column_names, QT_TRANSLATE_NOOP("errors", "names"));
+    require_row(reader, 2, column_units, QT_TRANSLATE_NOOP("errors", "units"));
     std::vector<Event> events;
     while (reader.next()) {
         if (reader.cells().size() == 1 && reader.cells()[0].empty()) continue;  // blank lines at the end
         if (reader.cells().size() != column_count)
             reader.fail("(row)",
-                        std::to_string(reader.cells().size()) + " cells where there are " +
-                            std::to_string(column_count),
-                        "write t,event,hand,tissue,value,detail");
+                        {QT_TRANSLATE_NOOP("errors", "%1 cells where there are %2"), reader.cells().size(),
+                         column_count},
+                        QT_TRANSLATE_NOOP("errors", "write t,event,hand,tissue,value,detail"));
         if (events.size() == events_csv_row_limit)
-            reader.fail("(row)", "more than " + std::to_string(events_csv_row_limit) + " events",
-                        "give one attempt a file");
+            reader.fail("(row)", {QT_TRANSLATE_NOOP("errors", "more than %1 events"), events_csv_row_limit},
+                        QT_TRANSLATE_NOOP("errors", "give one attempt per file"));
         Event event;
         event.tick = static_cast<std::uint32_t>(
             std::llround(number_in<double>(reader, 0, 0.0, trace_csv_time_limit) / tick_period));
@@ -122,7 +131,8 @@ std::vector<Event> read_events_csv(std::istream& in, const std::string& file,
         event.detail = number_in<std::int32_t>(reader, 5, std::numeric_limits<std::int32_t>::min(),
                                                std::numeric_limits<std::int32_t>::max());
         if (!events.empty() && event.tick < events.back().tick)
-            reader.fail("t", "the time falls", "sort the rows by time");
+            reader.fail("t", QT_TRANSLATE_NOOP("errors", "the time decreases"),
+                        QT_TRANSLATE_NOOP("errors", "sort the rows by time"));
         events.push_back(event);
     }
     return events;
@@ -132,7 +142,9 @@ std::vector<Event> read_events_csv(const std::string& path, const std::vector<st
                                    double tick_period) {
     require_regular_file(path);
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path, "", "the file cannot be opened", "check the path and its permissions");
+    if (!in)
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be opened"),
+                         QT_TRANSLATE_NOOP("errors", "check the path and its permissions"));
     return read_events_csv(in, path, tissues, tick_period);
 }
 

@@ -15,17 +15,20 @@ constexpr std::size_t label_limit = 64;  // bytes
 /// In the unit of the file.
 double parse_raw(const CsvReader& reader, const Column& column, std::string_view cell) {
     const ColumnRule& rule = rule_of(column.quantity);
-    if (cell.empty()) reader.fail(column.name, "the cell is empty", rule.hint);
+    if (cell.empty()) reader.fail(column.name, QT_TRANSLATE_NOOP("errors", "the cell is empty"), rule.hint);
     if (cell.front() == '+') cell.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error == std::errc::result_out_of_range)
-        reader.fail(column.name, CsvReader::quoted(cell) + " is out of range", rule.hint);
+        reader.fail(column.name, {QT_TRANSLATE_NOOP("errors", "%1 is out of range"), CsvReader::quoted(cell)},
+                    rule.hint);
     if (error != std::errc() || end != cell.data() + cell.size())
-        reader.fail(column.name, CsvReader::quoted(cell) + " is not a number", rule.hint);
+        reader.fail(column.name, {QT_TRANSLATE_NOOP("errors", "%1 is not a number"), CsvReader::quoted(cell)},
+                    rule.hint);
     if (!std::isfinite(value))
-        reader.fail(column.name, CsvReader::quoted(cell) + " is not a finite number",
-                    "leave the sample out or give the value");
+        reader.fail(column.name,
+                    {QT_TRANSLATE_NOOP("errors", "%1 is not a finite number"), CsvReader::quoted(cell)},
+                    QT_TRANSLATE_NOOP("errors", "leave the sample out or give the value"));
     return value;
 }
 
@@ -33,7 +36,8 @@ double parse_number(const CsvReader& reader, const Column& column, std::string_v
     const ColumnRule& rule = rule_of(column.quantity);
     const double value = column.factor * parse_raw(reader, column, cell);
     if (value < rule.low || value > rule.high)
-        reader.fail(column.name, CsvReader::quoted(cell) + " is out of range", rule.hint);
+        reader.fail(column.name, {QT_TRANSLATE_NOOP("errors", "%1 is out of range"), CsvReader::quoted(cell)},
+                    rule.hint);
     return value;
 }
 
@@ -45,7 +49,9 @@ void check_unit_length(const CsvReader& reader, const std::string& column,
         sum += part->back() * part->back();
     }
     if (std::abs(sum - 1.0) > 0.02)
-        reader.fail(column, "not of length one (" + std::to_string(std::sqrt(sum)) + ")", "normalise it");
+        reader.fail(column,
+                    {QT_TRANSLATE_NOOP("errors", "not of length one (%1)"), std::to_string(std::sqrt(sum))},
+                    QT_TRANSLATE_NOOP("errors", "normalise it"));
 }
 
 }  // namespace
@@ -53,16 +59,19 @@ void check_unit_length(const CsvReader& reader, const std::string& column,
 const ColumnRule& rule_of(Quantity quantity) {
     static const ColumnRule rules[] = {
         {Quantity::time, "s", -1.0, trace_csv_time_limit,
-         "give t in seconds since the attempt began, at most 2 h"},
-        {Quantity::length, "m", -10.0, 10.0, "give positions in metres"},
-        {Quantity::unitless, "-", -1.001, 1.001, "give components of a unit vector or quaternion"},
-        {Quantity::angle, "rad", -1e4, 1e4, "give angles in radians"},
-        {Quantity::force, "N", -1e4, 1e4, "give forces in newtons"},
-        {Quantity::torque, "N m", -1e4, 1e4, "give torques in newton metres"},
-        {Quantity::area, "m2", 0.0, 1.0, "give areas in square metres"},
-        {Quantity::flag, "-", 0.0, 1.0, "write 1 or 0"},
-        {Quantity::label, "-", 0.0, 0.0, "write a label or leave the cell empty"},
-        {Quantity::index, "-", -1.0, 32767.0, "write a whole number from -1 to 32767"},
+         QT_TRANSLATE_NOOP("errors", "give t in seconds since the attempt began, at most 2 h")},
+        {Quantity::length, "m", -10.0, 10.0, QT_TRANSLATE_NOOP("errors", "give positions in metres")},
+        {Quantity::unitless, "-", -1.001, 1.001,
+         QT_TRANSLATE_NOOP("errors", "give components of a unit vector or quaternion")},
+        {Quantity::angle, "rad", -1e4, 1e4, QT_TRANSLATE_NOOP("errors", "give angles in radians")},
+        {Quantity::force, "N", -1e4, 1e4, QT_TRANSLATE_NOOP("errors", "give forces in newtons")},
+        {Quantity::torque, "N m", -1e4, 1e4, QT_TRANSLATE_NOOP("errors", "give torques in newton metres")},
+        {Quantity::area, "m2", 0.0, 1.0, QT_TRANSLATE_NOOP("errors", "give areas in square metres")},
+        {Quantity::flag, "-", 0.0, 1.0, QT_TRANSLATE_NOOP("errors", "write 1 or 0")},
+        {Quantity::label, "-", 0.0, 0.0,
+         QT_TRANSLATE_NOOP("errors", "write a label or leave the cell empty")},
+        {Quantity::index, "-", -1.0, 32767.0,
+         QT_TRANSLATE_NOOP("errors", "write a whole number from -1 to 32767")},
     };
     return rules[static_cast<std::size_t>(quantity)];
 }
@@ -121,12 +130,14 @@ std::int16_t LabelTable::index(const CsvReader& reader, const Column& column, st
     const auto found = std::find(labels_.begin(), labels_.end(), label);
     if (found == labels_.end()) {
         if (label.size() > label_limit || !is_utf8(label))
-            reader.fail(column.name, CsvReader::quoted(label) + " is not a tissue label",
-                        "use UTF-8 text of at most " + std::to_string(label_limit) + " bytes");
-        if (labels_.size() == trace_csv_tissue_limit)
             reader.fail(column.name,
-                        "more than " + std::to_string(trace_csv_tissue_limit) + " different labels",
-                        "use one label a tissue");
+                        {QT_TRANSLATE_NOOP("errors", "%1 is not a tissue label"), CsvReader::quoted(label)},
+                        {QT_TRANSLATE_NOOP("errors", "use UTF-8 text of at most %1 bytes"), label_limit});
+        if (labels_.size() == trace_csv_tissue_limit)
+            reader.fail(
+                column.name,
+                {QT_TRANSLATE_NOOP("errors", "more than %1 different labels"), trace_csv_tissue_limit},
+                QT_TRANSLATE_NOOP("errors", "use one label per tissue"));
         labels_.emplace_back(label);
         last_ = static_cast<std::int16_t>(labels_.size() - 1);
     } else {
@@ -145,7 +156,8 @@ void store_cell(const CsvReader& reader, const Column& column, std::string_view 
         column.numbers->push_back(value);
     } else {
         if (value != std::floor(value))
-            reader.fail(column.name, CsvReader::quoted(cell) + " is not a whole number",
+            reader.fail(column.name,
+                        {QT_TRANSLATE_NOOP("errors", "%1 is not a whole number"), CsvReader::quoted(cell)},
                         rule_of(column.quantity).hint);
         if (column.flags != nullptr) column.flags->push_back(value > 0 ? 1 : 0);
         if (column.indices != nullptr) column.indices->push_back(static_cast<std::int16_t>(value));

@@ -17,17 +17,19 @@ namespace {
 
 std::vector<Column> read_header(CsvReader& reader, const ColumnMap& known, Trace& trace) {
     if (!reader.next())
-        reader.fail_at(1, "t", "the file is empty", "write a row of names, a row of units, then the samples");
+        reader.fail_at(1, "t", QT_TRANSLATE_NOOP("errors", "the file is empty"),
+                       QT_TRANSLATE_NOOP("errors", "write a row of names, a row of units, then the samples"));
     std::vector<std::string_view> cells = reader.cells();
     if (!cells.empty() && cells[0].substr(0, 3) == "\xEF\xBB\xBF") cells[0].remove_prefix(3);
     if (cells.size() > trace_csv_column_limit)
-        reader.fail("(header)", std::to_string(cells.size()) + " columns",
-                    "write at most " + std::to_string(trace_csv_column_limit));
+        reader.fail("(header)", {QT_TRANSLATE_NOOP("errors", "%1 columns"), cells.size()},
+                    {QT_TRANSLATE_NOOP("errors", "write at most %1"), trace_csv_column_limit});
     std::vector<Column> columns;
     std::set<std::string, std::less<>> seen;
     for (const std::string_view name : cells) {
         if (!seen.emplace(name).second)
-            reader.fail(CsvReader::quoted(name), "the column is there twice", "remove one");
+            reader.fail(CsvReader::quoted(name), QT_TRANSLATE_NOOP("errors", "the column occurs twice"),
+                        QT_TRANSLATE_NOOP("errors", "remove one"));
         const auto found = known.find(name);
         if (found != known.end()) {
             columns.push_back(found->second);
@@ -38,19 +40,21 @@ std::vector<Column> read_header(CsvReader& reader, const ColumnMap& known, Trace
                 trace.ignored_columns.push_back(is_utf8(name) ? std::string(name) : CsvReader::quoted(name));
         }
     }
-    if (seen.count("t") == 0) reader.fail("t", "the column is missing", "add t, the time in seconds");
+    if (seen.count("t") == 0)
+        reader.fail("t", QT_TRANSLATE_NOOP("errors", "the column is missing"),
+                    QT_TRANSLATE_NOOP("errors", "add t, the time in seconds"));
     return columns;
 }
 
 void read_units(CsvReader& reader, const std::vector<Column>& columns) {
     if (!reader.next())
-        reader.fail_at(2, "t", "the row of units is missing",
-                       "write the units in row 2 (s, m, N, rad, m2, -)");
+        reader.fail_at(2, "t", QT_TRANSLATE_NOOP("errors", "the row of units is missing"),
+                       QT_TRANSLATE_NOOP("errors", "write the units in row 2 (s, m, N, rad, m2, -)"));
     if (reader.cells().size() != columns.size())
         reader.fail("(units)",
-                    std::to_string(reader.cells().size()) + " cells where the header has " +
-                        std::to_string(columns.size()),
-                    "give every column its unit");
+                    {QT_TRANSLATE_NOOP("errors", "%1 cells where the header has %2"), reader.cells().size(),
+                     columns.size()},
+                    QT_TRANSLATE_NOOP("errors", "give every column its unit"));
     for (std::size_t c = 0; c < columns.size(); ++c) {
         if (!columns[c].known) continue;
         const std::string_view unit = reader.cells()[c];
@@ -59,8 +63,10 @@ void read_units(CsvReader& reader, const std::vector<Column>& columns) {
             unit == expected || (expected == "-" && unit == "1") || (expected == "m2" && unit == "m²");
         if (!same)
             reader.fail(columns[c].name,
-                        "unit " + CsvReader::quoted(unit) + " where '" + expected + "' is needed",
-                        "convert the column to " + expected + " and write the unit in row 2");
+                        {QT_TRANSLATE_NOOP("errors", "unit %1 where '%2' is needed"), CsvReader::quoted(unit),
+                         expected},
+                        {QT_TRANSLATE_NOOP("errors", "convert the column to %1 and write the unit in row 2"),
+                         expected});
     }
 }
 
@@ -82,21 +88,24 @@ Trace read_trace_csv(std::istream& in, const std::string& file) {
         }
         if (blank || cells.size() != columns.size())
             reader.fail("(row)",
-                        blank ? "there is a blank line before it"
-                              : std::to_string(cells.size()) + " cells where the header has " +
-                                    std::to_string(columns.size()),
-                        "give every row one cell a column");
+                        blank ? Sentence(QT_TRANSLATE_NOOP("errors", "there is a blank line before it"))
+                              : Sentence(QT_TRANSLATE_NOOP("errors", "%1 cells where the header has %2"),
+                                         cells.size(), columns.size()),
+                        QT_TRANSLATE_NOOP("errors", "give every row one cell per column"));
         if (trace.t.size() == trace_csv_row_limit)
-            reader.fail("(row)", "more than " + std::to_string(trace_csv_row_limit) + " samples",
-                        "split the trace");
+            reader.fail("(row)", {QT_TRANSLATE_NOOP("errors", "more than %1 samples"), trace_csv_row_limit},
+                        QT_TRANSLATE_NOOP("errors", "split the trace"));
         for (std::size_t c = 0; c < columns.size(); ++c)
             if (columns[c].known) store_cell(reader, columns[c], cells[c], labels);
         const std::size_t n = trace.t.size();
         if (n > 1 && !(trace.t[n - 1] > trace.t[n - 2]))
-            reader.fail("t", "the time does not rise", "sort the rows and remove doubled ones");
+            reader.fail("t", QT_TRANSLATE_NOOP("errors", "the time does not increase"),
+                        QT_TRANSLATE_NOOP("errors", "sort the rows and remove duplicates"));
         check_unit_lengths(reader, trace);
     }
-    if (trace.t.empty()) reader.fail_at(3, "t", "no sample follows the units", "write one row a sample");
+    if (trace.t.empty())
+        reader.fail_at(3, "t", QT_TRANSLATE_NOOP("errors", "no sample follows the units"),
+                       QT_TRANSLATE_NOOP("errors", "write one row per sample"));
     split_blocks(trace, {});
     return trace;
 }
@@ -104,7 +113,9 @@ Trace read_trace_csv(std::istream& in, const std::string& file) {
 Trace read_trace_csv(const std::string& path) {
     require_regular_file(path);
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path, "", "the file cannot be opened", "check the path and its permissions");
+    if (!in)
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be opened"),
+                         QT_TRANSLATE_NOOP("errors", "check the path and its permissions"));
     return read_trace_csv(in, path);
 }
 

@@ -44,8 +44,10 @@ double factor_of(const JsonDocument& document, const std::string& place, const s
                  const std::string& ours) {
     for (const UnitRow& row : units)
         if (unit == row.name && ours == row.ours) return row.factor;
-    document.fail(place + "/unit", "unit \"" + unit + "\" where one of " + units_of(ours) + " is needed",
-                  "give the unit that the file has");
+    document.fail(
+        place + "/unit",
+        {QT_TRANSLATE_NOOP("errors", "unit \"%1\" where one of %2 is needed"), unit, units_of(ours)},
+        QT_TRANSLATE_NOOP("errors", "give the unit that the file has"));
 }
 
 MappedColumn read_column(const JsonDocument& document, const ColumnMap& known, const std::string& name,
@@ -53,15 +55,17 @@ MappedColumn read_column(const JsonDocument& document, const ColumnMap& known, c
     const std::string place = "/columns/" + name;
     const auto found = known.find(name);
     if (found == known.end())
-        document.fail(place, "is not a column of a trace", "see the table of columns in docs/FORMATS.md");
+        document.fail(place, QT_TRANSLATE_NOOP("errors", "is not a column of a trace"),
+                      QT_TRANSLATE_NOOP("errors", "see the table of columns in docs/FORMATS.md"));
     MappedColumn column;
     column.name = name;
     const json& source = node.at("column");
     if (source.is_string()) {
         column.column = source.get<std::string>();
         if (header_rows == 0)
-            document.fail(place + "/column", "is a name, but the file has no row of names",
-                          "give the number of the column, from 1, or raise header_rows");
+            document.fail(
+                place + "/column", QT_TRANSLATE_NOOP("errors", "is a name, but the file has no row of names"),
+                QT_TRANSLATE_NOOP("errors", "give the number of the column, from 1, or raise header_rows"));
     } else {
         column.number = source.get<int>();
     }
@@ -70,7 +74,8 @@ MappedColumn read_column(const JsonDocument& document, const ColumnMap& known, c
     const Quantity quantity = found->second.quantity;
     if (column.factor != 1 &&
         (quantity == Quantity::flag || quantity == Quantity::label || quantity == Quantity::index))
-        document.fail(place + "/factor", "has no meaning for this column", "remove it");
+        document.fail(place + "/factor", QT_TRANSLATE_NOOP("errors", "has no meaning for this column"),
+                      QT_TRANSLATE_NOOP("errors", "remove it"));
     return column;
 }
 
@@ -93,9 +98,11 @@ TraceMapping read_mapping(const JsonDocument& document) {
         mapping.columns.push_back(read_column(document, known, name, node, mapping.header_rows));
     const bool has_time = root.at("columns").contains("t");
     if (has_time && mapping.rate)
-        document.fail("/rate_hz", "the columns have a time already", "remove rate_hz or the column t");
+        document.fail("/rate_hz", QT_TRANSLATE_NOOP("errors", "the columns have a time already"),
+                      QT_TRANSLATE_NOOP("errors", "remove rate_hz or the column t"));
     if (!has_time && !mapping.rate)
-        document.fail("/columns", "there is no time", "map the column t or give rate_hz");
+        document.fail("/columns", QT_TRANSLATE_NOOP("errors", "there is no time"),
+                      QT_TRANSLATE_NOOP("errors", "map the column t or give rate_hz"));
     return mapping;
 }
 
@@ -119,13 +126,14 @@ class MappedReader {
             const auto& cells = reader_.cells();
             if (cells.size() == 1 && cells[0].empty()) continue;
             if (cells.size() < needed_)
-                reader_.fail("(row)",
-                             std::to_string(cells.size()) + " cells, but column " + std::to_string(needed_) +
-                                 " is mapped",
-                             "check separator and columns of the mapping");
+                reader_.fail(
+                    "(row)",
+                    {QT_TRANSLATE_NOOP("errors", "%1 cells, but column %2 is mapped"), cells.size(), needed_},
+                    QT_TRANSLATE_NOOP("errors", "check separator and columns of the mapping"));
             if (samples == trace_csv_row_limit)
-                reader_.fail("(row)", "more than " + std::to_string(trace_csv_row_limit) + " samples",
-                             "split the trace");
+                reader_.fail("(row)",
+                             {QT_TRANSLATE_NOOP("errors", "more than %1 samples"), trace_csv_row_limit},
+                             QT_TRANSLATE_NOOP("errors", "split the trace"));
             if (is_missing()) {
                 ++left_out;
             } else {
@@ -134,8 +142,9 @@ class MappedReader {
             ++samples;
         }
         if (trace_.t.empty())
-            reader_.fail_at(static_cast<std::size_t>(mapping_.header_rows) + 1, "t", "the file has no sample",
-                            "check header_rows and missing of the mapping");
+            reader_.fail_at(static_cast<std::size_t>(mapping_.header_rows) + 1, "t",
+                            QT_TRANSLATE_NOOP("errors", "the file has no sample"),
+                            QT_TRANSLATE_NOOP("errors", "check header_rows and missing of the mapping"));
         return left_out;
     }
 
@@ -143,8 +152,9 @@ class MappedReader {
     void read_header() {
         for (int row = 0; row < mapping_.header_rows; ++row)
             if (!reader_.next())
-                reader_.fail_at(static_cast<std::size_t>(row) + 1, "(header)", "the file ends in its header",
-                                "check header_rows of the mapping");
+                reader_.fail_at(static_cast<std::size_t>(row) + 1, "(header)",
+                                QT_TRANSLATE_NOOP("errors", "the file ends in its header"),
+                                QT_TRANSLATE_NOOP("errors", "check header_rows of the mapping"));
         std::vector<std::string_view> names =
             mapping_.header_rows > 0 ? reader_.cells() : std::vector<std::string_view>();
         if (!names.empty() && names[0].substr(0, 3) == "\xEF\xBB\xBF") names[0].remove_prefix(3);
@@ -153,8 +163,9 @@ class MappedReader {
             if (mapped.number == 0) {
                 const auto found = std::find(names.begin(), names.end(), mapped.column);
                 if (found == names.end())
-                    reader_.fail(CsvReader::quoted(mapped.column), "the column is not in the file",
-                                 "correct its name in the mapping");
+                    reader_.fail(CsvReader::quoted(mapped.column),
+                                 QT_TRANSLATE_NOOP("errors", "the column is not in the file"),
+                                 QT_TRANSLATE_NOOP("errors", "correct its name in the mapping"));
                 place = static_cast<std::size_t>(found - names.begin());
             }
             places_.push_back(place);
@@ -183,9 +194,11 @@ class MappedReader {
         if (mapping_.rate) trace_.t.push_back(static_cast<double>(sample) / *mapping_.rate);
         const std::size_t n = trace_.t.size();
         if (trace_.t.back() > trace_csv_time_limit)
-            reader_.fail("t", "more than 2 h after the first sample", "split the trace");
+            reader_.fail("t", QT_TRANSLATE_NOOP("errors", "more than 2 h after the first sample"),
+                         QT_TRANSLATE_NOOP("errors", "split the trace"));
         if (n > 1 && !(trace_.t[n - 1] > trace_.t[n - 2]))
-            reader_.fail("t", "the time does not rise", "sort the rows and remove doubled ones");
+            reader_.fail("t", QT_TRANSLATE_NOOP("errors", "the time does not increase"),
+                         QT_TRANSLATE_NOOP("errors", "sort the rows and remove duplicates"));
         check_unit_lengths(reader_, trace_);
     }
     /// Clocks of other programs may begin anywhere: the first sample is at 0.
@@ -225,7 +238,9 @@ MappedTrace read_mapped_trace(std::istream& in, const std::string& file, const T
 MappedTrace read_mapped_trace(const std::string& path, const TraceMapping& mapping) {
     require_regular_file(path);
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path, "", "the file cannot be opened", "check the path and its permissions");
+    if (!in)
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be opened"),
+                         QT_TRANSLATE_NOOP("errors", "check the path and its permissions"));
     return read_mapped_trace(in, path, mapping);
 }
 

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "sim_core/numerics/name_table.h"
+
 namespace fulcrum::database {
 namespace {
 
@@ -78,15 +80,15 @@ const Row& row(Operation operation) {
 const char* role_name(Role role) {
     switch (role) {
         case Role::trainee:
-            return "trainee";
+            return QT_TRANSLATE_NOOP("errors", "trainee");
         case Role::educator:
-            return "educator";
+            return QT_TRANSLATE_NOOP("errors", "educator");
         case Role::director:
-            return "director";
+            return QT_TRANSLATE_NOOP("errors", "director");
         case Role::administrator:
-            return "administrator";
+            return QT_TRANSLATE_NOOP("errors", "administrator");
         case Role::station:
-            return "station";
+            return QT_TRANSLATE_NOOP("errors", "station");
     }
     return "";
 }

@@ -13,7 +13,9 @@ namespace {
 
 void require_reason(const std::string& reason) {
     if (reason.find_first_not_of(" \t\n") == std::string::npos || reason.size() > 4000) {
-        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a reason is missing or too long"),
+                         QT_TRANSLATE_NOOP("errors", "give a reason of 1 to 4,000 characters"));
     }
 }
 
@@ -27,9 +29,13 @@ void write_void(const Store& store, const Session& educator, const std::string& 
     if (!row.next()) unknown_attempt(attempt_id);
     const AttemptState state = enum_of(row.text(0), attempt_states, "state of attempt " + attempt_id);
     if (state == AttemptState::running)
-        throw StoreError(StoreErrorKind::conflict, "the attempt is still running", "wait for its end");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the attempt is still running"),
+                         QT_TRANSLATE_NOOP("errors", "wait for its end"));
     if (row.flag(1))
-        throw StoreError(StoreErrorKind::conflict, "the attempt is voided already", "nothing is left to do");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the attempt is voided already"),
+                         QT_TRANSLATE_NOOP("errors", "there is nothing left to do"));
     Query(connection, "INSERT INTO attempt_void (attempt_id, person_id, time, reason) VALUES (?, ?, ?, ?)")
         .bind(attempt_id)
         .bind(educator.person_id())
@@ -100,12 +106,15 @@ std::string Attempts::add_score(const Session& session, const std::string& attem
     store_.require(session, first_of_interrupted ? Operation::score_interrupted : Operation::recompute_score,
                    Subject::person(person));
     if (state == AttemptState::running)
-        throw StoreError(StoreErrorKind::conflict, "the attempt is still running", "wait for its end");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the attempt is still running"),
+                         QT_TRANSLATE_NOOP("errors", "wait for its end"));
     Query origin(store_.connection(), "SELECT 1 FROM attempt_origin WHERE attempt_id = ?");
     origin.bind(attempt_id);
     if (origin.next())
-        throw StoreError(StoreErrorKind::conflict, "the attempt continues another one and is never scored",
-                         "score an attempt from its beginning");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the attempt continues another one and is never scored"),
+                         QT_TRANSLATE_NOOP("errors", "score an attempt from its beginning"));
     std::string id = write_score(store_, session, attempt_id, score);
     transaction.commit();
     return id;
@@ -128,8 +137,9 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
     store_.require(educator, Operation::reassign_attempt, Subject::person(person_id));
     require_reason(reason);
     if (from == person_id) {
-        throw StoreError(StoreErrorKind::conflict, "the attempt is that person's already",
-                         "name the person who performed it");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the attempt belongs to that person already"),
+                         QT_TRANSLATE_NOOP("errors", "name the person who performed it"));
     }
     Connection& connection = store_.connection();
     Transaction transaction(connection);

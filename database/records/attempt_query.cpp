@@ -140,7 +140,8 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
 }
 
 [[noreturn]] void unknown_attempt(const std::string& id) {
-    throw StoreError(StoreErrorKind::not_found, "no attempt " + id, "list the attempts and name one of them");
+    throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no attempt %1"), id},
+                     QT_TRANSLATE_NOOP("errors", "list the attempts and name one of them"));
 }
 
 std::string person_of(const Store& store, const std::string& attempt_id) {

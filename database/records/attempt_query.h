@@ -34,6 +34,12 @@ std::string person_of(const Store& store, const std::string& attempt_id);
 std::string require_attempt(const Store& store, const Session& session, Operation operation,
                             const std::string& attempt_id);
 
+/// An SQL condition on table `attempt` under this name: its trace is in this store. That of an attempt which
+/// the programme server sent is where it was recorded.
+QString has_trace_here(const QString& attempt);
+/// Throws not_found with the station that recorded it.
+void require_trace_here(const Store& store, const std::string& attempt_id);
+
 /// The files that an attempt was performed with. Access was checked by the caller.
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id);
 

@@ -28,13 +28,14 @@ TraceChunk chunk_of_row(Query& rows) {
 [[noreturn]] void throw_damaged(const Store& store, const std::string& attempt_id, TraceStream stream,
                                 const std::string& number, const StoreError& error) {
     throw StoreError(StoreErrorKind::corrupt,
-                     store.path() + ": " + stream_name(stream) + " chunk " + number + " of attempt " +
-                         attempt_id + ": " + error.problem(),
-                     error.hint());
+                     {QT_TRANSLATE_NOOP("errors", "%1: %2 chunk %3 of attempt %4: %5"), store.path(),
+                      stream_name(stream), number, attempt_id, error.problem_sentence()},
+                     error.hint_sentence());
 }
 
 StoreError missing_chunk() {
-    return {StoreErrorKind::corrupt, "the chunk before it is missing", "restore the newest backup"};
+    return {StoreErrorKind::corrupt, QT_TRANSLATE_NOOP("errors", "the part before it is missing"),
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup")};
 }
 
 /// The number of events is stored when an attempt ends: a record that lost its end is not read as a shorter
@@ -43,21 +44,23 @@ void require_end(const Store& store, const std::string& attempt_id, std::size_t 
     Query row(store.connection(), "SELECT events FROM attempt WHERE id = ? AND state <> 'running'");
     row.bind(attempt_id);
     if (!row.next() || row.integer(0) == static_cast<std::int64_t>(events)) return;
-    throw StoreError(StoreErrorKind::corrupt,
-                     store.path() + ": the record of attempt " + attempt_id + " has " +
-                         std::to_string(events) + " of its " + row.text(0) +
-                         " events: a part of it is missing",
-                     "restore the newest backup");
+    throw StoreError(
+        StoreErrorKind::corrupt,
+        {QT_TRANSLATE_NOOP("errors",
+                           "%1: the record of attempt %2 has %3 of its %4 events: a part of it is missing"),
+         store.path(), attempt_id, events, row.text(0)},
+        QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
 }
 
 /// Inputs and samples are written in pairs: if one is longer, the other lost its end.
 void require_pairs(const Store& store, const std::string& attempt_id, const Trace& trace) {
     if (trace.samples.size() == trace.inputs.size()) return;
-    throw StoreError(StoreErrorKind::corrupt,
-                     store.path() + ": the record of attempt " + attempt_id + " has " +
-                         std::to_string(trace.samples.size()) + " samples for " +
-                         std::to_string(trace.inputs.size()) + " inputs: a part of it is missing",
-                     "restore the newest backup");
+    throw StoreError(
+        StoreErrorKind::corrupt,
+        {QT_TRANSLATE_NOOP(
+             "errors", "%1: the record of attempt %2 has %3 samples for %4 inputs: a part of it is missing"),
+         store.path(), attempt_id, trace.samples.size(), trace.inputs.size()},
+        QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
 }
 
 Trace read_chunks(const Store& store, const std::string& attempt_id, bool events_only) {
@@ -115,8 +118,32 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, bool events
 
 }  // namespace
 
+QString has_trace_here(const QString& attempt) {
+    return QString(
+               "(%1.station_id = (SELECT value FROM setting WHERE key = 'this_station') OR EXISTS (SELECT 1 "
+               "FROM "
+               "trace_chunk here WHERE here.attempt_id = %1.id))")
+        .arg(attempt);
+}
+
+void require_trace_here(const Store& store, const std::string& attempt_id) {
+    Query row(store.connection(),
+              "SELECT s.name FROM attempt a JOIN station s ON s.id = a.station_id WHERE a.id = ? AND "
+              "NOT " +
+                  has_trace_here("a"));
+    row.bind(attempt_id);
+    if (row.next())
+        throw StoreError(
+            StoreErrorKind::not_found,
+            {QT_TRANSLATE_NOOP(
+                 "errors", "the trace of attempt %1 is not in this store: it was recorded at the station %2"),
+             attempt_id, row.text(0)},
+            QT_TRANSLATE_NOOP("errors", "open it there"));
+}
+
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     return read_chunks(store_, attempt_id, false);
 }
 
@@ -124,6 +151,7 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
                              const std::function<void(std::size_t)>& prepare,
                              const std::function<void(std::size_t, const TraceOverview&)>& visit) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     std::vector<TraceChunk> samples, inputs;
     {
         Query rows(store_.connection(),
@@ -180,21 +208,25 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
 
 std::vector<std::uint8_t> Attempts::start_state(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     Query row(store_.connection(), "SELECT checksum, state FROM attempt_origin WHERE attempt_id = ?");
     row.bind(attempt_id);
     if (!row.next()) return {};
     const std::vector<std::uint8_t> packed = row.bytes(1);
     if (blake2b(packed, 16) != row.bytes(0)) {
-        throw StoreError(StoreErrorKind::corrupt,
-                         store_.path() + ": the state that attempt " + attempt_id +
-                             " began with does not match its checksum",
-                         "restore the newest backup");
+        throw StoreError(
+            StoreErrorKind::corrupt,
+            {QT_TRANSLATE_NOOP("errors",
+                               "%1: the state that attempt %2 began with does not match its checksum"),
+             store_.path(), attempt_id},
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
     }
     return unpack_bytes(packed);
 }
 
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
     return read_chunks(store_, attempt_id, true).events;
 }
 

@@ -49,9 +49,12 @@ std::vector<AttemptSummary> Attempts::interrupted_without_score(const Session& s
     filter.state = AttemptState::interrupted;
     filter.limit = -1;
     std::vector<AttemptSummary> attempts = query_attempts(store_, session, filter);
-    Query scored(store_.connection(),
-                 "SELECT attempt_id FROM score WHERE in_force = 1 AND attempt_id IN "
-                 "(SELECT id FROM attempt WHERE state = 'interrupted')");
+    Query scored(
+        store_.connection(),
+        "SELECT attempt_id FROM score WHERE in_force = 1 AND attempt_id IN "
+        "(SELECT id FROM attempt WHERE state = 'interrupted') UNION SELECT a.id FROM attempt a WHERE "
+        "NOT " +
+            has_trace_here("a"));
     std::set<std::string> done;
     while (scored.next()) done.insert(scored.text(0));
     attempts.erase(std::remove_if(attempts.begin(), attempts.end(),
@@ -99,8 +102,9 @@ std::string Attempts::scene_text(const Session& session, const std::string& atte
     if (!row.next() || row.text(0).empty()) return {};
     if (row.is_null(1) || text_digest(row.text(1)) != row.text(0))
         throw StoreError(StoreErrorKind::corrupt,
-                         store_.path() + ": the scene of attempt " + attempt_id + " is damaged",
-                         "restore the newest backup");
+                         {QT_TRANSLATE_NOOP("errors", "%1: the scene of attempt %2 is damaged"),
+                          store_.path(), attempt_id},
+                         QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
     return row.text(1);
 }
 
@@ -118,10 +122,10 @@ std::vector<ProductBlob> Attempts::products(const Session& session, const std::s
     while (rows.next()) {
         ProductBlob product{rows.text(0), rows.bytes(2)};
         if (blake2b(product.data, 16) != rows.bytes(1)) {
-            throw StoreError(
-                StoreErrorKind::corrupt,
-                store_.path() + ": product " + product.kind + " of attempt " + attempt_id + " is damaged",
-                "restore the newest backup");
+            throw StoreError(StoreErrorKind::corrupt,
+                             {QT_TRANSLATE_NOOP("errors", "%1: product %2 of attempt %3 is damaged"),
+                              store_.path(), product.kind, attempt_id},
+                             QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
         }
         products.push_back(std::move(product));
     }

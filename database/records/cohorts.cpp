@@ -39,16 +39,18 @@ void write_people(const Store& store, Table table, const std::string& cohort_id,
     for (const std::string& id : person_ids) {
         const Person person = read_person(store, id);
         if (person.kind != PersonKind::real && !store.is_demo()) {
-            throw StoreError(StoreErrorKind::bad_value,
-                             person.display_name + " is " + row_of(person_kinds, person.kind).name +
-                                 " and enters no cohort",
-                             "name real people");
+            throw StoreError(
+                StoreErrorKind::bad_value,
+                {QT_TRANSLATE_NOOP("errors", "%1 is not a real person (%2) and cannot be in a cohort"),
+                 person.display_name, row_of(person_kinds, person.kind).name},
+                QT_TRANSLATE_NOOP("errors", "choose real people only"));
         }
         const std::vector<Role>& roles = person.roles;
         if (table == Table::educators &&
             std::find(roles.begin(), roles.end(), Role::educator) == roles.end()) {
-            throw StoreError(StoreErrorKind::bad_value, person.display_name + " is not an educator",
-                             "have an administrator give them the role first");
+            throw StoreError(StoreErrorKind::bad_value,
+                             {QT_TRANSLATE_NOOP("errors", "%1 is not an educator"), person.display_name},
+                             QT_TRANSLATE_NOOP("errors", "have an administrator give them the role first"));
         }
         Query(connection, "INSERT INTO " + table_name(table) +
                               " (cohort_id, person_id) VALUES (?, ?) ON CONFLICT DO NOTHING")
@@ -62,15 +64,17 @@ void require_cohort(const Store& store, const std::string& cohort_id) {
     Query row(store.connection(), "SELECT 1 FROM cohort WHERE id = ?");
     row.bind(cohort_id);
     if (!row.next())
-        throw StoreError(StoreErrorKind::not_found, "no cohort " + cohort_id,
-                         "list the cohorts and name one of them");
+        throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no cohort %1"), cohort_id},
+                         QT_TRANSLATE_NOOP("errors", "list the cohorts and name one of them"));
 }
 
 void require_free_name(const Store& store, const std::string& name, const std::string& own_id) {
     Query row(store.connection(), "SELECT 1 FROM cohort WHERE name = ? AND id <> ?");
     row.bind(name).bind(own_id);
     if (row.next())
-        throw StoreError(StoreErrorKind::conflict, "a cohort \"" + name + "\" exists", "choose another name");
+        throw StoreError(StoreErrorKind::conflict,
+                         {QT_TRANSLATE_NOOP("errors", "a cohort \"%1\" exists"), name},
+                         QT_TRANSLATE_NOOP("errors", "choose another name"));
 }
 
 std::string insert_cohort(const Store& store, const std::string& name) {
@@ -91,6 +95,7 @@ void replace_people(const Store& store, const Session& director, Table table, co
     require_cohort(store, cohort_id);
     const std::string before = joined(ids_in(store.connection(), table, cohort_id));
     write_people(store, table, cohort_id, person_ids);
+    Query(store.connection(), "UPDATE cohort SET version = version + 1 WHERE id = ?").bind(cohort_id).run();
     Audit(store).append(
         director, cohort_id, table == Table::members ? "cohort.set_members" : "cohort.set_educators",
         json_object({{"before", before}, {"after", joined(person_ids)}}), {{RecordKind::cohort, cohort_id}});
@@ -129,7 +134,7 @@ std::optional<Cohort> People::find_cohort(const Session& session, const std::str
 
 std::string People::create_cohort(const Session& director, const std::string& name) const {
     store_.require(director, Operation::manage_cohorts);
-    require_name(name, "cohort's name");
+    require_name(name, QT_TRANSLATE_NOOP("errors", "name of the cohort"));
     Transaction transaction(store_.connection());
     std::string id = insert_cohort(store_, name);
     Audit(store_).append(director, id, "cohort.create", json_object({{"name", name}}),
@@ -141,11 +146,14 @@ std::string People::create_cohort(const Session& director, const std::string& na
 void People::rename_cohort(const Session& director, const std::string& cohort_id,
                            const std::string& name) const {
     store_.require(director, Operation::manage_cohorts);
-    require_name(name, "cohort's name");
+    require_name(name, QT_TRANSLATE_NOOP("errors", "name of the cohort"));
     Transaction transaction(store_.connection());
     require_cohort(store_, cohort_id);
     require_free_name(store_, name, cohort_id);
-    Query(store_.connection(), "UPDATE cohort SET name = ? WHERE id = ?").bind(name).bind(cohort_id).run();
+    Query(store_.connection(), "UPDATE cohort SET name = ?, version = version + 1 WHERE id = ?")
+        .bind(name)
+        .bind(cohort_id)
+        .run();
     Audit(store_).append(director, cohort_id, "cohort.rename", json_object({{"after", name}}),
                          {{RecordKind::cohort, cohort_id}});
     transaction.commit();
@@ -165,7 +173,7 @@ std::string People::create_demo_cohort(const Session& station, const std::string
                                        const std::vector<std::string>& members,
                                        const std::vector<std::string>& educators) const {
     require_open_demo(store_, station);
-    require_name(name, "cohort's name");
+    require_name(name, QT_TRANSLATE_NOOP("errors", "name of the cohort"));
     Transaction transaction(store_.connection());
     std::string id = insert_cohort(store_, name);
     write_people(store_, Table::members, id, members);

@@ -48,8 +48,9 @@ const Curriculum& require_version(const Curriculum& newest, const std::string& n
     if (found != nullptr) return *found;
     std::string known = newest.name();
     for (const Curriculum& one : newest.older) known += ", " + one.name();
-    throw StoreError(StoreErrorKind::bad_value, "no curriculum " + name + " is installed",
-                     "name one of these: " + known);
+    throw StoreError(StoreErrorKind::bad_value,
+                     {QT_TRANSLATE_NOOP("errors", "no curriculum %1 is installed"), name},
+                     {QT_TRANSLATE_NOOP("errors", "name one of these: %1"), known});
 }
 
 }  // namespace
@@ -106,7 +107,9 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
         store_.require(educator, Operation::decide_standing, Subject::person(person));
     require_version(newest, to);
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
-        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a reason is missing or too long"),
+                         QT_TRANSLATE_NOOP("errors", "give a reason of 1 to 4,000 characters"));
     Connection& connection = store_.connection();
     const std::int64_t now = store_.now();
     int moved = 0;
@@ -151,11 +154,15 @@ void Curricula::check(const Curriculum& newest) const {
     for (const auto& [name, count] : people()) {
         if (name.empty()) continue;
         const Curriculum* version = newest.version_named(name);
-        const std::string who = std::to_string(count) + (count == 1 ? " person follows" : " people follow");
         if (version == nullptr)
-            throw InputError("assets/curricula", "", who + " " + name + ", which is not installed",
-                             "put its file back next to the newer one; people stay on their version until an "
-                             "educator moves them");
+            throw InputError(
+                "assets/curricula", "",
+                {QT_TRANSLATE_NOOP("errors",
+                                   "the curriculum %2 is not installed, but people follow it (how many: %1)"),
+                 count, name},
+                QT_TRANSLATE_NOOP("errors",
+                                  "put its file back next to the newer one; people stay on "
+                                  "their version until an educator moves them"));
         if (version->text.empty()) continue;
         Query used(
             store_.connection(),
@@ -163,10 +170,16 @@ void Curricula::check(const Curriculum& newest) const {
             "'curricula/%' WHERE a.curriculum = ? ORDER BY a.started, a.id LIMIT 1");
         used.bind(name);
         if (used.next() && used.text(0) != sha256_hex(version->text))
-            throw InputError("curricula/" + version->file, "/version",
-                             "says " + name + ", but " + who + " a " + name + " with another content",
-                             "a version in use is never edited: restore this file, write the change to a new "
-                             "file with /version raised, and move people with fulcrum curriculum move");
+            throw InputError(
+                "curricula/" + version->file, "/version",
+                {QT_TRANSLATE_NOOP("errors",
+                                   "this file says it is %1, but the %1 that people follow (how many: %2) "
+                                   "has different content"),
+                 name, count},
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "a version in use is never edited: restore this file, write the change to a new file "
+                    "with /version raised, and move people with fulcrum curriculum move"));
     }
 }
 

@@ -57,8 +57,11 @@ bool is_reserved_login(const std::string& login) {
 void require_persons_login(const std::string& login) {
     require_login(login);
     if (is_reserved_login(login))
-        throw StoreError(StoreErrorKind::bad_value, "the login \"" + login + "\" cannot be used",
-                         "logins that begin with synthetic- or external- belong to simulated people");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "the login \"%1\" cannot be used"), login},
+            QT_TRANSLATE_NOOP("errors",
+                              "logins that begin with synthetic- or external- belong to simulated people"));
 }
 
 void make_room_for(const Store& store, const Session& actor, const std::string& login) {
@@ -87,8 +90,10 @@ void require_login(const std::string& login) {
                    c == '_' || c == '-' || c == '@';
         });
     if (!fits || login_key(login) == "station") {
-        throw StoreError(StoreErrorKind::bad_value, "the login \"" + login + "\" cannot be used",
-                         "use 1 to 64 letters, digits or . _ - @, and not \"station\"");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "the login \"%1\" cannot be used"), login},
+            QT_TRANSLATE_NOOP("errors", "use 1 to 64 letters, digits or . _ - @, and not \"station\""));
     }
 }
 
@@ -108,22 +113,26 @@ bool misleads(QChar c) {
 void require_name(const std::string& name, const char* what) {
     const QString whole = QString::fromStdString(name);
     if (whole.toStdString() != name || std::any_of(whole.begin(), whole.end(), misleads)) {
-        throw StoreError(StoreErrorKind::bad_value,
-                         std::string("the ") + what + " contains control or direction characters",
-                         "type it with letters, digits and punctuation only");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "%1: it contains control or direction characters"), what},
+            QT_TRANSLATE_NOOP("errors", "type it with letters, digits and punctuation only"));
     }
     const QString text = whole.trimmed();
     if (text.isEmpty() || text.size() > 120) {
-        throw StoreError(StoreErrorKind::bad_value, std::string("the ") + what + " is empty or too long",
-                         "use 1 to 120 characters");
+        throw StoreError(StoreErrorKind::bad_value,
+                         {QT_TRANSLATE_NOOP("errors", "%1: it is empty or too long"), what},
+                         QT_TRANSLATE_NOOP("errors", "use 1 to 120 characters"));
     }
 }
 
 void require_password(const std::string& password) {
     const int characters = static_cast<int>(QString::fromStdString(password).toUcs4().size());
     if (characters < password_minimum_length || password.size() > 1024) {
-        throw StoreError(StoreErrorKind::bad_value, "the password is too short (or beyond 1,024 bytes)",
-                         "use at least " + std::to_string(password_minimum_length) + " characters");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            QT_TRANSLATE_NOOP("errors", "the password is too short (or beyond 1,024 bytes)"),
+            {QT_TRANSLATE_NOOP("errors", "use at least %1 characters"), password_minimum_length});
     }
 }
 
@@ -143,8 +152,9 @@ void write_roles(Connection& connection, const std::string& person_id, const std
     Query(connection, "DELETE FROM person_role WHERE person_id = ?").bind(person_id).run();
     for (const Role role : roles) {
         if (role == Role::station) {
-            throw StoreError(StoreErrorKind::bad_value, "station is not the role of a person",
-                             "choose trainee, educator, director or administrator");
+            throw StoreError(
+                StoreErrorKind::bad_value, QT_TRANSLATE_NOOP("errors", "station is not the role of a person"),
+                QT_TRANSLATE_NOOP("errors", "choose trainee, educator, director or administrator"));
         }
         Query(connection, "INSERT INTO person_role (person_id, role) VALUES (?, ?) ON CONFLICT DO NOTHING")
             .bind(person_id)
@@ -159,7 +169,9 @@ std::string insert_person(const Store& store, const std::string& login, const st
     Query taken(connection, "SELECT 1 FROM person WHERE login_key = ?");
     taken.bind(login_key(login));
     if (taken.next()) {
-        throw StoreError(StoreErrorKind::conflict, "the login \"" + login + "\" is taken", "choose another");
+        throw StoreError(StoreErrorKind::conflict,
+                         {QT_TRANSLATE_NOOP("errors", "the login \"%1\" is taken"), login},
+                         QT_TRANSLATE_NOOP("errors", "choose another one"));
     }
     std::string id = random_uuid();
     Query(connection,
@@ -187,8 +199,8 @@ Person read_person(const Store& store, const std::string& person_id) {
     Query row(store.connection(), QString(person_columns) + "WHERE p.id = ?");
     row.bind(person_id);
     if (!row.next())
-        throw StoreError(StoreErrorKind::not_found, "no person " + person_id,
-                         "list the people and name one of them");
+        throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no person %1"), person_id},
+                         QT_TRANSLATE_NOOP("errors", "list the people and name one of them"));
     Person person = person_of_row(row);
     person.roles = roles_of(store.connection(), person.id);
     return person;
@@ -196,11 +208,13 @@ Person read_person(const Store& store, const std::string& person_id) {
 
 void require_open_demo(const Store& store, const Session& station) {
     if (!store.is_demo() || !station.is_station()) {
-        throw AccessDenied("build_demo", role_name(station.role()), "by the program, in a demo store");
+        throw AccessDenied("build_demo", role_name(station.role()),
+                           QT_TRANSLATE_NOOP("errors", "by the program, in a demo store"));
     }
     if (read_setting(store.connection(), "demo_sealed") == "1") {
-        throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
-                         "delete the demo store to build it again");
+        throw StoreError(StoreErrorKind::sealed_demo,
+                         QT_TRANSLATE_NOOP("errors", "the demo takes practice attempts only"),
+                         QT_TRANSLATE_NOOP("errors", "delete the demo store to build it again"));
     }
 }
 
@@ -209,7 +223,7 @@ People::Created People::create(const Session& administrator, const std::string& 
     store_.require(administrator, Operation::manage_people);
     store_.require(administrator, Operation::manage_roles);
     require_persons_login(login);
-    require_name(display_name, "name");
+    require_name(display_name, QT_TRANSLATE_NOOP("errors", "name"));
     Created created;
     created.one_time_password = make_one_time_password();
     const std::string verifier = make_verifier(created.one_time_password);
@@ -229,7 +243,7 @@ People::Created People::create(const Session& administrator, const std::string& 
 void People::rename(const Session& administrator, const std::string& person_id,
                     const std::string& display_name) const {
     store_.require(administrator, Operation::manage_people);
-    require_name(display_name, "name");
+    require_name(display_name, QT_TRANSLATE_NOOP("errors", "name"));
     Transaction transaction(store_.connection());
     const Person before = read_person(store_, person_id);
     Query(store_.connection(), "UPDATE person SET display_name = ?, version = version + 1 WHERE id = ?")
@@ -247,8 +261,9 @@ void People::set_active(const Session& administrator, const std::string& person_
     Transaction transaction(store_.connection());
     const Person before = read_person(store_, person_id);
     if (!active && is_last_administrator(store_.connection(), person_id)) {
-        throw StoreError(StoreErrorKind::conflict, "the last administrator stays",
-                         "make someone else administrator first");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the last administrator cannot be deactivated"),
+                         QT_TRANSLATE_NOOP("errors", "make someone else administrator first"));
     }
     Query(store_.connection(), "UPDATE person SET active = ?, version = version + 1 WHERE id = ?")
         .bind(active)
@@ -267,13 +282,15 @@ void People::set_roles(const Session& administrator, const std::string& person_i
     Transaction transaction(store_.connection());
     const Person before = read_person(store_, person_id);
     if (before.kind != PersonKind::real) {
-        throw StoreError(StoreErrorKind::bad_value, "synthetic and external people hold no roles",
-                         "make an account for a person");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "synthetic and external people cannot have roles"),
+                         QT_TRANSLATE_NOOP("errors", "make an account for a person"));
     }
     const bool stays = std::find(roles.begin(), roles.end(), Role::administrator) != roles.end();
     if (!stays && is_last_administrator(store_.connection(), person_id)) {
-        throw StoreError(StoreErrorKind::conflict, "the last administrator keeps the role",
-                         "make someone else administrator first");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the last administrator cannot give up the role"),
+                         QT_TRANSLATE_NOOP("errors", "make someone else administrator first"));
     }
     write_roles(store_.connection(), person_id, roles);
     Query(store_.connection(), "UPDATE person SET version = version + 1 WHERE id = ?").bind(person_id).run();
@@ -288,7 +305,10 @@ Person People::ensure_synthetic(const Session& station, const std::string& login
     // A sealed demo refuses new people but still finds those it has.
     store_.require(station, Operation::list_people);
     if (kind == PersonKind::real) {
-        throw StoreError(StoreErrorKind::bad_value, "a real person is made by an administrator", "ask one");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            QT_TRANSLATE_NOOP("errors", "only an administrator can make an account for a real person"),
+            QT_TRANSLATE_NOOP("errors", "ask an administrator"));
     }
     Transaction transaction(store_.connection());
     std::string id;
@@ -303,14 +323,16 @@ Person People::ensure_synthetic(const Session& station, const std::string& login
         store_.require(station, Operation::create_synthetic);
         // In a store with a programme the answer is the same whether somebody real has this login or nobody.
         if (!is_reserved_login(login) && !store_.is_demo() && store_.has_administrator()) {
-            throw StoreError(StoreErrorKind::conflict,
-                             "the login \"" + login + "\" is not one of a simulated person",
-                             "name a synthetic or external person of this store, or a new one whose login "
-                             "begins with synthetic- or external-; operators and traces may not perform for "
-                             "others");
+            throw StoreError(
+                StoreErrorKind::conflict,
+                {QT_TRANSLATE_NOOP("errors", "the login \"%1\" is not one of a simulated person"), login},
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "name a synthetic or external person of this store, or a new one whose login begins with "
+                    "synthetic- or external-; operators and traces may not perform for others"));
         }
         require_login(login);
-        require_name(display_name, "name");
+        require_name(display_name, QT_TRANSLATE_NOOP("errors", "name"));
         id = insert_person(store_, login, display_name, kind);
         Audit(store_).append(station, id, "person.create_synthetic",
                              json_object({{"login", login},

@@ -30,8 +30,9 @@ class Forms {
         Query row(connection_, "SELECT text FROM form_text WHERE digest = ?");
         row.bind(digest);
         if (!row.next())
-            throw StoreError(StoreErrorKind::corrupt, "the form " + digest + " of a rating is gone",
-                             "restore the newest backup");
+            throw StoreError(StoreErrorKind::corrupt,
+                             {QT_TRANSLATE_NOOP("errors", "the form %1 of a rating is missing"), digest},
+                             QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
         return forms_.emplace(digest, parse_form(row.text(0), "form " + digest)).first->second;
     }
 
@@ -48,8 +49,10 @@ void read_answers(Connection& connection, RatingRow& row) {
     while (items.next()) {
         const auto number = static_cast<std::size_t>(items.integer(0));
         if (number >= row.answers.size())
-            throw StoreError(StoreErrorKind::corrupt, "rating " + row.id + " has more answers than its form",
-                             "restore the newest backup");
+            throw StoreError(
+                StoreErrorKind::corrupt,
+                {QT_TRANSLATE_NOOP("errors", "rating %1 has more answers than its form"), row.id},
+                QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
         row.answered[number] = true;
         if (!items.is_null(1)) row.answers[number] = static_cast<int>(items.integer(1));
     }
@@ -109,23 +112,27 @@ RatingRow require_own_draft(const Store& store, const Session& rater, const std:
     rows.bind(rating_id);
     std::vector<RatingRow> found = read_ratings(store.connection(), rows);
     if (found.empty())
-        throw StoreError(StoreErrorKind::not_found, "no rating " + rating_id, "open the attempt again");
+        throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no rating %1"), rating_id},
+                         QT_TRANSLATE_NOOP("errors", "open the attempt again"));
     require_attempt(store, rater, Operation::rate, found[0].attempt_id);
     if (found[0].rater_id != rater.person_id())
-        throw AccessDenied("rate", role_name(rater.role()), "someone else's form");
+        throw AccessDenied("rate", role_name(rater.role()),
+                           QT_TRANSLATE_NOOP("errors", "someone else's form"));
     if (found[0].handed_in > 0)
-        throw StoreError(StoreErrorKind::conflict, "the form was handed in already",
-                         "what was handed in is never changed");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the form was handed in already"),
+                         QT_TRANSLATE_NOOP("errors", "what was handed in is never changed"));
     return std::move(found[0]);
 }
 
 void require_ratable(const Store& store, const std::string& attempt_id) {
     const AttemptSummary attempt = query_attempt(store, attempt_id);
     if (attempt.state == AttemptState::voided || attempt.state == AttemptState::running)
-        throw StoreError(
-            StoreErrorKind::conflict,
-            attempt.state == AttemptState::voided ? "the attempt is voided" : "the attempt has not ended",
-            "rate an attempt that has ended and counts");
+        throw StoreError(StoreErrorKind::conflict,
+                         attempt.state == AttemptState::voided
+                             ? Sentence(QT_TRANSLATE_NOOP("errors", "the attempt is voided"))
+                             : Sentence(QT_TRANSLATE_NOOP("errors", "the attempt has not ended")),
+                         QT_TRANSLATE_NOOP("errors", "rate an attempt that has ended and counts"));
 }
 
 std::string store_form(Connection& connection, const ObserverForm& form) {
@@ -149,22 +156,26 @@ bool has_seen(Connection& connection, const Session& rater, const std::string& a
 void check_answers(const ObserverForm& form, const FormAnswers& answers, const std::vector<bool>& answered,
                    const std::string& remark) {
     if (answers.size() != form.items.size() || answered.size() != form.items.size())
-        throw StoreError(StoreErrorKind::bad_value,
-                         "the form " + form.name() + " has another number of items",
-                         "give one answer an item");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "the form %1 has another number of items"), form.name()},
+            QT_TRANSLATE_NOOP("errors", "give one answer per item"));
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const FormItem& item = form.items[i];
         if (answers[i] && (*answers[i] < item.lowest || *answers[i] > item.highest))
             throw StoreError(
                 StoreErrorKind::bad_value,
-                item.title + ": " + std::to_string(*answers[i]) + " is outside the scale",
-                "rate from " + std::to_string(item.lowest) + " to " + std::to_string(item.highest));
+                {QT_TRANSLATE_NOOP("errors", "%1: %2 is outside the scale"), item.title, *answers[i]},
+                {QT_TRANSLATE_NOOP("errors", "rate from %1 to %2"), item.lowest, item.highest});
         if (answered[i] && !answers[i] && !item.optional)
-            throw StoreError(StoreErrorKind::bad_value, item.title + " must be rated",
-                             "only optional items can be left as not seen");
+            throw StoreError(StoreErrorKind::bad_value,
+                             {QT_TRANSLATE_NOOP("errors", "%1 must be rated"), item.title},
+                             QT_TRANSLATE_NOOP("errors", "only optional items can be left as not seen"));
     }
     if (remark.size() > longest_remark)
-        throw StoreError(StoreErrorKind::bad_value, "a remark has at most 4,000 characters", "shorten it");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a remark has at most 4,000 characters"),
+                         QT_TRANSLATE_NOOP("errors", "shorten it"));
 }
 
 }  // namespace
@@ -262,10 +273,14 @@ std::string Ratings::begin(const Session& rater, const std::string& attempt_id,
         while (own.next()) {
             const bool same = own.text(0).substr(0, own.text(0).find('@')) == form.id;
             if (same || own.integer(1) == 0)
-                throw StoreError(StoreErrorKind::conflict,
-                                 own.integer(1) == 0 ? "a form of yours for this attempt is not handed in yet"
-                                                     : "you handed in this form for this attempt already",
-                                 "complete that one, or choose another form");
+                throw StoreError(
+                    StoreErrorKind::conflict,
+                    own.integer(1) == 0
+                        ? Sentence(QT_TRANSLATE_NOOP(
+                              "errors", "you have a form for this attempt that is not handed in yet"))
+                        : Sentence(QT_TRANSLATE_NOOP("errors",
+                                                     "you handed in this form for this attempt already")),
+                    QT_TRANSLATE_NOOP("errors", "complete that one, or choose another form"));
         }
     }
     const Blinding blinding = !form.blind                               ? Blinding::not_asked
@@ -325,8 +340,9 @@ void Ratings::hand_in(const Session& rater, const std::string& rating_id) const 
     const RatingRow draft = require_own_draft(store_, rater, rating_id);
     require_ratable(store_, draft.attempt_id);
     if (const auto left = first_unanswered(draft.form, draft.answers, draft.answered))
-        throw StoreError(StoreErrorKind::bad_value, draft.form.items[*left].title + " is not rated yet",
-                         "rate every item of the form");
+        throw StoreError(StoreErrorKind::bad_value,
+                         {QT_TRANSLATE_NOOP("errors", "%1 is not rated yet"), draft.form.items[*left].title},
+                         QT_TRANSLATE_NOOP("errors", "rate every item of the form"));
     Query(connection, "UPDATE rating SET handed_in = ? WHERE id = ?")
         .bind(store_.now())
         .bind(rating_id)

@@ -31,7 +31,7 @@ StoreOptions for_writing(StoreOptions options) {
     return options;
 }
 
-[[noreturn]] void bad(const std::string& wrong, const std::string& hint) {
+[[noreturn]] void bad(const Sentence& wrong, const Sentence& hint) {
     throw StoreError(StoreErrorKind::bad_value, wrong, hint);
 }
 
@@ -205,27 +205,32 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
     Store& store = state.opened();
     AttemptMeta& attempt = state.meta;
     store.require(session, Operation::perform_attempt, Subject::person(attempt.person_id));
-    if (attempt.task_id.empty()) bad("the attempt names no task", "give the task's id");
+    if (attempt.task_id.empty())
+        bad(QT_TRANSLATE_NOOP("errors", "the attempt names no task"),
+            QT_TRANSLATE_NOOP("errors", "give the task's id"));
     Connection& connection = store.connection();
     Query person(connection, "SELECT kind FROM person WHERE id = ?");
     person.bind(attempt.person_id);
     const bool real = person.next() && person_kind_of(person.text(0), attempt.person_id) == PersonKind::real;
     if (real &&
         (attempt.device_class == DeviceClass::synthetic || attempt.device_class == DeviceClass::external)) {
-        bad(std::string("an attempt by ") + row_of(device_classes, attempt.device_class).title +
-                " never belongs to a real person",
-            "record it for a synthetic or external person");
+        bad({QT_TRANSLATE_NOOP("errors", "an attempt by %1 never belongs to a real person"),
+             row_of(device_classes, attempt.device_class).title},
+            QT_TRANSLATE_NOOP("errors", "record it for a synthetic or external person"));
     }
     if (store.is_demo() && attempt.mode != AttemptMode::practice &&
         read_setting(connection, "demo_sealed") == "1") {
-        throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
-                         "choose practice, or make a programme");
+        throw StoreError(StoreErrorKind::sealed_demo,
+                         QT_TRANSLATE_NOOP("errors", "the demo takes practice attempts only"),
+                         QT_TRANSLATE_NOOP("errors", "choose practice, or make a programme"));
     }
     if (attempt.origin && attempt.mode != AttemptMode::practice)
-        bad("an attempt that continues another one is practice", "choose practice");
+        bad(QT_TRANSLATE_NOOP("errors", "an attempt that continues another one is practice"),
+            QT_TRANSLATE_NOOP("errors", "choose practice"));
     if (real && attempt.mode == AttemptMode::assessed) {
         const std::vector<AssetFile> unknown = AcceptedAssets(store).unknown(attempt.assets);
-        if (!unknown.empty()) bad(practice_only_words(unknown), "perform it as practice");
+        if (!unknown.empty())
+            bad(practice_only_words(unknown), QT_TRANSLATE_NOOP("errors", "perform it as practice"));
     }
     attempt.scene_digest = attempt.scene_text.empty() ? std::string() : text_digest(attempt.scene_text);
     if (attempt.id.empty()) attempt.id = random_uuid();
@@ -331,7 +336,8 @@ void Recorder::finish(const AttemptResult& result) {
     const State::Pending pending = state.write_all();
     for (const ProductBlob& product : result.products) {
         if (product.data.size() > product_maximum_bytes)
-            bad("product " + product.kind + " is larger than 64 MiB", "store it coarser");
+            bad({QT_TRANSLATE_NOOP("errors", "product %1 is larger than 64 MiB"), product.kind},
+                QT_TRANSLATE_NOOP("errors", "store it coarser"));
         Query(connection,
               "INSERT INTO attempt_product (attempt_id, kind, checksum, data) VALUES (?, ?, ?, ?)")
             .bind(state.meta.id)
@@ -341,7 +347,8 @@ void Recorder::finish(const AttemptResult& result) {
             .run();
     }
     if (result.state == AttemptState::running || result.state == AttemptState::voided)
-        bad("an attempt ends neither running nor voided", "give the state in which it ended");
+        bad(QT_TRANSLATE_NOOP("errors", "an attempt ends neither running nor voided"),
+            QT_TRANSLATE_NOOP("errors", "give the state in which it ended"));
     const std::string state_name = row_of(attempt_states, result.state).name;
     RecordingLock::leave(store, state.meta.id);
     Query ended(connection,
@@ -362,7 +369,8 @@ void Recorder::finish(const AttemptResult& result) {
         json_object({{"state", state_name}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}),
         {{RecordKind::attempt, state.meta.id}, {RecordKind::trace, state.meta.id}});
     if (result.score && state.meta.origin)
-        bad("an attempt that continues another one is never scored", "finish it without a score");
+        bad(QT_TRANSLATE_NOOP("errors", "an attempt that continues another one is never scored"),
+            QT_TRANSLATE_NOOP("errors", "finish it without a score"));
     if (result.score) write_score(store, state.session, state.meta.id, *result.score);
     transaction.commit();
     state.committed(pending);

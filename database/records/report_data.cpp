@@ -26,8 +26,8 @@ PersonName name_of(const Store& store, const std::string& person_id) {
     Query row(store.connection(), "SELECT id, login, display_name, kind FROM person WHERE id = ?");
     row.bind(person_id);
     if (!row.next())
-        throw StoreError(StoreErrorKind::not_found, "no person " + person_id,
-                         "list the people and name one of them");
+        throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no person %1"), person_id},
+                         QT_TRANSLATE_NOOP("errors", "list the people and name one of them"));
     return {row.text(0), row.text(1), row.text(2),
             person_kind_of(row.text(3), row.text(0)) != PersonKind::real};
 }
@@ -195,8 +195,9 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
         Query name(store_.connection(), "SELECT name FROM cohort WHERE id = ?");
         name.bind(cohort_id);
         if (!name.next())
-            throw StoreError(StoreErrorKind::not_found, "no cohort " + cohort_id,
-                             "list the cohorts and name one of them");
+            throw StoreError(StoreErrorKind::not_found,
+                             {QT_TRANSLATE_NOOP("errors", "no cohort %1"), cohort_id},
+                             QT_TRANSLATE_NOOP("errors", "list the cohorts and name one of them"));
         table.cohort_name = name.text(0);
         Query rows(
             store_.connection(),

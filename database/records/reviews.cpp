@@ -36,18 +36,22 @@ Place place_of(const Store& store, const std::string& comment_id) {
               "JOIN attempt a ON a.id = c.attempt_id WHERE c.id = ?");
     row.bind(comment_id);
     if (!row.next())
-        throw StoreError(StoreErrorKind::not_found, "no comment " + comment_id, "open the attempt again");
+        throw StoreError(StoreErrorKind::not_found,
+                         {QT_TRANSLATE_NOOP("errors", "no comment %1"), comment_id},
+                         QT_TRANSLATE_NOOP("errors", "open the attempt again"));
     return {row.text(0), row.text(1), row.text(2), row.flag(3), row.flag(4)};
 }
 
 void require_text(double time_s, const std::string& text) {
     if (text.find_first_not_of(" \t\n") == std::string::npos || text.size() > 4000) {
-        throw StoreError(StoreErrorKind::bad_value, "a comment has 1 to 4,000 characters",
-                         "write or shorten it");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a comment has 1 to 4,000 characters"),
+                         QT_TRANSLATE_NOOP("errors", "write or shorten it"));
     }
     if (!std::isfinite(time_s) || time_s < 0) {
-        throw StoreError(StoreErrorKind::bad_value, "a comment's time is not within the attempt",
-                         "choose a time from 0 s on");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a comment's time is not within the attempt"),
+                         QT_TRANSLATE_NOOP("errors", "choose a time from 0 s on"));
     }
 }
 
@@ -56,9 +60,12 @@ Place require_own_draft(const Store& store, const Session& educator, const std::
     Place place = place_of(store, comment_id);
     store.require(educator, Operation::comment, Subject::person(place.person_id));
     if (place.author_id != educator.person_id())
-        throw AccessDenied("comment", role_name(educator.role()), "someone else's comment");
+        throw AccessDenied("comment", role_name(educator.role()),
+                           QT_TRANSLATE_NOOP("errors", "someone else's comment"));
     if (place.sent)
-        throw StoreError(StoreErrorKind::conflict, "the comment was sent already", "write another");
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "the comment was sent already"),
+                         QT_TRANSLATE_NOOP("errors", "write another comment"));
     return place;
 }
 
@@ -148,7 +155,9 @@ void Reviews::mark_read(const Session& trainee, const std::string& comment_id) c
     const Place place = place_of(store_, comment_id);
     store_.require(trainee, Operation::mark_comment_read, Subject::person(place.person_id));
     if (!place.sent)
-        throw StoreError(StoreErrorKind::not_found, "no comment " + comment_id, "open the attempt again");
+        throw StoreError(StoreErrorKind::not_found,
+                         {QT_TRANSLATE_NOOP("errors", "no comment %1"), comment_id},
+                         QT_TRANSLATE_NOOP("errors", "open the attempt again"));
     if (!place.read) {
         Query(store_.connection(), "UPDATE comment SET read = ? WHERE id = ?")
             .bind(store_.now())

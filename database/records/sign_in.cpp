@@ -60,8 +60,9 @@ void begin_try(const Store& store, const std::string& login) {
     const double wait = remaining_wait_s(before);
     if (wait > 0) {
         const auto seconds = static_cast<long>(std::ceil(wait));
-        throw SignInRefused(SignInRefused::Reason::wait, wait,
-                            "too many wrong tries with this login; wait " + std::to_string(seconds) + " s");
+        throw SignInRefused(
+            SignInRefused::Reason::wait, wait,
+            {QT_TRANSLATE_NOOP("errors", "too many wrong tries with this login; wait %1 s"), seconds});
     }
     const BootTime now = store.boot_time();
     Query(store.connection(),
@@ -85,11 +86,11 @@ void begin_try(const Store& store, const std::string& login) {
 }
 
 /// The try that begin_try() counted was wrong.
-[[noreturn]] void refuse_wrong_try(const Store& store, const std::string& login, const char* what) {
+[[noreturn]] void refuse_wrong_try(const Store& store, const std::string& login, const Sentence& what) {
     const double wait = remaining_wait_s(read_tries(store, login));
     throw SignInRefused(SignInRefused::Reason::wrong, wait,
-                        std::string(what) + "; the next try is looked at in " +
-                            std::to_string(static_cast<long>(std::ceil(wait))) + " s");
+                        {QT_TRANSLATE_NOOP("errors", "%1; you can try again in %2 s"), what,
+                         static_cast<long>(std::ceil(wait))});
 }
 
 struct Account {
@@ -125,7 +126,7 @@ Account require_right_password(const Store& store, const std::string& login, con
     Account account = find_account(store, login);
     const bool right =
         account.id.empty() ? verify_nothing(password) : verify_secret(account.verifier, password);
-    if (!right) refuse_wrong_try(store, login, "login or password wrong");
+    if (!right) refuse_wrong_try(store, login, QT_TRANSLATE_NOOP("errors", "login or password wrong"));
     forget_wrong_tries(store, login);
     return account;
 }
@@ -149,8 +150,10 @@ void require_valid(const Store& store, const Account& account) {
     const std::int64_t since_boot = account.boot == now.boot ? now.ms - account.boot_ms : now.ms;
     const UtcMilliseconds newest = std::max(store.now(), newest_time_since_issue(store, account.id));
     if (newest <= account.expires && since_boot <= one_time_password_valid_ms) return;
-    throw SignInRefused(SignInRefused::Reason::expired, 0,
-                        "this one-time password has expired (24 h); ask an administrator for another");
+    throw SignInRefused(
+        SignInRefused::Reason::expired, 0,
+        QT_TRANSLATE_NOOP("errors",
+                          "this one-time password has expired (24 h); ask an administrator for another"));
 }
 
 }  // namespace
@@ -171,18 +174,20 @@ void write_verifier(const Store& store, const std::string& person_id, const std:
     }
     const BootTime since_boot = store.boot_time();
     query.bind(store.now()).bind(since_boot.boot).bind(since_boot.ms).run();
+    Query(store.connection(), "UPDATE person SET version = version + 1 WHERE id = ?").bind(person_id).run();
 }
 
 CreatedProgramme People::create_programme(const std::string& programme, const std::string& login,
                                           const std::string& display_name,
                                           const std::string& password) const {
     if (store_.is_demo()) {
-        throw StoreError(StoreErrorKind::sealed_demo, "a demo store holds no programme",
-                         "make a store of your own");
+        throw StoreError(StoreErrorKind::sealed_demo,
+                         QT_TRANSLATE_NOOP("errors", "a demo store holds no programme"),
+                         QT_TRANSLATE_NOOP("errors", "make a store of your own"));
     }
-    require_name(programme, "programme's name");
+    require_name(programme, QT_TRANSLATE_NOOP("errors", "name of the programme"));
     require_persons_login(login);
-    require_name(display_name, "name");
+    require_name(display_name, QT_TRANSLATE_NOOP("errors", "name"));
     require_password(password);
     const std::string recovery_code = make_recovery_code();
     const std::string verifier = make_verifier(password);
@@ -194,8 +199,10 @@ CreatedProgramme People::create_programme(const std::string& programme, const st
     Query any(connection,
               "SELECT 1 FROM programme UNION SELECT 1 FROM person_role WHERE role = 'administrator'");
     if (any.next()) {
-        throw StoreError(StoreErrorKind::conflict, "this store has a programme and its administrator already",
-                         "sign in");
+        throw StoreError(
+            StoreErrorKind::conflict,
+            QT_TRANSLATE_NOOP("errors", "this store has a programme and its administrator already"),
+            QT_TRANSLATE_NOOP("errors", "sign in"));
     }
     const std::string programme_id = random_uuid();
     Query(connection, "INSERT INTO programme (id, name, created, recovery_verifier) VALUES (?, ?, ?, ?)")
@@ -223,10 +230,12 @@ Session People::sign_in(const std::string& login, const std::string& password,
     require_valid(store_, account);
     const std::vector<Role> roles = roles_of(store_.connection(), account.id);
     if (roles.empty() || (role && std::find(roles.begin(), roles.end(), *role) == roles.end())) {
-        throw SignInRefused(SignInRefused::Reason::role_not_held, 0,
-                            roles.empty()
-                                ? "this account holds no role; ask an administrator for one"
-                                : std::string("this account does not hold the role ") + role_name(*role));
+        throw SignInRefused(
+            SignInRefused::Reason::role_not_held, 0,
+            roles.empty() ? Sentence(QT_TRANSLATE_NOOP(
+                                "errors", "this account holds no role; ask an administrator for one"))
+                          : Sentence(QT_TRANSLATE_NOOP("errors", "this account does not hold the role %1"),
+                                     role_name(*role)));
     }
     Session session =
         SessionMaker::person(account.id, account.login, account.name, roles, role.value_or(roles.front()),
@@ -249,7 +258,7 @@ Session People::act_as(const Session& session, Role role) const {
         session.is_station() ? std::vector<Role>{} : roles_of(store_.connection(), session.person_id());
     if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
         throw AccessDenied("act_as", role_name(session.role()),
-                           std::string(role_name(role)) + " is not held");
+                           {QT_TRANSLATE_NOOP("errors", "the role %1 is not held"), role_name(role)});
     }
     return SessionMaker::person(session.person_id(), session.login(), session.display_name(), roles, role,
                                 session.station_id(), session.must_change_password(), session.is_demo());
@@ -261,10 +270,12 @@ Session People::demo_session(const std::string& login, Role role) const {
         "SELECT id, login, display_name FROM person WHERE login_key = ? AND kind <> 'real' AND active = 1");
     row.bind(login_key(login));
     if (!store_.is_demo() || !row.next())
-        throw AccessDenied("demo_session", role_name(role), "demo people exist in the demo store only");
+        throw AccessDenied("demo_session", role_name(role),
+                           QT_TRANSLATE_NOOP("errors", "demo people exist in the demo store only"));
     const std::vector<Role> roles = roles_of(store_.connection(), row.text(0));
     if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
-        throw AccessDenied("demo_session", role_name(role), "the role is not held");
+        throw AccessDenied("demo_session", role_name(role),
+                           QT_TRANSLATE_NOOP("errors", "the role is not held"));
     }
     return SessionMaker::person(row.text(0), row.text(1), row.text(2), roles, role, store_.station_id(),
                                 false, true);
@@ -306,11 +317,14 @@ Session People::change_password(const Session& session, const std::string& old_p
     require_password(new_password);
     const Account account = require_right_password(store_, session.login(), old_password);
     if (account.id != session.person_id()) {
-        throw AccessDenied("change_password", role_name(session.role()), "someone else's login");
+        throw AccessDenied("change_password", role_name(session.role()),
+                           QT_TRANSLATE_NOOP("errors", "someone else's login"));
     }
     require_valid(store_, account);
     if (old_password == new_password) {
-        throw StoreError(StoreErrorKind::bad_value, "the new password is the old one", "choose another");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "the new password is the old one"),
+                         QT_TRANSLATE_NOOP("errors", "choose another one"));
     }
     const std::string verifier = make_verifier(new_password);
     Transaction transaction(store_.connection());
@@ -329,12 +343,14 @@ std::string People::issue_one_time_password(const Session& administrator,
     Transaction transaction(store_.connection());
     const Person person = read_person(store_, person_id);
     if (person.kind != PersonKind::real) {
-        throw StoreError(StoreErrorKind::bad_value, "synthetic and external people do not sign in",
-                         "name a person");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "synthetic and external people do not sign in"),
+                         QT_TRANSLATE_NOOP("errors", "name a person"));
     }
     if (person_id == administrator.person_id()) {
-        throw StoreError(StoreErrorKind::bad_value, "your own password is changed, not issued",
-                         "use *Change password*");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "your own password is changed, not issued"),
+                         QT_TRANSLATE_NOOP("errors", "use \"Change password\""));
     }
     write_verifier(store_, person_id, verifier, true);
     forget_wrong_tries(store_, person.login);
@@ -359,8 +375,10 @@ std::string People::recover_administrator(const std::string& login, const std::s
     const bool right =
         recovery_verifier.empty() ? verify_nothing(code) : verify_secret(recovery_verifier, code);
     if (!right || !last) {
-        refuse_wrong_try(store_, login,
-                         "login or recovery code wrong (it serves the last administrator only)");
+        refuse_wrong_try(
+            store_, login,
+            QT_TRANSLATE_NOOP("errors",
+                              "login or recovery code wrong (the code is for the last administrator only)"));
     }
     std::string next_code = make_recovery_code();
     const std::string verifier = make_verifier(new_password);
@@ -368,7 +386,9 @@ std::string People::recover_administrator(const std::string& login, const std::s
     Transaction transaction(store_.connection());
     write_verifier(store_, account.id, verifier, false);
     // A code serves once.
-    Query(store_.connection(), "UPDATE programme SET recovery_verifier = ?").bind(next_verifier).run();
+    Query(store_.connection(), "UPDATE programme SET recovery_verifier = ?, version = version + 1")
+        .bind(next_verifier)
+        .run();
     forget_wrong_tries(store_, login);
     const Session session =
         SessionMaker::person(account.id, account.login, account.name, {Role::administrator},

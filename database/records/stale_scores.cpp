@@ -46,7 +46,7 @@ std::vector<StaleScore> Attempts::stale_scores(const Session& session, const Sco
         "JOIN person p ON p.id = a.person_id JOIN score s ON s.attempt_id = a.id "
         "LEFT JOIN attempt_void v ON v.attempt_id = a.id "
         "WHERE v.attempt_id IS NULL AND a.state <> 'running' AND " +
-        visible_people(session, Operation::recompute_score, "a.person_id");
+        has_trace_here("a") + " AND " + visible_people(session, Operation::recompute_score, "a.person_id");
     if (!person_id.empty()) sql += " AND a.person_id = ?";
     Query rows(store_.connection(), sql + " ORDER BY a.started, a.id, s.in_force DESC, s.computed, s.id");
     bind_visible_people(rows, session, Operation::recompute_score);

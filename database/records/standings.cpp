@@ -45,9 +45,12 @@ std::string Standings::decide(const Session& educator, const std::string& person
                               const std::string& reason) const {
     store_.require(educator, Operation::decide_standing, Subject::person(person_id));
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
-        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a reason is missing or too long"),
+                         QT_TRANSLATE_NOOP("errors", "give a reason of 1 to 4,000 characters"));
     if (task_id.empty())
-        throw StoreError(StoreErrorKind::bad_value, "no task was named", "name a task of the curriculum");
+        throw StoreError(StoreErrorKind::bad_value, QT_TRANSLATE_NOOP("errors", "no task was named"),
+                         QT_TRANSLATE_NOOP("errors", "name a task of the curriculum"));
     Connection& connection = store_.connection();
     OverrideRow row;
     row.decision = {random_uuid(), task_id, kind, store_.now()};

@@ -62,13 +62,14 @@ int Tissues::set(const Session& educator, const std::string& task_id, int seen, 
                  const std::string& reason) const {
     store_.require(educator, Operation::set_tissues);
     if (is_blank(reason))
-        throw StoreError(StoreErrorKind::bad_value, "no reason was given",
-                         "say in a few words why the values change");
+        throw StoreError(StoreErrorKind::bad_value, QT_TRANSLATE_NOOP("errors", "no reason was given"),
+                         QT_TRANSLATE_NOOP("errors", "say in a few words why the values change"));
     for (const auto& [tissue, named] : values) {
         for (const auto& [name, value] : named) {
             if (!std::isfinite(value))
-                throw StoreError(StoreErrorKind::bad_value, tissue + ": " + name + " is not a number",
-                                 "give a number");
+                throw StoreError(StoreErrorKind::bad_value,
+                                 {QT_TRANSLATE_NOOP("errors", "%1: %2 is not a number"), tissue, name},
+                                 QT_TRANSLATE_NOOP("errors", "give a number"));
         }
     }
     Connection& connection = store_.connection();
@@ -76,12 +77,13 @@ int Tissues::set(const Session& educator, const std::string& task_id, int seen, 
     const TissueSetting before = in_force(educator, task_id);
     if (before.version != seen)
         throw StoreError(StoreErrorKind::conflict,
-                         "version " + std::to_string(before.version) + " by " + before.author_name +
-                             " came into force in the meantime",
-                         "look at its values and set yours again");
+                         {QT_TRANSLATE_NOOP("errors", "version %1 by %2 came into force in the meantime"),
+                          before.version, before.author_name},
+                         QT_TRANSLATE_NOOP("errors", "look at its values and set yours again"));
     if (before.values == values)
-        throw StoreError(StoreErrorKind::bad_value, "these values are in force already",
-                         "change one of them");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "these values are in force already"),
+                         QT_TRANSLATE_NOOP("errors", "change one of them"));
     TissueSetting after;
     after.version = before.version + 1;
     after.values = values;

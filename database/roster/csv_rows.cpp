@@ -69,8 +69,9 @@ class Cells {
                 return cell;
             }
         }
-        throw InputError(file_, std::to_string(begun), "a quote begins here and does not end",
-                         "end the cell with a quote");
+        throw InputError(file_, std::to_string(begun),
+                         QT_TRANSLATE_NOOP("errors", "a quotation mark opens here and is never closed"),
+                         QT_TRANSLATE_NOOP("errors", "close the cell with a quotation mark"));
     }
 
     const std::string& text_;
@@ -87,16 +88,19 @@ CsvRows CsvRows::load(const std::string& path) {
     const bool regular = std::filesystem::is_regular_file(path, error);
     std::ifstream in(path, std::ios::binary);
     if (!regular || !in)
-        throw InputError(path, "", "cannot be read", "name a file that exists and may be read");
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "cannot be read"),
+                         QT_TRANSLATE_NOOP("errors", "name a file that exists and may be read"));
     if (std::filesystem::file_size(path, error) > largest)
-        throw InputError(name, "", "is larger than 16 MiB", "divide it");
+        throw InputError(name, "", QT_TRANSLATE_NOOP("errors", "is larger than 16 MiB"),
+                         QT_TRANSLATE_NOOP("errors", "split it into smaller files"));
     return parse({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, name);
 }
 
 CsvRows CsvRows::parse(const std::string& text, const std::string& file) {
     if (QString::fromUtf8(text.data(), static_cast<int>(text.size())).toUtf8().toStdString() != text &&
         text.compare(0, 3, "\xEF\xBB\xBF") != 0)
-        throw InputError(file, "", "is not UTF-8", "save it as UTF-8");
+        throw InputError(file, "", QT_TRANSLATE_NOOP("errors", "is not UTF-8"),
+                         QT_TRANSLATE_NOOP("errors", "save it as UTF-8"));
     CsvRows table;
     table.file_ = file;
     Cells cells(text, file);
@@ -111,18 +115,24 @@ CsvRows CsvRows::parse(const std::string& text, const std::string& file) {
             std::sort(row.cells.begin(), row.cells.end());
             const auto twice = std::adjacent_find(row.cells.begin(), row.cells.end());
             if (twice != row.cells.end())
-                throw InputError(file, "1", "column '" + *twice + "' is there twice",
-                                 "name each column once");
+                throw InputError(file, "1",
+                                 {QT_TRANSLATE_NOOP("errors", "the column '%1' occurs twice"), *twice},
+                                 QT_TRANSLATE_NOOP("errors", "name each column once"));
         } else if (row.cells.size() != table.columns_.size()) {
-            throw InputError(file, std::to_string(row.line),
-                             "has " + std::to_string(row.cells.size()) + " cells where the first row has " +
-                                 std::to_string(table.columns_.size()),
-                             "write as many; quote a cell that contains a comma");
+            throw InputError(
+                file, std::to_string(row.line),
+                {QT_TRANSLATE_NOOP("errors", "has %1 cells where the first row has %2"), row.cells.size(),
+                 table.columns_.size()},
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "give every row the same number of cells; put a cell that contains a comma in quotes"));
         } else {
             table.rows_.push_back(std::move(row));
         }
     }
-    if (table.columns_.empty()) throw InputError(file, "", "is empty", "begin with a row of column names");
+    if (table.columns_.empty())
+        throw InputError(file, "", QT_TRANSLATE_NOOP("errors", "is empty"),
+                         QT_TRANSLATE_NOOP("errors", "begin with a row of column names"));
     return table;
 }
 
@@ -147,7 +157,9 @@ std::string CsvRows::place(std::size_t row) const {
 
 void CsvRows::require(const std::vector<std::string>& columns) const {
     for (const std::string& column : columns) {
-        if (!has(column)) throw InputError(file_, "1", "has no column " + column, "add it to the first row");
+        if (!has(column))
+            throw InputError(file_, "1", {QT_TRANSLATE_NOOP("errors", "has no column %1"), column},
+                             QT_TRANSLATE_NOOP("errors", "add it to the first row"));
     }
 }
 

@@ -20,9 +20,9 @@ namespace files = std::filesystem;
 void check(const RosterPerson& person) {
     try {
         require_persons_login(person.login);
-        require_name(person.name, "name");
+        require_name(person.name, QT_TRANSLATE_NOOP("errors", "name"));
     } catch (const StoreError& error) {
-        throw InputError(person.place, "", error.problem(), error.hint());
+        throw InputError(person.place, "", error.problem_sentence(), error.hint_sentence());
     }
 }
 
@@ -41,9 +41,9 @@ RosterCohort& cohort_named(Roster& roster, const std::string& name, const std::s
         if (cohort.name == name) return cohort;
     }
     try {
-        require_name(name, "name of the cohort");
+        require_name(name, QT_TRANSLATE_NOOP("errors", "name of the cohort"));
     } catch (const StoreError& error) {
-        throw InputError(place, "", error.problem(), error.hint());
+        throw InputError(place, "", error.problem_sentence(), error.hint_sentence());
     }
     roster.cohorts.push_back({name, {}, {}, place});
     return roster.cohorts.back();
@@ -65,17 +65,19 @@ Roster read_list(const std::string& path) {
         Role role = Role::trainee;
         const std::string word = rows.cell(i, "role");
         if (!word.empty() && word != role_name(Role::trainee) && word != role_name(Role::educator))
-            throw InputError(person.place, "", "'" + word + "' is no role that can be imported",
-                             "write trainee or educator; other roles are given on the page People");
+            throw InputError(person.place, "",
+                             {QT_TRANSLATE_NOOP("errors", "'%1' is not a role that can be imported"), word},
+                             QT_TRANSLATE_NOOP(
+                                 "errors", "write trainee or educator; give other roles on the page People"));
         if (word == role_name(Role::educator)) role = Role::educator;
         const auto [known, fresh] = by_login.emplace(login_key(person.login), roster.people.size());
         if (fresh) {
             roster.people.push_back(person);
         } else if (roster.people[known->second].name != person.name) {
             throw InputError(person.place, "",
-                             "login " + person.login + " has another name here than in " +
-                                 roster.people[known->second].place,
-                             "give every person a login of their own");
+                             {QT_TRANSLATE_NOOP("errors", "login %1 has another name here than in %2"),
+                              person.login, roster.people[known->second].place},
+                             QT_TRANSLATE_NOOP("errors", "give every person a login of their own"));
         }
         add_role(roster.people[known->second].roles, role);
         const std::string cohort = rows.cell(i, "cohort");
@@ -117,14 +119,16 @@ class OneRoster {
         if (!files::exists(path)) return std::nullopt;
         return CsvRows::load(path.string());
     }
-    void leave_out(const CsvRows& rows, std::size_t row, const std::string& why) {
-        roster.left_out.push_back(rows.place(row) + ": " + why);
+    void leave_out(const CsvRows& rows, std::size_t row, const Sentence& why) {
+        roster.left_out.push_back({"%1: %2", rows.place(row), why});
     }
     /// False: the row is marked to be deleted, and left out.
     bool active(const CsvRows& rows, std::size_t row) {
         const std::string& status = rows.cell(row, "status");
         if (status.empty() || status == "active") return true;
-        leave_out(rows, row, "status " + status + ": nothing is deleted or deactivated by an import");
+        leave_out(
+            rows, row,
+            {QT_TRANSLATE_NOOP("errors", "status %1: an import deletes and deactivates nobody"), status});
         return false;
     }
     void give(User& user, const std::string& word) {
@@ -139,14 +143,16 @@ class OneRoster {
     void read_users() {
         const std::optional<CsvRows> rows = table("users.csv");
         if (!rows)
-            throw InputError(folder_.string(), "", "has no users.csv",
-                             "name the folder with the unpacked OneRoster files");
+            throw InputError(
+                folder_.string(), "", QT_TRANSLATE_NOOP("errors", "has no users.csv"),
+                QT_TRANSLATE_NOOP("errors", "name the folder with the unpacked OneRoster files"));
         rows->require({"sourcedId", "username", "givenName", "familyName"});
         std::map<std::string, std::string> logins;
         for (std::size_t i = 0; i < rows->size(); ++i) {
             if (!active(*rows, i)) continue;
             if (rows->cell(i, "enabledUser") == "false") {
-                leave_out(*rows, i, rows->cell(i, "username") + " is not enabled");
+                leave_out(*rows, i,
+                          {QT_TRANSLATE_NOOP("errors", "%1 is not enabled"), rows->cell(i, "username")});
                 continue;
             }
             User user;
@@ -159,14 +165,16 @@ class OneRoster {
             give(user, rows->cell(i, "role"));
             const std::string& id = rows->cell(i, "sourcedId");
             if (!users_.emplace(id, user).second)
-                throw InputError(user.person.place, "", "sourcedId '" + id + "' is there twice",
-                                 "give every row an id of its own");
+                throw InputError(user.person.place, "",
+                                 {QT_TRANSLATE_NOOP("errors", "sourcedId '%1' occurs twice"), id},
+                                 QT_TRANSLATE_NOOP("errors", "give every row an id of its own"));
             order_.push_back(id);
             const auto [known, fresh] = logins.emplace(login_key(user.person.login), user.person.place);
             if (!fresh)
                 throw InputError(user.person.place, "",
-                                 "login " + user.person.login + " is that of " + known->second + " too",
-                                 "give every person a login of their own");
+                                 {QT_TRANSLATE_NOOP("errors", "login %1 is also used by %2"),
+                                  user.person.login, known->second},
+                                 QT_TRANSLATE_NOOP("errors", "give every person a login of their own"));
         }
     }
     // OneRoster 1.2 keeps the roles apart.
@@ -189,8 +197,9 @@ class OneRoster {
             const std::string& id = rows->cell(i, "sourcedId");
             cohort_named(roster, rows->cell(i, "title"), rows->place(i));
             if (!classes_.emplace(id, Class{rows->cell(i, "title"), rows->place(i)}).second)
-                throw InputError(rows->place(i), "", "sourcedId '" + id + "' is there twice",
-                                 "give every row an id of its own");
+                throw InputError(rows->place(i), "",
+                                 {QT_TRANSLATE_NOOP("errors", "sourcedId '%1' occurs twice"), id},
+                                 QT_TRANSLATE_NOOP("errors", "give every row an id of its own"));
         }
     }
     void read_enrollments() {
@@ -202,12 +211,16 @@ class OneRoster {
             const auto user = users_.find(rows->cell(i, "userSourcedId"));
             const auto group = classes_.find(rows->cell(i, "classSourcedId"));
             if (user == users_.end() || group == classes_.end()) {
-                leave_out(*rows, i, user == users_.end() ? "no such user" : "no such class");
+                leave_out(*rows, i,
+                          user == users_.end() ? QT_TRANSLATE_NOOP("errors", "there is no such user")
+                                               : QT_TRANSLATE_NOOP("errors", "there is no such class"));
                 continue;
             }
             const std::optional<Role> role = role_of(rows->cell(i, "role"));
             if (!role) {
-                leave_out(*rows, i, "role " + rows->cell(i, "role") + " is not imported");
+                leave_out(
+                    *rows, i,
+                    {QT_TRANSLATE_NOOP("errors", "the role %1 is not imported"), rows->cell(i, "role")});
                 continue;
             }
             add_role(user->second.person.roles, *role);
@@ -220,8 +233,12 @@ class OneRoster {
             const User& user = users_.at(id);
             if (user.person.roles.empty()) {
                 roster.left_out.push_back(
-                    user.person.place + ": " + user.person.login +
-                    (user.other_role.empty() ? " has no role" : " is " + user.other_role + ", not imported"));
+                    user.other_role.empty()
+                        ? Sentence(QT_TRANSLATE_NOOP("errors", "%1: %2 has no role"), user.person.place,
+                                   user.person.login)
+                        : Sentence(
+                              QT_TRANSLATE_NOOP("errors", "%1: %2 has the role %3, which is not imported"),
+                              user.person.place, user.person.login, user.other_role));
                 continue;
             }
             roster.people.push_back(user.person);

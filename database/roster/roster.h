@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "database/access/access.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::database {
 
@@ -26,7 +27,7 @@ struct RosterCohort {
 struct Roster {
     std::vector<RosterPerson> people;   ///< each login once, in the order of the file
     std::vector<RosterCohort> cohorts;  ///< each name once
-    std::vector<std::string> left_out;  ///< a sentence for each row that is not imported, with its place
+    std::vector<Sentence> left_out;     ///< a sentence for each row that is not imported, with its place
 };
 
 /// A folder is read as OneRoster, a file as login, name, role, cohort. Throws InputError with file and line:

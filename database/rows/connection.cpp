@@ -5,6 +5,7 @@
 
 #include <QSqlDriver>
 #include <QSqlError>
+#include <QSqlField>
 #include <QSqlRecord>
 #include <atomic>
 #include <chrono>
@@ -42,8 +43,9 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     : path_(path), name_(unique_connection_name()), read_only_(read_only), busy_timeout_ms_(busy_timeout_ms) {
     database_ = QSqlDatabase::addDatabase("QSQLITE", QString::fromStdString(name_));
     if (!database_.isValid()) {
-        throw StoreError(StoreErrorKind::failed, "the SQLite driver of Qt is missing",
-                         "install libqt5sql5-sqlite (and start within a Qt application)");
+        throw StoreError(
+            StoreErrorKind::failed, QT_TRANSLATE_NOOP("errors", "the SQLite driver of Qt is missing"),
+            QT_TRANSLATE_NOOP("errors", "install libqt5sql5-sqlite (and start within a Qt application)"));
     }
     QString options;
     QString name = QString::fromStdString(path);
@@ -64,8 +66,10 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
                    "?immutable=1";
         }
     } else if (!create && !std::filesystem::exists(path)) {
-        throw StoreError(StoreErrorKind::missing, "no store at " + path,
-                         "make one with `fulcrum db create` or name another with --db");
+        throw StoreError(StoreErrorKind::missing,
+                         {QT_TRANSLATE_NOOP("errors", "%1: there is no store"), path},
+                         QT_TRANSLATE_NOOP(
+                             "errors", "create one with `fulcrum db create`, or name another one with --db"));
     }
     database_.setConnectOptions(options);
     database_.setDatabaseName(name);
@@ -84,6 +88,28 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     execute("PRAGMA synchronous = FULL");
 }
 
+Connection::Connection(const ServerAddress& server)
+    : path_(server.text()), name_(unique_connection_name()), is_server_(true) {
+    database_ = QSqlDatabase::addDatabase("QPSQL", QString::fromStdString(name_));
+    if (!database_.isValid()) {
+        throw StoreError(StoreErrorKind::failed,
+                         QT_TRANSLATE_NOOP("errors", "the PostgreSQL driver of Qt is missing"),
+                         QT_TRANSLATE_NOOP("errors", "install libqt5sql5-psql"));
+    }
+    if (!server.host.empty()) database_.setHostName(QString::fromStdString(server.host));
+    if (!server.database.empty()) database_.setDatabaseName(QString::fromStdString(server.database));
+    if (!server.user.empty()) database_.setUserName(QString::fromStdString(server.user));
+    if (server.port != 0) database_.setPort(server.port);
+    database_.setConnectOptions(QString::fromStdString(server.options()));
+    if (!database_.open()) {
+        const std::string said = database_.lastError().text().simplified().toStdString();
+        database_ = QSqlDatabase();
+        QSqlDatabase::removeDatabase(QString::fromStdString(name_));
+        fail_to_connect(path_, said);
+    }
+    execute("SET client_min_messages = warning");  // the driver prints notices
+}
+
 Connection::~Connection() {
     database_.close();
     database_ = QSqlDatabase();
@@ -97,6 +123,16 @@ sqlite3* Connection::handle() const {
 }
 
 void Connection::execute(const QString& sql) {
+    if (is_server_) {
+        begin_statement();
+        QSqlQuery query(database_);
+        if (!query.exec(sql)) fail(query.lastError());
+        // Each statement has a result of its own, and the first that failed ends the rest.
+        while (query.nextResult()) {
+        }
+        if (query.lastError().isValid()) fail(query.lastError());
+        return;
+    }
     char* message = nullptr;
     const int code = sqlite3_exec(handle(), sql.toUtf8().constData(), nullptr, nullptr, &message);
     if (code != SQLITE_OK) {
@@ -113,70 +149,123 @@ void Connection::fail(const QString& text, int code) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
         case SQLITE_PROTOCOL:  // other programs kept changing the log's index while this one read it
-            throw StoreError(StoreErrorKind::locked, path_ + ": another program is writing to the store",
-                             "wait for it or close it, then try again; nothing was lost");
+            throw StoreError(
+                StoreErrorKind::locked,
+                {QT_TRANSLATE_NOOP("errors", "%1: another program is writing to the store"), path_},
+                QT_TRANSLATE_NOOP("errors", "wait for it or close it, then try again; nothing was lost"));
         case SQLITE_READONLY:
         case SQLITE_PERM:
-            throw StoreError(StoreErrorKind::read_only, path_ + ": the store cannot be written",
-                             "make the file and its folder writable for this user, or open it read-only");
+            throw StoreError(
+                StoreErrorKind::read_only,
+                {QT_TRANSLATE_NOOP("errors", "%1: the store cannot be written"), path_},
+                QT_TRANSLATE_NOOP(
+                    "errors", "make the file and its folder writable for this user, or open it read-only"));
         case SQLITE_CANTOPEN:
             throw StoreError(
                 std::filesystem::exists(path_) ? StoreErrorKind::read_only : StoreErrorKind::missing,
-                path_ + ": the store cannot be opened (" + said + ")",
-                "check that the path is right and that this user may read and write the file and its folder");
+                {QT_TRANSLATE_NOOP("errors", "%1: the store cannot be opened (%2)"), path_, said},
+                QT_TRANSLATE_NOOP("errors",
+                                  "check that the path is right and that this user may read and write the "
+                                  "file and its folder"));
         case SQLITE_NOTADB:
-            throw StoreError(StoreErrorKind::not_a_store, path_ + ": not a Fulcrum store",
-                             "name the right file with --db");
+            throw StoreError(StoreErrorKind::not_a_store,
+                             {QT_TRANSLATE_NOOP("errors", "%1: not a Fulcrum store"), path_},
+                             QT_TRANSLATE_NOOP("errors", "name the right file with --db"));
         case SQLITE_CORRUPT:
-            throw StoreError(StoreErrorKind::corrupt, path_ + ": the store is damaged (" + said + ")",
-                             "run `fulcrum db check`, copy the file away, and restore the newest backup");
+            throw StoreError(
+                StoreErrorKind::corrupt,
+                {QT_TRANSLATE_NOOP("errors", "%1: the store is damaged (%2)"), path_, said},
+                QT_TRANSLATE_NOOP(
+                    "errors", "run `fulcrum db check`, copy the file away, and restore the newest backup"));
         case SQLITE_FULL:
-            throw StoreError(StoreErrorKind::disk_full, path_ + ": no room left on the disk",
-                             "free some space and try again; what was stored before is intact");
+            throw StoreError(
+                StoreErrorKind::disk_full,
+                {QT_TRANSLATE_NOOP("errors", "%1: no room left on the disk"), path_},
+                QT_TRANSLATE_NOOP("errors",
+                                  "free some space and try again; what was stored before is intact"));
         case SQLITE_IOERR:
             throw StoreError(
                 code == SQLITE_IOERR_WRITE ? StoreErrorKind::disk_full : StoreErrorKind::failed,
-                path_ + ": the disk refused (" + said + ")",
-                "check the disk's space and health and try again; what was stored before is intact");
+                {QT_TRANSLATE_NOOP("errors", "%1: the disk reported an error (%2)"), path_, said},
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "check the disk's space and health and try again; what was stored before is intact"));
         case SQLITE_CONSTRAINT:
-            throw StoreError(StoreErrorKind::conflict,
-                             path_ + ": refused by a rule of the store (" + said + ")",
-                             "correct the value and try again");
+            throw StoreError(
+                StoreErrorKind::conflict,
+                {QT_TRANSLATE_NOOP("errors", "%1: refused by a rule of the store (%2)"), path_, said},
+                QT_TRANSLATE_NOOP("errors", "correct the value and try again"));
         default:
-            throw StoreError(StoreErrorKind::failed, path_ + ": " + said, "run `fulcrum db check`");
+            throw StoreError(StoreErrorKind::failed, {"%1: %2", path_, said},
+                             QT_TRANSLATE_NOOP("errors", "run `fulcrum db check`"));
     }
+}
+
+void Connection::fail(const QSqlError& error) {
+    if (!is_server_) fail(error.databaseText());
+    fail_on_server(path_, error.nativeErrorCode().toStdString(),
+                   error.databaseText().simplified().toStdString());
 }
 
 Query::Query(Connection& connection, const QString& sql)
-    : connection_(connection), query_(connection.database()) {
+    : connection_(connection), sql_(sql), query_(connection.database()) {
+    if (connection_.is_server()) return;
     query_.setForwardOnly(true);
-    if (!query_.prepare(sql)) connection_.fail(query_.lastError().databaseText());
+    if (!query_.prepare(sql)) connection_.fail(query_.lastError());
+}
+
+Query& Query::bind(const QVariant& value) {
+    if (connection_.is_server()) {
+        values_.push_back(value);
+    } else {
+        query_.addBindValue(value);
+    }
+    return *this;
+}
+
+/// The statement with each ? outside of quotes replaced by its value.
+QString Query::with_values() const {
+    QString text;
+    std::size_t next = 0;
+    bool quoted = false;
+    for (const QChar c : sql_) {
+        if (c == QLatin1Char('\'')) quoted = !quoted;
+        if (c != QLatin1Char('?') || quoted) {
+            text += c;
+            continue;
+        }
+        const QVariant& value = values_.at(next++);
+        if (value.isNull()) {
+            text += QLatin1String("NULL");
+            continue;
+        }
+        QSqlField field(QString(), value.type());
+        field.setValue(value);
+        text += connection_.database().driver()->formatValue(field);
+    }
+    return text;
 }
 
 Query& Query::bind(const std::string& value) {
-    query_.addBindValue(QString::fromStdString(value));
-    return *this;
+    return bind(QVariant(QString::fromStdString(value)));
 }
 Query& Query::bind(const QByteArray& value) {
-    query_.addBindValue(value);
-    return *this;
+    return bind(QVariant(value));
 }
 Query& Query::bind(const std::vector<std::uint8_t>& value) {
-    query_.addBindValue(
-        QByteArray(reinterpret_cast<const char*>(value.data()), static_cast<int>(value.size())));
-    return *this;
+    return bind(
+        QVariant(QByteArray(reinterpret_cast<const char*>(value.data()), static_cast<int>(value.size()))));
 }
 Query& Query::bind(std::int64_t value) {
-    query_.addBindValue(static_cast<qlonglong>(value));
-    return *this;
+    return bind(QVariant(static_cast<qlonglong>(value)));
 }
 Query& Query::bind(double value) {
     if (!std::isfinite(value)) {
-        throw StoreError(StoreErrorKind::bad_value, "a number that is not finite cannot be stored",
-                         "leave it out, with the reason");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a number that is not finite cannot be stored"),
+                         QT_TRANSLATE_NOOP("errors", "leave it out, with the reason"));
     }
-    query_.addBindValue(value);
-    return *this;
+    return bind(QVariant(value));
 }
 Query& Query::bind(const std::optional<double>& value) {
     return value ? bind(*value) : bind_null();
@@ -185,17 +274,22 @@ Query& Query::bind(const std::optional<bool>& value) {
     return value ? bind(*value) : bind_null();
 }
 Query& Query::bind_null() {
-    query_.addBindValue(QVariant());
-    return *this;
+    return bind(QVariant());
 }
 
 void Query::run() {
     ran_ = true;
-    if (!query_.exec()) connection_.fail(query_.lastError().databaseText());
+    if (connection_.is_server()) {
+        connection_.begin_statement();
+        if (!query_.exec(with_values())) connection_.fail(query_.lastError());
+        return;
+    }
+    if (!query_.exec()) connection_.fail(query_.lastError());
 }
 
 Query& Query::again() {
     query_.finish();
+    values_.clear();
     ran_ = has_ahead_ = false;
     return *this;
 }
@@ -203,13 +297,17 @@ Query& Query::again() {
 void Query::read_ahead() {
     has_ahead_ = query_.next();
     if (!has_ahead_) {
-        if (query_.lastError().isValid()) connection_.fail(query_.lastError().databaseText());
+        if (query_.lastError().isValid()) connection_.fail(query_.lastError());
         return;
     }
     const int columns = query_.record().count();
     ahead_.resize(static_cast<std::size_t>(columns));
-    for (int column = 0; column < columns; ++column)
-        ahead_[static_cast<std::size_t>(column)] = query_.value(column);
+    for (int column = 0; column < columns; ++column) {
+        QVariant value = query_.value(column);
+        // The driver for PostgreSQL gives integers from 0 up as unsigned ones.
+        if (value.type() == QVariant::ULongLong) value.convert(QVariant::LongLong);
+        ahead_[static_cast<std::size_t>(column)] = std::move(value);
+    }
 }
 
 bool Query::next() {
@@ -252,15 +350,20 @@ int Query::rows_changed() const {
 }
 
 Transaction::Transaction(Connection& connection) : connection_(connection) {
-    if (connection_.depth_ == 0) connection_.execute("BEGIN IMMEDIATE");
+    if (connection_.depth_ == 0) connection_.execute(connection_.is_server() ? "BEGIN" : "BEGIN IMMEDIATE");
     ++connection_.depth_;
 }
 
 Transaction::~Transaction() {
     if (!open_) return;
     --connection_.depth_;
-    // A failed rollback leaves nothing to do: SQLite has already rolled back on such errors.
-    if (connection_.depth_ == 0) sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    if (connection_.depth_ != 0) return;
+    // A failed rollback leaves nothing to do: the database has already rolled back on such errors.
+    if (connection_.is_server()) {
+        if (connection_.database().isOpen()) QSqlQuery(connection_.database()).exec("ROLLBACK");
+    } else {
+        sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
 }
 
 void Transaction::commit() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One connection to a store, with prepared queries and transactions whose failures are StoreErrors. Internal
-// to this floor.
+// One connection to a store (SQLite) or to a programme server (PostgreSQL), with queries and transactions
+// whose failures are StoreErrors. Internal to this floor.
 #pragma once
 
 #include <QSqlDatabase>
@@ -8,13 +8,16 @@
 #include <QString>
 #include <QVariant>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "database/rows/errors.h"
+#include "database/rows/server_address.h"
 
 struct sqlite3;
+class QSqlError;
 
 namespace fulcrum::database {
 
@@ -22,10 +25,14 @@ class Connection {
   public:
     /// Opens the file; throws StoreError. `create` false: the file must exist.
     Connection(const std::string& path, bool read_only, bool create, int busy_timeout_ms);
+    /// Connects to a programme server. Throws StoreError unreachable.
+    explicit Connection(const ServerAddress& server);
     ~Connection();
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
+    bool is_server() const noexcept { return is_server_; }
+    /// The file, or the address of the server.
     const std::string& path() const noexcept { return path_; }
     bool is_read_only() const noexcept { return read_only_; }
     /// How long a statement waits for another program's write before it fails as locked.
@@ -37,20 +44,29 @@ class Connection {
     /// Throws what the last failure of this connection means; `code` an SQLite extended result code, 0: ask
     /// the handle.
     [[noreturn]] void fail(const QString& text, int code = 0);
+    [[noreturn]] void fail(const QSqlError& error);
+    /// Called before each statement for a server; may throw, and the statement is not sent then.
+    void watch(std::function<void()> watcher) { watcher_ = std::move(watcher); }
     bool in_transaction() const noexcept { return depth_ > 0; }
 
   private:
     friend class Transaction;
+    friend class Query;
+    void begin_statement() const {
+        if (watcher_) watcher_();
+    }
     std::string path_, name_;
-    bool read_only_;
-    int busy_timeout_ms_;
+    bool read_only_ = false, is_server_ = false;
+    int busy_timeout_ms_ = 0;
     int depth_ = 0;
+    std::function<void()> watcher_;
     QSqlDatabase database_;
 };
 
 /// One statement. Bind in order, run, then read rows. Reads one row ahead: a statement whose rows were all
 /// read has ended, and with it its view of the store, which a transaction begun later must not inherit
-/// (SQLite refuses that as busy, without waiting, once another program has written).
+/// (SQLite refuses that as busy, without waiting, once another program has written). For a server the values
+/// are written into the statement, escaped by the driver: one message for each run.
 class Query {
   public:
     Query(Connection& connection, const QString& sql);
@@ -66,6 +82,8 @@ class Query {
     Query& bind(const std::optional<double>& value);
     Query& bind(const std::optional<bool>& value);
     Query& bind_null();
+    /// As row() gave it, of either kind of database.
+    Query& bind(const QVariant& value);
     void run();
     /// Ready to be bound and run once more.
     Query& again();
@@ -86,14 +104,17 @@ class Query {
   private:
     const QVariant& value(int column) const { return row_.at(static_cast<std::size_t>(column)); }
     void read_ahead();
+    QString with_values() const;
 
     Connection& connection_;
+    QString sql_;                   // of a server's statement
+    std::vector<QVariant> values_;  // bound to it
     QSqlQuery query_;
     bool ran_ = false, has_ahead_ = false;
     std::vector<QVariant> row_, ahead_;
 };
 
-/// BEGIN IMMEDIATE; rolled back unless committed. Nested ones join the outer.
+/// BEGIN IMMEDIATE (a server: BEGIN); rolled back unless committed. Nested ones join the outer.
 class Transaction {
   public:
     explicit Transaction(Connection& connection);

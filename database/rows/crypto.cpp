@@ -7,6 +7,8 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "sim_core/numerics/worded_error.h"
+
 namespace fulcrum::database {
 namespace {
 
@@ -117,7 +119,9 @@ std::string make_verifier(const std::string& secret) {
     char verifier[crypto_pwhash_STRBYTES];
     if (crypto_pwhash_str_alg(verifier, secret.data(), secret.size(), crypto_pwhash_OPSLIMIT_INTERACTIVE,
                               crypto_pwhash_MEMLIMIT_INTERACTIVE, crypto_pwhash_ALG_ARGON2ID13) != 0) {
-        throw std::runtime_error("not enough memory to protect a password (64 MiB needed)");
+        throw WordedError(QT_TRANSLATE_NOOP(
+            "errors",
+            "there is not enough memory to protect a password (64 MiB are needed); close other programs"));
     }
     return verifier;
 }

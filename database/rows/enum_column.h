@@ -16,9 +16,11 @@ template <typename Row, std::size_t n>
 auto enum_of(const std::string& name, const Row (&rows)[n], const std::string& place) {
     const Row* row = find_row(rows, name);
     if (row == nullptr)
-        throw StoreError(StoreErrorKind::corrupt,
-                         place + ": '" + name + "' is unknown; known are " + names_of(rows),
-                         "use the program version that wrote the store, or restore the newest backup");
+        throw StoreError(
+            StoreErrorKind::corrupt,
+            {QT_TRANSLATE_NOOP("errors", "%1: '%2' is unknown; known are %3"), place, name, names_of(rows)},
+            QT_TRANSLATE_NOOP("errors",
+                              "use the program version that wrote the store, or restore the newest backup"));
     return row->kind;
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim_core/numerics/worded_error.h"
+
 namespace fulcrum::database {
 
 enum class StoreErrorKind {
@@ -22,41 +24,39 @@ enum class StoreErrorKind {
     conflict,     ///< login taken, administrator exists, already voided ...
     bad_value,    ///< a value out of its range: empty name, short password, empty reason
     sealed_demo,  ///< the demo store accepts practice only
-    failed,       ///< anything else that SQLite reports, in its words
+    unreachable,  ///< the programme server does not answer, or does not let this account in
+    failed,       ///< anything else that the database reports, in its words
 };
 
 /// what() is one line: `problem; hint`.
-class StoreError : public std::runtime_error {
+class StoreError : public HintedError {
   public:
-    StoreError(StoreErrorKind kind, std::string problem, std::string hint)
-        : std::runtime_error(problem + "; " + hint),
-          kind_(kind),
-          problem_(std::move(problem)),
-          hint_(std::move(hint)) {}
+    StoreError(StoreErrorKind kind, const Sentence& problem, const Sentence& hint)
+        : HintedError(Sentence("%1; %2", problem, hint), problem, hint), kind_(kind) {}
     StoreErrorKind kind() const noexcept { return kind_; }
-    const std::string& problem() const noexcept { return problem_; }
-    const std::string& hint() const noexcept { return hint_; }
     /// True if the caller gave invalid input (exit 2), false if the store failed (exit 1).
     bool is_bad_input() const noexcept {
         return kind_ != StoreErrorKind::corrupt && kind_ != StoreErrorKind::disk_full &&
-               kind_ != StoreErrorKind::locked && kind_ != StoreErrorKind::failed;
+               kind_ != StoreErrorKind::locked && kind_ != StoreErrorKind::unreachable &&
+               kind_ != StoreErrorKind::failed;
     }
 
   private:
     StoreErrorKind kind_;
-    std::string problem_, hint_;
 };
 
 /// The access table says no. Nothing was read or written.
-class AccessDenied : public std::runtime_error {
+class AccessDenied : public WordedError {
   public:
-    AccessDenied(const std::string& operation, const std::string& role, const std::string& why)
-        : std::runtime_error("not allowed: " + operation + " as " + role +
-                             (why.empty() ? "" : " (" + why + ")") +
-                             "; act in a role that may, or ask someone who holds it"),
+    AccessDenied(const std::string& operation, const std::string& role, const Sentence& why)
+        : WordedError(
+              {QT_TRANSLATE_NOOP("errors",
+                                 "not allowed: %1 as %2%3; act in a role that may, or ask someone who "
+                                 "holds it"),
+               operation, role, why.empty() ? Sentence() : Sentence(" (%1)", why)}),
           operation_(operation),
           role_(role),
-          why_(why) {}
+          why_(why.words()) {}
     /// As in the access table; names for programs, which screens put into words.
     const std::string& operation() const noexcept { return operation_; }
     const std::string& role() const noexcept { return role_; }
@@ -67,7 +67,7 @@ class AccessDenied : public std::runtime_error {
 };
 
 /// Sign-in refused. Never says whether the login exists.
-class SignInRefused : public std::runtime_error {
+class SignInRefused : public WordedError {
   public:
     enum class Reason {
         wrong,          ///< login or password wrong
@@ -75,8 +75,8 @@ class SignInRefused : public std::runtime_error {
         expired,        ///< the one-time password is older than 24 h
         role_not_held,  ///< right password, but the person does not hold the role asked for
     };
-    SignInRefused(Reason reason, double wait_s, const std::string& line)
-        : std::runtime_error(line), reason_(reason), wait_s_(wait_s) {}
+    SignInRefused(Reason reason, double wait_s, const Sentence& line)
+        : WordedError(line), reason_(reason), wait_s_(wait_s) {}
     Reason reason() const noexcept { return reason_; }
     /// Seconds until the next try is looked at; 0 if at once.
     double wait_s() const noexcept { return wait_s_; }

@@ -35,25 +35,29 @@ std::string force_devices_text(const ForceDevices& devices) {
 ForceDevices force_devices_of(const std::string& text, const std::string& place) {
     ForceDevices devices;
     if (text.empty()) return devices;
-    const auto corrupt = [&](const std::string& wrong) {
-        throw StoreError(StoreErrorKind::corrupt, place + ": " + wrong,
-                         "use the program version that wrote the store, or restore the newest backup");
+    const auto corrupt = [&](const Sentence& wrong) {
+        throw StoreError(
+            StoreErrorKind::corrupt, {"%1: %2", place, wrong},
+            QT_TRANSLATE_NOOP("errors",
+                              "use the program version that wrote the store, or restore the newest backup"));
     };
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-    if (!document.isObject()) corrupt("the text is not a JSON object");
+    if (!document.isObject()) corrupt(QT_TRANSLATE_NOOP("errors", "the text is not a JSON object"));
     const QJsonObject hands = document.object();
     for (const QString& name : hands.keys()) {
         const bool left = name == QLatin1String(hand_name(Hand::left));
         if (!left && name != QLatin1String(hand_name(Hand::right)))
-            corrupt("'" + name.toStdString() + "' is not a hand");
+            corrupt({QT_TRANSLATE_NOOP("errors", "'%1' is not a hand"), name.toStdString()});
         const QJsonObject values = hands[name].toObject();
         ForceOutput output;
         for (const ForceKey& key : force_keys) {
             const QJsonValue value = values[QLatin1String(key.name)];
-            if (!value.isDouble()) corrupt(std::string("'") + key.name + "' is not a number");
+            if (!value.isDouble()) corrupt({QT_TRANSLATE_NOOP("errors", "'%1' is not a number"), key.name});
             output.*key.value = value.toDouble();
         }
-        if (!is_usable(output)) corrupt("a value of the " + name.toStdString() + " hand is out of range");
+        if (!is_usable(output))
+            corrupt(
+                {QT_TRANSLATE_NOOP("errors", "a value of the %1 hand is out of range"), name.toStdString()});
         devices[left ? 0 : 1] = output;
     }
     return devices;

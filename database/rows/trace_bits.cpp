@@ -47,8 +47,11 @@ unsigned best_parameter(const std::uint32_t* codes, std::size_t count) {
 }  // namespace
 
 void damaged_chunk(const char* what) {
-    throw StoreError(StoreErrorKind::corrupt, std::string("a trace chunk is damaged (") + what + ")",
-                     "the rest of the attempt can be read; restore the newest backup for this part");
+    throw StoreError(
+        StoreErrorKind::corrupt,
+        {QT_TRANSLATE_NOOP("errors", "a part of the recording is damaged (%1)"), what},
+        QT_TRANSLATE_NOOP("errors",
+                          "the rest of the attempt can be read; restore the newest backup for this part"));
 }
 
 void BitWriter::finish() {

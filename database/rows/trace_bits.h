@@ -8,6 +8,8 @@
 #include <cstring>
 #include <vector>
 
+#include "sim_core/numerics/name_table.h"
+
 namespace fulcrum::database {
 
 /// Throws StoreError corrupt: `what` completes "a trace chunk is damaged (...)".
@@ -52,7 +54,7 @@ class BitReader {
     /// count 0 to 32.
     std::uint32_t take(unsigned count) {
         refill();
-        if (filled_ < count) damaged_chunk("it ends too early");
+        if (filled_ < count) damaged_chunk(QT_TRANSLATE_NOOP("errors", "it ends too early"));
         const auto value = static_cast<std::uint32_t>(pending_ & ((std::uint64_t{1} << count) - 1U));
         drop(count);
         return value;
@@ -64,7 +66,7 @@ class BitReader {
         unsigned ones = zeros == 0 ? 64U : static_cast<unsigned>(__builtin_ctzll(zeros));
         ones = ones < most ? ones : most;
         const unsigned used = ones == most ? most : ones + 1U;
-        if (filled_ < used) damaged_chunk("it ends too early");
+        if (filled_ < used) damaged_chunk(QT_TRANSLATE_NOOP("errors", "it ends too early"));
         drop(used);
         return ones;
     }

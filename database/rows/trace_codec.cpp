@@ -226,7 +226,7 @@ struct TraceCodec::State {
         values.resize(count);
         std::vector<Coefficients> coefficients;
         if (share == share_guided) {
-            if (!with_inputs || guides[0] < 0) damaged_chunk("its layout");
+            if (!with_inputs || guides[0] < 0) damaged_chunk(QT_TRANSLATE_NOOP("errors", "its layout"));
             coefficients.resize((count + segment - 1) / segment);
             for (Coefficients& each : coefficients) {
                 for (std::size_t g = 0; g < 3; ++g) {
@@ -237,7 +237,7 @@ struct TraceCodec::State {
             }
         } else if (share != share_none &&
                    (partner < 0 || orders[static_cast<std::size_t>(partner)] != order)) {
-            damaged_chunk("its layout");
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its layout"));
         }
         read_rice(reader, values.data(), count);
         for (std::uint32_t& value : values) value = unzigzag(value);
@@ -305,7 +305,8 @@ struct TraceCodec::State {
         const bool paired = of_same_ticks != nullptr && of_same_ticks->count == samples.count &&
                             of_same_ticks->first_tick == samples.first_tick &&
                             of_same_ticks->last_tick == samples.last_tick;
-        if (with_inputs && !paired) damaged_chunk("the inputs that it was made with are missing");
+        if (with_inputs && !paired)
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "the inputs that it was made with are missing"));
         read_some<TickSample>(samples, Columns::hand_column(1, Columns::flags),
                               [&](std::size_t column) -> Column* {
                                   if (column == 0) return &overview.tick;
@@ -319,7 +320,7 @@ struct TraceCodec::State {
                                   return part == Columns::flags ? &hand.flags : nullptr;
                               });
         if (overview.tick.front() != samples.first_tick || overview.tick.back() != samples.last_tick)
-            damaged_chunk("its ticks");
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its ticks"));
     }
 
     template <typename Record>
@@ -327,8 +328,9 @@ struct TraceCodec::State {
         using Columns = Layout<Record>;
         if (count == 0 || count > chunk_maximum_records) {
             throw StoreError(StoreErrorKind::bad_value,
-                             "a trace chunk holds 1 to " + std::to_string(chunk_maximum_records) + " records",
-                             "split it");
+                             {QT_TRANSLATE_NOOP("errors", "a part of a recording holds 1 to %1 records"),
+                              chunk_maximum_records},
+                             QT_TRANSLATE_NOOP("errors", "split it"));
         }
         with_inputs = same_ticks(records, of_same_ticks, count);
         if (with_inputs) load_inputs(of_same_ticks, count);
@@ -356,8 +358,8 @@ struct TraceCodec::State {
         const std::size_t size = ZSTD_compressCCtx(compressor, chunk.data.data(), chunk.data.size(),
                                                    plain.data(), plain.size(), compression_level);
         if (ZSTD_isError(size) != 0U) {
-            throw StoreError(StoreErrorKind::failed, std::string("zstd: ") + ZSTD_getErrorName(size),
-                             "free some memory");
+            throw StoreError(StoreErrorKind::failed, {"zstd: %1", ZSTD_getErrorName(size)},
+                             QT_TRANSLATE_NOOP("errors", "free some memory"));
         }
         chunk.data.resize(size);
         chunk.checksum = blake2b(chunk.data, checksum_size);
@@ -367,27 +369,30 @@ struct TraceCodec::State {
     /// Returns how many columns the chunk has.
     std::size_t unpack(const TraceChunk& chunk, TraceStream stream, std::size_t fewest_columns,
                        std::size_t columns) {
-        if (chunk.stream != stream) damaged_chunk("another stream");
+        if (chunk.stream != stream) damaged_chunk(QT_TRANSLATE_NOOP("errors", "another stream"));
         if (chunk.data.size() > chunk_maximum_bytes || chunk.count == 0 ||
             chunk.count > chunk_maximum_records)
-            damaged_chunk("its size");
-        if (chunk.checksum != blake2b(chunk.data, checksum_size)) damaged_chunk("its checksum");
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its size"));
+        if (chunk.checksum != blake2b(chunk.data, checksum_size))
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its checksum"));
         const std::size_t coefficients = (chunk.count / segment + 1) * 3 * coefficient_bits / 8 + 1;
         const std::size_t most = header_size + columns * (1 + coefficients + rice_bound(chunk.count));
         const unsigned long long announced = ZSTD_getFrameContentSize(chunk.data.data(), chunk.data.size());
         if (announced == ZSTD_CONTENTSIZE_ERROR || announced == ZSTD_CONTENTSIZE_UNKNOWN ||
             announced > most || announced < header_size) {
-            damaged_chunk("its length");
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its length"));
         }
         plain.resize(static_cast<std::size_t>(announced));
         const std::size_t size = ZSTD_decompressDCtx(decompressor, plain.data(), plain.size(),
                                                      chunk.data.data(), chunk.data.size());
-        if (ZSTD_isError(size) != 0U || size != plain.size()) damaged_chunk("its compression");
+        if (ZSTD_isError(size) != 0U || size != plain.size())
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its compression"));
         std::vector<std::uint8_t> header;
         with_inputs = plain[header_size - 1] == 1U;
         const std::size_t stored = plain[column_count_byte] == fewest_columns ? fewest_columns : columns;
         put_header(header, stream, chunk.count, stored, with_inputs);
-        if (!std::equal(header.begin(), header.end(), plain.begin())) damaged_chunk("its header");
+        if (!std::equal(header.begin(), header.end(), plain.begin()))
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its header"));
         return stored;
     }
 
@@ -407,7 +412,7 @@ struct TraceCodec::State {
             }
             if (begin == nullptr || begin->tick != chunk.first_tick ||
                 begin[count - 1].tick != chunk.last_tick) {
-                damaged_chunk("the inputs that it was made with are missing");
+                damaged_chunk(QT_TRANSLATE_NOOP("errors", "the inputs that it was made with are missing"));
             }
             load_inputs(begin, count);
         }
@@ -419,7 +424,7 @@ struct TraceCodec::State {
                                                Columns::guides(column), is_partner<Columns>(column));
             for (std::size_t i = 0; i < count; ++i) rows[i * Columns::columns + column] = values[i];
         }
-        if (!reader.at_end()) damaged_chunk("something follows its end");
+        if (!reader.at_end()) damaged_chunk(QT_TRANSLATE_NOOP("errors", "something follows its end"));
         std::vector<Record> decoded(count);
         for (std::size_t i = 0; i < count; ++i) {
             ColumnReader column_reader(rows.data() + i * Columns::columns);
@@ -427,7 +432,7 @@ struct TraceCodec::State {
         }
         if (Columns::first_tick(decoded.front()) != chunk.first_tick ||
             Columns::last_tick(decoded.back()) != chunk.last_tick) {
-            damaged_chunk("its ticks");
+            damaged_chunk(QT_TRANSLATE_NOOP("errors", "its ticks"));
         }
         records.insert(records.end(), decoded.begin(), decoded.end());
     }

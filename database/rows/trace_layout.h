@@ -17,7 +17,7 @@ template <typename Narrow>
 Narrow narrow_value(std::uint32_t value) {
     const auto wide = static_cast<std::int32_t>(value);
     if (wide < std::numeric_limits<Narrow>::min() || wide > std::numeric_limits<Narrow>::max()) {
-        damaged_chunk("a value out of range");
+        damaged_chunk(QT_TRANSLATE_NOOP("errors", "a value out of range"));
     }
     return static_cast<Narrow>(wide);
 }

@@ -52,9 +52,9 @@ LoadedTask load_task_and_scene(const TaskRequest& request, const CuttingValues& 
              with_cutting_values(text, source.empty() ? path : source, cutting), path, request.fidelity);
     if (listed && loaded.scene.variant != variant.id)
         throw InputError(path, "/variant",
-                         "is \"" + loaded.scene.variant + "\", but task " + request.task_id +
-                             " lists it as \"" + variant.id + "\"",
-                         "write the same id in both files");
+                         {QT_TRANSLATE_NOOP("errors", "is \"%1\", but task %2 lists it as \"%3\""),
+                          loaded.scene.variant, request.task_id, variant.id},
+                         QT_TRANSLATE_NOOP("errors", "write the same id in both files"));
     loaded.assets.push_back({name, database::sha256_hex(text)});
     return loaded;
 }

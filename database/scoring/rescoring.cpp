@@ -82,10 +82,10 @@ std::vector<RecomputedScore> recompute_scores(const std::string& store_path, con
         try {
             recompute(attempts, session, one);
         } catch (const InputError& error) {
-            one.problem = error.what();
+            one.problem = error.sentence();
         } catch (const database::StoreError& error) {
             if (error.kind() != database::StoreErrorKind::corrupt) throw;
-            one.problem = error.what();
+            one.problem = error.sentence();
         }
         recomputed.push_back(std::move(one));
     }

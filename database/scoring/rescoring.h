@@ -19,7 +19,7 @@ struct RecomputedScore {
     std::optional<bool> passed_in_force;  ///< of the score in force, which stays
     std::optional<bool> passed;           ///< of the new one
     Statement not_scored_because;         ///< where it has neither passed nor failed
-    std::string problem;                  ///< why there is no new one; empty if there is
+    Sentence problem;                     ///< why there is no new one; empty if there is
 };
 
 /// From the record alone; `loaded` as load_recorded() gives it. Throws AccessDenied, StoreError, InputError

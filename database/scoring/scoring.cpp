@@ -70,9 +70,11 @@ Limits benchmark_in_force(const BenchmarkKey& key) {
     const std::string text = read_text_file(path, JsonLimits().bytes);
     BenchmarkSet set = parse_benchmark(text, path);
     if (benchmark_name(set.key()) != benchmark_name(key))
-        throw InputError(path, "/",
-                         "holds the set " + benchmark_name(set.key()) + ", not " + benchmark_name(key),
-                         "name the file after its task, variant, device class and fidelity");
+        throw InputError(
+            path, "/",
+            {QT_TRANSLATE_NOOP("errors", "holds the set %1, not %2"), benchmark_name(set.key()),
+             benchmark_name(key)},
+            QT_TRANSLATE_NOOP("errors", "name the file after its task, variant, device class and fidelity"));
     return Limits(std::move(set),
                   {"benchmarks/" + benchmark_name(key) + ".json", database::sha256_hex(text)});
 }

@@ -44,12 +44,16 @@ std::vector<AcceptedAsset> AcceptedAssets::list() const {
 void AcceptedAssets::accept(const Session& educator, const AssetFile& file, const std::string& reason) const {
     store_.require(educator, Operation::accept_assets);
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
-        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+        throw StoreError(StoreErrorKind::bad_value,
+                         QT_TRANSLATE_NOOP("errors", "a reason is missing or too long"),
+                         QT_TRANSLATE_NOOP("errors", "give a reason of 1 to 4,000 characters"));
     Transaction transaction(store_.connection());
     if (unknown({file}).empty())
-        throw StoreError(StoreErrorKind::conflict,
-                         file.name + ": this file can be used in assessed attempts already",
-                         "nothing is left to do");
+        throw StoreError(
+            StoreErrorKind::conflict,
+            {QT_TRANSLATE_NOOP("errors", "%1: this file can be used in assessed attempts already"),
+             file.name},
+            QT_TRANSLATE_NOOP("errors", "there is nothing left to do"));
     Query(store_.connection(),
           "INSERT INTO asset_acceptance (digest, file, person_id, time, reason) VALUES (?, ?, ?, ?, ?)")
         .bind(file.digest)
@@ -64,13 +68,16 @@ void AcceptedAssets::accept(const Session& educator, const AssetFile& file, cons
     transaction.commit();
 }
 
-std::string practice_only_words(const std::vector<AssetFile>& unknown) {
-    std::string words;
+Sentence practice_only_words(const std::vector<AssetFile>& unknown) {
+    std::string files;
     for (const AssetFile& file : unknown)
-        words += (words.empty() ? "" : ", ") + file.name + " (sha256 " + file.digest + ")";
-    return "practice only: " + words + (unknown.size() == 1 ? " is" : " are") +
-           " neither part of this program nor accepted by the programme; an educator accepts a file with "
-           "`fulcrum assets accept FILE --reason TEXT`";
+        files += (files.empty() ? "" : ", ") + file.name + " (sha256 " + file.digest + ")";
+    return {
+        QT_TRANSLATE_NOOP("errors",
+                          "practice only: these files are neither part of this program nor accepted by the "
+                          "programme: %1; an educator accepts a file with `fulcrum assets accept FILE "
+                          "--reason TEXT`"),
+        files};
 }
 
 }  // namespace fulcrum::database

@@ -37,6 +37,6 @@ class AcceptedAssets {
 };
 
 /// Why attempts with these files are practice only, a sentence with each file, its digest and what to do.
-std::string practice_only_words(const std::vector<AssetFile>& unknown);
+Sentence practice_only_words(const std::vector<AssetFile>& unknown);
 
 }  // namespace fulcrum::database

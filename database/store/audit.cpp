@@ -103,6 +103,13 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     entry.payload = QJsonDocument(members).toJson(QJsonDocument::Compact).toStdString();
 }
 
+/// A server has the logs of many stations.
+Sentence place_of(const Connection& connection, const std::string& station, std::int64_t sequence) {
+    if (connection.is_server())
+        return {QT_TRANSLATE_NOOP("errors", "station %1, audit row %2"), station, sequence};
+    return {QT_TRANSLATE_NOOP("errors", "audit row %1"), sequence};
+}
+
 constexpr int with_signatures = 14;
 
 void sign_row(const Store& store, std::int64_t sequence, const Bytes& hash) {
@@ -193,33 +200,40 @@ std::string Audit::signing_key() const {
     return last.next() && !last.is_null(0) ? key_fingerprint(last.bytes(0)) : std::string();
 }
 
-std::vector<std::string> Audit::verify_signatures(std::int64_t& count) const {
-    const std::optional<StationKey> own = StationKey::existing(store_.station_id());
+std::vector<Sentence> Audit::verify_signatures(std::int64_t& count) const {
+    return verify_audit_signatures(store_.connection(), store_.station_id(), count);
+}
+
+std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own_station,
+                                              std::int64_t& count) {
+    const std::optional<StationKey> own =
+        own_station.empty() ? std::nullopt : StationKey::existing(own_station);
     Query rows(
-        store_.connection(),
+        connection,
         "SELECT e.station_id, e.sequence, e.hash, s.public_half, s.signature FROM audit_entry e LEFT JOIN "
         "audit_signature s ON s.station_id = e.station_id AND s.sequence = e.sequence ORDER BY e.station_id, "
         "e.sequence");
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
     std::string station;
     bool begun = false;  // the rows before the first signature are from before there were keys
     while (rows.next()) {
         if (rows.text(0) != station) begun = false;
         station = rows.text(0);
         const std::int64_t sequence = rows.integer(1);
-        const std::string place = "audit row " + std::to_string(sequence);
-        const bool is_ours = own && station == store_.station_id() && sequence >= own->first_row();
+        const Sentence place = place_of(connection, station, sequence);
+        const bool is_ours = own && station == own_station && sequence >= own->first_row();
         if (rows.is_null(3)) {
-            if (begun || is_ours) problems.push_back(place + ": not signed");
+            if (begun || is_ours) problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: not signed"), place});
             continue;
         }
         begun = true;
         ++count;
         if (!row_signature_holds(rows.bytes(3), rows.bytes(2), rows.bytes(4)))
-            problems.push_back(place + ": its signature does not fit");
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its signature does not fit"), place});
         else if (is_ours && rows.bytes(3) != own->public_half())
-            problems.push_back(place + ": signed by the key " + key_fingerprint(rows.bytes(3)) +
-                               ", not by this station's, " + key_fingerprint(own->public_half()));
+            problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "%1: signed by the key %2, not by this station's, %3"), place,
+                 key_fingerprint(rows.bytes(3)), key_fingerprint(own->public_half())});
     }
     return problems;
 }
@@ -305,18 +319,22 @@ std::vector<std::string> Audit::kinds(const Session& administrator) const {
     return kinds;
 }
 
-std::vector<std::string> Audit::verify() const {
-    Query rows(store_.connection(),
+std::vector<Sentence> Audit::verify() const {
+    return verify_audit_chains(store_.connection());
+}
+
+std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows erased) {
+    Query rows(connection,
                "SELECT e.station_id, e.sequence, e.time, e.actor_id, e.object_id, e.operation, e.digest, "
                "e.previous_hash, e.hash, "
                "p.salt, p.payload FROM audit_entry e "
                "LEFT JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence "
                "ORDER BY e.station_id, e.sequence");
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
     std::string station;
     Bytes previous(hash_size, 0);
     std::int64_t expected = 1;
-    std::map<std::string, std::set<std::int64_t>> erased, missing;  // by station
+    AuditRows missing;
     while (rows.next()) {
         if (rows.text(0) != station) {
             station = rows.text(0);
@@ -324,21 +342,21 @@ std::vector<std::string> Audit::verify() const {
             expected = 1;
         }
         const std::int64_t sequence = rows.integer(1);
-        const std::string place = "audit row " + std::to_string(sequence);
+        const Sentence place = place_of(connection, station, sequence);
         if (sequence != expected)
-            problems.push_back("audit rows " + std::to_string(expected) + " to " +
-                               std::to_string(sequence - 1) + " are missing");
+            problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "audit rows %1 to %2 are missing"), expected, sequence - 1});
         const Bytes digest = rows.bytes(6), stored_previous = rows.bytes(7), hash = rows.bytes(8);
         if (sequence == expected && stored_previous != previous)
-            problems.push_back(place + ": not bound to the row before it");
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: not bound to the row before it"), place});
         if (row_hash(stored_previous, sequence, rows.integer(2), station, rows.text(3), rows.text(4),
                      rows.text(5), digest) != hash) {
-            problems.push_back(place + ": changed after it was written");
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: changed after it was written"), place});
         }
         if (rows.is_null(9)) {
             missing[station].insert(sequence);
         } else if (payload_digest(rows.bytes(9), rows.text(10)) != digest) {
-            problems.push_back(place + ": its payload was changed");
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its payload was changed"), place});
         } else if (rows.text(5) == erasure) {
             add_erased(rows.text(10), erased[station]);
         }
@@ -348,14 +366,18 @@ std::vector<std::string> Audit::verify() const {
     for (const auto& [at, sequences] : missing) {
         for (const std::int64_t sequence : sequences) {
             if (erased[at].count(sequence) == 0)
-                problems.push_back("audit row " + std::to_string(sequence) +
-                                   ": its payload is gone, and no erasure is in the audit log");
+                problems.push_back(
+                    {QT_TRANSLATE_NOOP("errors",
+                                       "%1: its payload is gone, and no erasure is in the audit log"),
+                     place_of(connection, at, sequence)});
         }
     }
-    Query loose(store_.connection(),
+    Query loose(connection,
                 "SELECT p.sequence FROM audit_payload p WHERE NOT EXISTS (SELECT 1 FROM audit_entry e WHERE "
                 "e.station_id = p.station_id AND e.sequence = p.sequence)");
-    while (loose.next()) problems.push_back("audit row " + loose.text(0) + ": only its payload is left");
+    while (loose.next())
+        problems.push_back(
+            {QT_TRANSLATE_NOOP("errors", "audit row %1: only its payload is left"), loose.text(0)});
     return problems;
 }
 

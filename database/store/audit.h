@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,15 @@ struct AuditFilter {
     int limit = 500;
 };
 
+/// Sequences by station.
+using AuditRows = std::map<std::string, std::set<std::int64_t>>;
+
+/// As Audit::verify(), of a store or a programme server; `erased`: payloads that are known to be erased.
+std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows erased = {});
+/// As Audit::verify_signatures(); `own`: the station whose key is on this machine.
+std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own,
+                                              std::int64_t& count);
+
 class Audit {
   public:
     explicit Audit(const Store& store) : store_(store) {}
@@ -46,7 +57,7 @@ class Audit {
     /// Problems found: from the first signed row of a station on, each row has to have a signature that fits,
     /// and where this machine holds the station's key, the newest row has to be signed by it. `count`:
     /// signatures looked at.
-    std::vector<std::string> verify_signatures(std::int64_t& count) const;
+    std::vector<Sentence> verify_signatures(std::int64_t& count) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
     /// Whether a row of any station has this hash; `hex`: at least its first 16 digits, as reports print
@@ -54,7 +65,7 @@ class Audit {
     bool has_head(const std::string& hex) const;
     /// Problems found, by sequence; empty if the chain holds and every payload is as it was written, or was
     /// erased by a deed that the chain holds.
-    std::vector<std::string> verify() const;
+    std::vector<Sentence> verify() const;
     std::int64_t count() const;
 
     /// Adds a row; inside the caller's transaction, after its changes. The role goes into the payload, and so

@@ -14,7 +14,7 @@ namespace {
 struct KnownRecord {
     std::string digest;    ///< "": it is gone
     std::string sequence;  ///< of the newest audit row about it
-    std::string about;     ///< " of attempt 4f2a...", where the row says so
+    Sentence about;        ///< " of attempt 4f2a...", where the row says so
     bool seen = false;
 };
 
@@ -22,8 +22,11 @@ struct KnownRecord {
 /// one would make any edit good.
 void require_one_baseline(bool any_before, const std::string& sequence, CheckItem& item) {
     if (any_before)
-        item.problems.push_back("audit row " + sequence +
-                                ": enters all records again, although earlier rows have their digests");
+        item.problems.push_back(
+            {QT_TRANSLATE_NOOP(
+                 "errors",
+                 "audit row %1: enters all records again, although earlier rows have their digests"),
+             sequence});
 }
 
 std::map<std::string, KnownRecord> read_known(const Store& store, CheckItem& item) {
@@ -39,8 +42,11 @@ std::map<std::string, KnownRecord> read_known(const Store& store, CheckItem& ite
         if (rows.text(2) == baseline_operation) require_one_baseline(!known.empty(), rows.text(0), item);
         const std::string attempt = said.value(QLatin1String("attempt")).toString().toStdString();
         for (auto digest = digests.begin(); digest != digests.end(); ++digest) {
-            known[digest.key().toStdString()] = {digest.value().toString().toStdString(), rows.text(0),
-                                                 attempt.empty() ? "" : " of attempt " + attempt, false};
+            known[digest.key().toStdString()] = {
+                digest.value().toString().toStdString(), rows.text(0),
+                attempt.empty() ? Sentence()
+                                : Sentence(QT_TRANSLATE_NOOP("errors", " of attempt %1"), attempt),
+                false};
         }
     }
     return known;
@@ -51,9 +57,9 @@ std::map<std::string, KnownRecord> read_known(const Store& store, CheckItem& ite
 void check_records(const Store& store, CheckItem& item, CheckWatch& watch) {
     std::map<std::string, KnownRecord> known = read_known(store, item);
     if (known.empty()) {
-        item.problems.push_back(
-            "the audit log has no digests of the records: open the store once for writing, or restore the "
-            "newest backup");
+        item.problems.push_back(QT_TRANSLATE_NOOP("errors",
+                                                  "the audit log has no digests of the records: open the "
+                                                  "store once for writing, or restore the newest backup"));
         return;
     }
     RecordDigests digests(store.connection());
@@ -64,17 +70,20 @@ void check_records(const Store& store, CheckItem& item, CheckWatch& watch) {
         const std::string digest = digests.of(name);
         const auto found = known.find(name.text());
         if (found == known.end() || found->second.digest.empty()) {
-            item.problems.push_back(name.text() + ": there without a row of the audit log");
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "%1: the audit log has no row for it"), name.text()});
         } else if (found->second.digest != digest) {
-            item.problems.push_back(name.text() + found->second.about + ": " +
-                                    (digest.empty() ? "gone" : "changed") + " since audit row " +
-                                    found->second.sequence);
+            item.problems.push_back({digest.empty()
+                                         ? QT_TRANSLATE_NOOP("errors", "%1%2: gone since audit row %3")
+                                         : QT_TRANSLATE_NOOP("errors", "%1%2: changed since audit row %3"),
+                                     name.text(), found->second.about, found->second.sequence});
         }
         if (found != known.end()) found->second.seen = true;
     }
     for (const auto& [name, record] : known) {
         if (!record.seen && !record.digest.empty())
-            item.problems.push_back(name + record.about + ": gone since audit row " + record.sequence);
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1%2: gone since audit row %3"), name,
+                                     record.about, record.sequence});
     }
 }
 

@@ -22,25 +22,25 @@ struct StoredChunk {
 struct StoredTrace {
     std::string attempt_id;
     std::vector<StoredChunk> streams[stream_count];
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
 };
 
 /// The number fits; so does the time, for streams whose ticks rise.
-void check_order(const StoredTrace& trace, std::size_t stream, const std::string& place,
-                 std::vector<std::string>& problems) {
+void check_order(const StoredTrace& trace, std::size_t stream, const Sentence& place,
+                 std::vector<Sentence>& problems) {
     const auto& chunks = trace.streams[stream];
     for (std::size_t i = 0; i < chunks.size(); ++i) {
         const auto number = std::to_string(chunks[i].number);
         const std::int64_t expected = i == 0 ? 0 : chunks[i - 1].number + 1;
         if (chunks[i].number != expected)
-            problems.push_back(place + ": chunk " + std::to_string(expected) + " is missing");
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: chunk %2 is missing"), place, expected});
         const bool rises = static_cast<TraceStream>(stream) == TraceStream::samples ||
                            static_cast<TraceStream>(stream) == TraceStream::inputs;
         const TraceChunk& chunk = chunks[i].chunk;
         const bool early = i > 0 && (rises ? chunk.first_tick <= chunks[i - 1].chunk.last_tick
                                            : chunk.first_tick < chunks[i - 1].chunk.first_tick);
         if (chunk.first_tick > chunk.last_tick || early)
-            problems.push_back(place + ": chunk " + number + " is out of order");
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: chunk %2 is out of order"), place, number});
     }
 }
 
@@ -51,14 +51,15 @@ class TraceReader {
         inputs_.clear();
         next_input_ = 0;
         for (std::size_t stream = 0; stream < stream_count; ++stream) {
-            const std::string place = "attempt " + trace.attempt_id + ", stream " + std::to_string(stream);
+            const Sentence place(QT_TRANSLATE_NOOP("errors", "attempt %1, stream %2"), trace.attempt_id,
+                                 stream);
             check_order(trace, stream, place, trace.problems);
             for (const StoredChunk& stored : trace.streams[stream]) {
                 try {
                     decode(trace, stored.chunk);
                 } catch (const StoreError& error) {
-                    trace.problems.push_back(place + ": chunk " + std::to_string(stored.number) +
-                                             " is damaged (" + error.problem() + ")");
+                    trace.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: chunk %2 is damaged (%3)"),
+                                              place, stored.number, error.problem_sentence()});
                 }
             }
         }
@@ -127,12 +128,12 @@ class TraceChecks {
 
   private:
     void finish_oldest() {
-        for (std::string& problem : waiting_.front().get()) item_.problems.push_back(std::move(problem));
+        for (Sentence& problem : waiting_.front().get()) item_.problems.push_back(std::move(problem));
         waiting_.erase(waiting_.begin());
     }
     CheckItem& item_;
     std::size_t cores_;
-    std::vector<std::future<std::vector<std::string>>> waiting_;
+    std::vector<std::future<std::vector<Sentence>>> waiting_;
 };
 
 void check_chunks(const Store& store, CheckItem& item, CheckWatch& watch) {
@@ -153,7 +154,8 @@ void check_chunks(const Store& store, CheckItem& item, CheckWatch& watch) {
         }
         const std::int64_t stream = rows.integer(1);
         if (stream < 0 || stream >= static_cast<std::int64_t>(stream_count)) {
-            item.problems.push_back("attempt " + rows.text(0) + ": no stream has the number " + rows.text(1));
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "attempt %1: no stream has the number %2"),
+                                     rows.text(0), rows.text(1)});
             continue;
         }
         StoredChunk stored;
@@ -171,13 +173,19 @@ void check_chunks(const Store& store, CheckItem& item, CheckWatch& watch) {
 }
 
 void check_lengths(const Store& store, CheckItem& item) {
-    Query ends(store.connection(),
-               "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
-               "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running'");
+    // The traces of other stations' attempts stay there and on the programme server.
+    Query ends(
+        store.connection(),
+        "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
+        "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running' AND (station_id = ? OR "
+        "EXISTS (SELECT 1 FROM trace_chunk c WHERE c.attempt_id = attempt.id))");
+    ends.bind(store.station_id());
     while (ends.next()) {
         if (ends.integer(1) != ends.integer(2))
-            item.problems.push_back("attempt " + ends.text(0) + ": " + ends.text(2) + " of its " +
-                                    ends.text(1) + " events are there, a part of the record is missing");
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP(
+                     "errors", "attempt %1: %2 of its %3 events are there, a part of the record is missing"),
+                 ends.text(0), ends.text(2), ends.text(1)});
     }
     Query pairs(
         store.connection(),
@@ -185,8 +193,11 @@ void check_lengths(const Store& store, CheckItem& item) {
         "WHERE stream IN (0, 1) GROUP BY attempt_id");
     while (pairs.next()) {
         if (pairs.integer(1) != pairs.integer(2))
-            item.problems.push_back("attempt " + pairs.text(0) + ": " + pairs.text(1) + " samples for " +
-                                    pairs.text(2) + " inputs are there, a part of the record is missing");
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP(
+                     "errors",
+                     "attempt %1: %2 samples for %3 inputs are there, a part of the record is missing"),
+                 pairs.text(0), pairs.text(1), pairs.text(2)});
     }
 }
 
@@ -200,8 +211,8 @@ void check_traces(const Store& store, CheckItem& item, CheckWatch& watch) {
     while (products.next()) {
         ++item.count;
         if (blake2b(products.bytes(3), 16) != products.bytes(2)) {
-            item.problems.push_back("attempt " + products.text(0) + ": product " + products.text(1) +
-                                    " is damaged");
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "attempt %1: product %2 is damaged"),
+                                     products.text(0), products.text(1)});
         }
     }
     constexpr int with_origins = 13;
@@ -210,8 +221,9 @@ void check_traces(const Store& store, CheckItem& item, CheckWatch& watch) {
     while (origins.next()) {
         ++item.count;
         if (blake2b(origins.bytes(2), 16) != origins.bytes(1))
-            item.problems.push_back("attempt " + origins.text(0) +
-                                    ": the state that it began with is damaged");
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "attempt %1: the state that it began with is damaged"),
+                 origins.text(0)});
     }
 }
 

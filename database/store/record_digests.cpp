@@ -124,7 +124,8 @@ const std::vector<RecordRow> record_kinds = {
     {RecordKind::form,
      "form",
      "SELECT DISTINCT form_digest FROM rating WHERE handed_in <> 0",
-     {"SELECT digest, text FROM form_text WHERE digest = ?"}},
+     {"SELECT f.digest, f.text FROM form_text f WHERE f.digest = ? AND EXISTS (SELECT 1 FROM rating r WHERE "
+      "r.form_digest = f.digest AND r.handed_in <> 0)"}},
     {RecordKind::rating_release,
      "release of rating",
      "SELECT rating_id FROM rating_release",
@@ -178,6 +179,20 @@ void add_value(Bytes& bytes, const QVariant& value) {
 
 std::string RecordName::text() const {
     return std::string(record_row(kind).name) + " " + id;
+}
+
+std::optional<RecordName> RecordName::of_text(const std::string& text) {
+    const RecordRow* best = nullptr;  // "station" and "station key" may begin alike
+    std::size_t length = 0;
+    for (const RecordRow& row : record_kinds) {
+        const std::string start = std::string(row.name) + " ";
+        if (text.compare(0, start.size(), start) == 0 && start.size() > length) {
+            best = &row;
+            length = start.size();
+        }
+    }
+    if (best == nullptr) return std::nullopt;
+    return RecordName{best->kind, text.substr(length)};
 }
 
 std::vector<RecordName> all_records(Connection& connection) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct RecordName {
     std::string id;
     /// "attempt 4f2a...", as in audit payloads.
     std::string text() const;
+    /// The reverse; nothing for any other text.
+    static std::optional<RecordName> of_text(const std::string& text);
 };
 
 class RecordDigests {

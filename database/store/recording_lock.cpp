@@ -47,8 +47,10 @@ RecordingLock::RecordingLock(const std::string& store_path, const std::string& a
         if (descriptor_ >= 0) ::close(descriptor_);
         throw StoreError(
             error == ENOSPC ? StoreErrorKind::disk_full : StoreErrorKind::read_only,
-            file_ + ": cannot be made (" + std::strerror(error) + ")",
-            "make the store's folder writable and leave room on the disk; nothing was recorded yet");
+            {QT_TRANSLATE_NOOP("errors", "%1: cannot be created (%2)"), file_, std::strerror(error)},
+            QT_TRANSLATE_NOOP("errors",
+                              "make the store's folder writable and free some space on the disk; nothing was "
+                              "recorded yet"));
     }
     inode_ = static_cast<std::int64_t>(status.st_ino);
 }

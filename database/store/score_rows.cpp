@@ -163,8 +163,10 @@ std::string write_score(const Store& store, const Session& session, const std::s
     score.id = random_uuid();
     score.computed = store.now();
     if (score.passed && !score.not_scored_because.empty()) {
-        throw StoreError(StoreErrorKind::bad_value, "a score is passed, failed, or not scored with a reason",
-                         "give one of them");
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            QT_TRANSLATE_NOOP("errors", "a score is passed, failed, or not scored with a reason"),
+            QT_TRANSLATE_NOOP("errors", "give one of them"));
     }
     write_row(connection, attempt_id, score);
     write_gates(connection, score);

@@ -22,20 +22,25 @@ Bytes message_of(const Bytes& row_hash) {
     return message;
 }
 
-[[noreturn]] void fail(const std::string& path, const std::string& why) {
-    throw StoreError(StoreErrorKind::failed, path + ": the key of this station " + why,
-                     "make its folder readable and writable for you, or name another folder in "
-                     "FULCRUM_STATION_KEYS");
+[[noreturn]] void fail(const std::string& path, const Sentence& why) {
+    throw StoreError(
+        StoreErrorKind::failed, {QT_TRANSLATE_NOOP("errors", "%1: the key of this station: %2"), path, why},
+        QT_TRANSLATE_NOOP(
+            "errors",
+            "make its folder readable and writable for you, or name another folder in FULCRUM_STATION_KEYS"));
 }
 
 [[noreturn]] void fail_as_damaged(const std::string& path) {
-    throw StoreError(StoreErrorKind::failed, path + ": is not a key of a station",
-                     "put its copy back; without one move the file away, and a new key is made");
+    throw StoreError(
+        StoreErrorKind::failed, {QT_TRANSLATE_NOOP("errors", "%1: is not a key of a station"), path},
+        QT_TRANSLATE_NOOP("errors",
+                          "put its copy back; without one move the file away, and a new key is made"));
 }
 
 void make(const std::string& path, std::int64_t next_row) {
     const QString folder = QFileInfo(QString::fromStdString(path)).path();
-    if (!QDir().mkpath(folder)) fail(path, "cannot be written (its folder cannot be made)");
+    if (!QDir().mkpath(folder))
+        fail(path, QT_TRANSLATE_NOOP("errors", "cannot be written (its folder cannot be made)"));
     QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     try {
         write_output_file(path,
@@ -45,7 +50,7 @@ void make(const std::string& path, std::int64_t next_row) {
     } catch (const std::system_error& error) {
         // Another program of this station was first: its key is the key.
         if (error.code() != std::errc::file_exists)
-            fail(path, "cannot be written (" + error.code().message() + ")");
+            fail(path, {QT_TRANSLATE_NOOP("errors", "cannot be written (%1)"), error.code().message()});
     }
 }
 
@@ -70,7 +75,7 @@ std::optional<StationKey> StationKey::existing(const std::string& station_id) {
     QFile file(QFile::decodeName(QByteArray::fromStdString(path)));
     if (!file.exists()) return std::nullopt;
     if (!file.open(QIODevice::ReadOnly))
-        fail(path, "cannot be read (" + file.errorString().toStdString() + ")");
+        fail(path, {QT_TRANSLATE_NOOP("errors", "cannot be read (%1)"), file.errorString().toStdString()});
     constexpr qint64 longest = 4096;
     const QList<QByteArray> lines = file.read(longest).split('\n');
     const QByteArray from = QByteArrayLiteral("from row ");
@@ -87,7 +92,7 @@ StationKey StationKey::of(const std::string& station_id, std::int64_t next_row) 
     if (std::optional<StationKey> key = existing(station_id)) return *std::move(key);
     make(path_of(station_id), next_row);
     if (std::optional<StationKey> key = existing(station_id)) return *std::move(key);
-    fail(path_of(station_id), "was removed while it was being made");
+    fail(path_of(station_id), QT_TRANSLATE_NOOP("errors", "was removed while it was being made"));
 }
 
 Bytes StationKey::sign(const Bytes& row_hash) const {

@@ -184,18 +184,22 @@ Store Store::open(const std::string& path, StoreOptions options) {
     require_finished(connection);
     const int found = read_schema_version(connection), known = latest_schema_version();
     if (found > known) {
-        throw StoreError(StoreErrorKind::newer_schema,
-                         path + ": written by a newer program (schema " + std::to_string(found) +
-                             ", this program knows " + std::to_string(known) + ")",
-                         "update Fulcrum; nothing was changed");
+        throw StoreError(
+            StoreErrorKind::newer_schema,
+            {QT_TRANSLATE_NOOP("errors", "%1: written by a newer program (schema %2, this program knows %3)"),
+             path, found, known},
+            QT_TRANSLATE_NOOP("errors", "update Fulcrum; nothing was changed"));
     }
     state->schema = state->options.read_only ? found : known;
     if (found < known && !(state->options.read_only && state->options.older_schema)) {
         if (state->options.read_only) {
-            throw StoreError(StoreErrorKind::older_schema,
-                             path + ": schema " + std::to_string(found) + " is older than this program's " +
-                                 std::to_string(known),
-                             "open it once for writing (`fulcrum db migrate`)");
+            throw StoreError(
+                StoreErrorKind::older_schema,
+                {QT_TRANSLATE_NOOP(
+                     "errors",
+                     "%1: the store was written by an older program (schema %2, this program uses %3)"),
+                 path, found, known},
+                QT_TRANSLATE_NOOP("errors", "open it once for writing (`fulcrum db migrate`)"));
         }
         migrate_with_copy(connection, path, known);
     }
@@ -203,8 +207,9 @@ Store Store::open(const std::string& path, StoreOptions options) {
     state->station_id = read_setting(connection, "this_station");
     state->demo = read_setting(connection, "demo") == "1";
     if (state->station_id.empty()) {
-        throw StoreError(StoreErrorKind::corrupt, path + ": the store does not name its station",
-                         "run `fulcrum db check`, or restore the newest backup");
+        throw StoreError(StoreErrorKind::corrupt,
+                         {QT_TRANSLATE_NOOP("errors", "%1: the store does not name its station"), path},
+                         QT_TRANSLATE_NOOP("errors", "run `fulcrum db check`, or restore the newest backup"));
     }
     Store store(std::move(state));
     if (!store.is_read_only()) enter_records(store);
@@ -278,7 +283,8 @@ bool Store::backup(const Session& session, const std::string& to_path, const Sto
 
 void Store::seal_demo(const Session& station) {
     if (!is_demo() || !station.is_station())
-        throw AccessDenied("seal_demo", role_name(station.role()), "demo stores only");
+        throw AccessDenied("seal_demo", role_name(station.role()),
+                           QT_TRANSLATE_NOOP("errors", "demo stores only"));
     Transaction transaction(connection());
     write_setting(connection(), "demo_sealed", "1");
     Audit(*this).append(station, station_id(), "demo.seal", "{}", {{RecordKind::setting, "demo_sealed"}});

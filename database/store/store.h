@@ -46,8 +46,8 @@ struct CheckItem {
     std::string name;  ///< "integrity", "foreign keys", "audit chain", "signatures", "trace checksums",
                        ///< "score digests", "scenes", "permissions"
     bool ok = true;
-    std::int64_t count = 0;             ///< things looked at
-    std::vector<std::string> problems;  ///< empty if ok; at most 20, then a line that says how many more
+    std::int64_t count = 0;          ///< things looked at
+    std::vector<Sentence> problems;  ///< empty if ok; at most 20, then a line that says how many more
 };
 struct CheckReport {
     bool ok = true;

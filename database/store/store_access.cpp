@@ -33,20 +33,23 @@ bool writes(Operation operation) {
 }
 
 /// Empty if the session is still valid; else why not.
-std::string why_session_ended(const Store& store, const Session& session, Operation operation) {
-    if (session.station_id() != store.station_id()) return "signed in to another store";
+Sentence why_session_ended(const Store& store, const Session& session, Operation operation) {
+    if (session.station_id() != store.station_id())
+        return QT_TRANSLATE_NOOP("errors", "signed in to another store");
     if (session.is_station()) return {};
-    if (session.is_demo() && !store.is_demo()) return "demo people exist in the demo store only";
+    if (session.is_demo() && !store.is_demo())
+        return QT_TRANSLATE_NOOP("errors", "demo people exist in the demo store only");
     Query person(
         store.connection(),
         "SELECT p.active, EXISTS (SELECT 1 FROM person_role r WHERE r.person_id = p.id AND r.role = ?), "
         "COALESCE((SELECT c.one_time FROM credential c WHERE c.person_id = p.id), 0) FROM person p WHERE "
         "p.id = ?");
     person.bind(role_name(session.role())).bind(session.person_id());
-    if (!person.next() || !person.flag(0)) return "the account is no longer active";
-    if (!person.flag(1)) return "the role was withdrawn";
+    if (!person.next() || !person.flag(0))
+        return QT_TRANSLATE_NOOP("errors", "the account is no longer active");
+    if (!person.flag(1)) return QT_TRANSLATE_NOOP("errors", "the role was withdrawn");
     if (person.flag(2) && operation != Operation::change_password)
-        return "the one-time password must be changed first";
+        return QT_TRANSLATE_NOOP("errors", "the one-time password must be changed first");
     return {};
 }
 
@@ -76,19 +79,22 @@ bool relation_of(const Store& store, const Session& session, const Subject& subj
 }
 
 /// Empty if allowed; else why not.
-std::string refusal(const Store& store, const Session& session, Operation operation, const Subject& subject) {
-    std::string ended = why_session_ended(store, session, operation);
+Sentence refusal(const Store& store, const Session& session, Operation operation, const Subject& subject) {
+    Sentence ended = why_session_ended(store, session, operation);
     if (!ended.empty()) return ended;
-    if (scope_of(session.role(), operation) == Scope::none) return "not in this role";
+    if (scope_of(session.role(), operation) == Scope::none)
+        return QT_TRANSLATE_NOOP("errors", "not in this role");
     if (writes(operation) && store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1") {
-        return "the demo takes practice attempts only";
+        return QT_TRANSLATE_NOOP("errors", "the demo takes practice attempts only");
     }
     if (subject.kind == Subject::Kind::none) return {};
     Relation relation;
-    if (!relation_of(store, session, subject, relation)) return "outside this role's people";
+    if (!relation_of(store, session, subject, relation))
+        return QT_TRANSLATE_NOOP("errors", "outside this role's people");
     if (permits(session.role(), operation, relation)) return {};
-    if (never_own(operation) && relation.own) return "not allowed on one's own attempt";
-    return "outside this role's people";
+    if (never_own(operation) && relation.own)
+        return QT_TRANSLATE_NOOP("errors", "not allowed on one's own attempt");
+    return QT_TRANSLATE_NOOP("errors", "outside this role's people");
 }
 
 }  // namespace
@@ -98,7 +104,7 @@ bool Store::allowed(const Session& session, Operation operation, const Subject& 
 }
 
 void Store::require(const Session& session, Operation operation, const Subject& subject) const {
-    const std::string why = refusal(*this, session, operation, subject);
+    const Sentence why = refusal(*this, session, operation, subject);
     if (!why.empty()) throw AccessDenied(operation_name(operation), role_name(session.role()), why);
 }
 

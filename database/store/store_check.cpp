@@ -4,8 +4,11 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
@@ -33,12 +36,29 @@ void check_integrity(const Store& store, CheckItem& item) {
 void check_foreign_keys(const Store& store, CheckItem& item) {
     Query rows(store.connection(), "PRAGMA foreign_key_check");
     while (rows.next())
-        item.problems.push_back("table " + rows.text(0) + ": a row points to nothing in " + rows.text(2));
+        item.problems.push_back({QT_TRANSLATE_NOOP("errors", "table %1: a row points to nothing in %2"),
+                                 rows.text(0), rows.text(2)});
     Query tables(store.connection(), "SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'");
     if (tables.next()) item.count = tables.integer(0);
 }
 
+/// Records that the programme server sent: where they were made is in the audit log of another station, and
+/// check_records() compares them with their digests here.
+std::set<std::string> received_records(Connection& connection) {
+    std::set<std::string> names;
+    Query rows(connection,
+               "SELECT p.payload FROM audit_entry e JOIN audit_payload p ON p.station_id = e.station_id AND "
+               "p.sequence = e.sequence WHERE e.operation = 'sync.receive'");
+    while (rows.next()) {
+        const QJsonObject said = QJsonDocument::fromJson(QByteArray::fromStdString(rows.text(0))).object();
+        for (const QString& name : said.value(QLatin1String(records_key)).toObject().keys())
+            names.insert(name.toStdString());
+    }
+    return names;
+}
+
 void check_scores(const Store& store, CheckItem& item) {
+    const std::set<std::string> received = received_records(store.connection());
     Query rows(
         store.connection(),
         "SELECT s.id, s.attempt_id, (SELECT e.sequence FROM audit_entry e WHERE e.object_id = s.id AND "
@@ -47,14 +67,16 @@ void check_scores(const Store& store, CheckItem& item) {
         "AND p.sequence = e.sequence WHERE e.object_id = s.id AND e.operation = 'score.add') FROM score s");
     while (rows.next()) {
         ++item.count;
-        const std::string place = "score of attempt " + rows.text(1);
+        const Sentence place(QT_TRANSLATE_NOOP("errors", "score of attempt %1"), rows.text(1));
         if (rows.is_null(2)) {
-            item.problems.push_back(place + ": not in the audit chain");
+            if (received.count(RecordName{RecordKind::score, rows.text(0)}.text()) != 0) continue;
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: not in the audit chain"), place});
         } else if (!rows.is_null(3)) {
             const std::string digest =
                 score_digest(rows.text(1), read_score(store.connection(), rows.text(0)));
             if (rows.text(3).find(digest) == std::string::npos)
-                item.problems.push_back(place + ": changed after it was written");
+                item.problems.push_back(
+                    {QT_TRANSLATE_NOOP("errors", "%1: changed after it was written"), place});
         }
     }
 }
@@ -64,25 +86,31 @@ void check_scenes(const Store& store, CheckItem& item) {
     while (rows.next()) {
         ++item.count;
         if (text_digest(rows.text(1)) != rows.text(0))
-            item.problems.push_back("scene " + rows.text(0) + ": changed after it was written");
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "scene %1: changed after it was written"), rows.text(0)});
     }
     Query lost(store.connection(),
                "SELECT id FROM attempt WHERE scene_digest <> '' AND scene_digest NOT IN (SELECT digest FROM "
                "scene_text)");
-    while (lost.next()) item.problems.push_back("attempt " + lost.text(0) + ": its scene is gone");
+    while (lost.next())
+        item.problems.push_back(
+            {QT_TRANSLATE_NOOP("errors", "attempt %1: its scene is missing"), lost.text(0)});
 }
 
 void check_overrides(const Store& store, CheckItem& item) {
+    const std::set<std::string> received = received_records(store.connection());
     for (const OverrideRow& row : read_overrides(store.connection(), "")) {
         ++item.count;
+        if (received.count(RecordName{RecordKind::decision, row.decision.id}.text()) != 0) continue;
         Query deed(store.connection(),
                    "SELECT p.payload FROM audit_entry e JOIN audit_payload p ON p.station_id = e.station_id "
                    "AND p.sequence = e.sequence WHERE e.object_id = ? AND e.operation = 'standing.decide' "
                    "AND e.actor_id = ?");
         deed.bind(row.decision.id).bind(row.author_id);
         if (!deed.next() || !is_payload_of(deed.text(0), row))
-            item.problems.push_back("decision " + row.decision.id + " on " + row.decision.task +
-                                    ": not as the audit log has it");
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "decision %1 on %2: not as the audit log has it"),
+                 row.decision.id, row.decision.task});
     }
 }
 
@@ -90,8 +118,10 @@ void check_permissions(const Store& store, CheckItem& item) {
     struct stat status {};
     item.count = 1;
     if (::stat(store.path().c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-        item.problems.push_back(store.path() +
-                                ": other users of this machine may open it (run `chmod 600` on it)");
+        item.problems.push_back(
+            {QT_TRANSLATE_NOOP("errors",
+                               "%1: other users of this machine may open it (run `chmod 600` on it)"),
+             store.path()});
     }
 }
 
@@ -141,22 +171,24 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
             if (!watch.stopped()) checker(item);
         } catch (const StoreError& error) {
             // A damaged page stops one check, not the others.
-            if (!watch.stopped()) item.problems.push_back(error.problem());
+            if (!watch.stopped()) item.problems.push_back(error.problem_sentence());
         }
         report.complete = !watch.stopped();
         if (!report.complete) return;
         if (item.problems.size() > most_problems) {
             const std::size_t more = item.problems.size() - most_problems;
             item.problems.resize(most_problems);
-            item.problems.push_back("and " + std::to_string(more) + " more");
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "and %1 more"), more});
         }
         item.ok = item.problems.empty();
         report.ok = report.ok && item.ok;
         report.items.push_back(std::move(item));
     };
-    look(0, 0.25, "integrity", [&](CheckItem& item) { check_integrity(store, item); });
-    look(0.25, 0.3, "foreign keys", [&](CheckItem& item) { check_foreign_keys(store, item); });
-    look(0.3, 0.4, "audit chain", [&](CheckItem& item) {
+    look(0, 0.25, QT_TRANSLATE_NOOP("errors", "integrity"),
+         [&](CheckItem& item) { check_integrity(store, item); });
+    look(0.25, 0.3, QT_TRANSLATE_NOOP("errors", "foreign keys"),
+         [&](CheckItem& item) { check_foreign_keys(store, item); });
+    look(0.3, 0.4, QT_TRANSLATE_NOOP("errors", "audit chain"), [&](CheckItem& item) {
         const Audit audit(store);
         item.count = audit.count();
         item.problems = audit.verify();
@@ -166,18 +198,25 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
                   with_records = 16, with_signatures = 14;
     const int schema = store.found_schema();
     if (schema >= with_signatures)
-        look(0.4, 0.4, "signatures",
+        look(0.4, 0.4, QT_TRANSLATE_NOOP("errors", "signatures"),
              [&](CheckItem& item) { item.problems = Audit(store).verify_signatures(item.count); });
     if (schema >= with_attempts)
-        look(0.4, 0.8, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
+        look(0.4, 0.8, QT_TRANSLATE_NOOP("errors", "trace checksums"),
+             [&](CheckItem& item) { check_traces(store, item, watch); });
     if (schema >= with_records)
-        look(0.8, 0.9, "records", [&](CheckItem& item) { check_records(store, item, watch); });
+        look(0.8, 0.9, QT_TRANSLATE_NOOP("errors", "records"),
+             [&](CheckItem& item) { check_records(store, item, watch); });
     if (schema >= with_pathology)
-        look(0.9, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
-    if (schema >= with_scenes) look(1, 1, "scenes", [&](CheckItem& item) { check_scenes(store, item); });
+        look(0.9, 1, QT_TRANSLATE_NOOP("errors", "score digests"),
+             [&](CheckItem& item) { check_scores(store, item); });
+    if (schema >= with_scenes)
+        look(1, 1, QT_TRANSLATE_NOOP("errors", "scenes"),
+             [&](CheckItem& item) { check_scenes(store, item); });
     if (schema >= with_decisions)
-        look(1, 1, "decisions", [&](CheckItem& item) { check_overrides(store, item); });
-    look(1, 1, "permissions", [&](CheckItem& item) { check_permissions(store, item); });
+        look(1, 1, QT_TRANSLATE_NOOP("errors", "decisions"),
+             [&](CheckItem& item) { check_overrides(store, item); });
+    look(1, 1, QT_TRANSLATE_NOOP("errors", "permissions"),
+         [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }
 

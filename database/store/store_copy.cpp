@@ -19,7 +19,8 @@ int copy_pages(sqlite3_backup* copy, const StoreProgress& progress) {
     const auto report = [&] {
         const int all = sqlite3_backup_pagecount(copy), left = sqlite3_backup_remaining(copy);
         const double done = all > 0 ? static_cast<double>(all - left) / all : 0;
-        return !progress || progress(code == SQLITE_DONE ? 1 : done, "copying the store");
+        return !progress ||
+               progress(code == SQLITE_DONE ? 1 : done, QT_TRANSLATE_NOOP("errors", "copying the store"));
     };
     for (int waited = 0; waited < patience;) {
         if (!report()) return SQLITE_INTERRUPT;

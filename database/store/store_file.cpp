@@ -74,44 +74,57 @@ bool is_unfinished(Connection& connection) {
 
 void fail_file(const std::string& path, int error) {
     if (error == EEXIST) {
-        throw StoreError(StoreErrorKind::exists, path + ": a file is already there",
-                         "name another, or open that one");
+        throw StoreError(StoreErrorKind::exists,
+                         {QT_TRANSLATE_NOOP("errors", "%1: a file is already there"), path},
+                         QT_TRANSLATE_NOOP("errors", "choose another name, or open that file"));
     }
     if (error == ENOSPC || error == EDQUOT) {
-        throw StoreError(StoreErrorKind::disk_full, path + ": no room left on the disk",
-                         "free some space and try again");
+        throw StoreError(StoreErrorKind::disk_full,
+                         {QT_TRANSLATE_NOOP("errors", "%1: no room left on the disk"), path},
+                         QT_TRANSLATE_NOOP("errors", "free some space and try again"));
     }
-    throw StoreError(StoreErrorKind::read_only, path + ": cannot be made (" + std::strerror(error) + ")",
-                     "choose a folder that this user can write");
+    throw StoreError(StoreErrorKind::read_only,
+                     {QT_TRANSLATE_NOOP("errors", "%1: cannot be created (%2)"), path, std::strerror(error)},
+                     QT_TRANSLATE_NOOP("errors", "choose a folder that this user can write"));
 }
 
 void require_readable_file(const std::string& path, bool read_only) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) {
-        throw StoreError(StoreErrorKind::missing, path + ": no store there",
-                         "make one with `fulcrum db create` or name another with --db");
+        throw StoreError(StoreErrorKind::missing,
+                         {QT_TRANSLATE_NOOP("errors", "%1: there is no store"), path},
+                         QT_TRANSLATE_NOOP(
+                             "errors", "create one with `fulcrum db create`, or name another one with --db"));
     }
     if (!S_ISREG(status.st_mode)) {
-        throw StoreError(StoreErrorKind::not_a_store, path + ": not a Fulcrum store",
-                         "name the right file with --db");
+        throw StoreError(StoreErrorKind::not_a_store,
+                         {QT_TRANSLATE_NOOP("errors", "%1: not a Fulcrum store"), path},
+                         QT_TRANSLATE_NOOP("errors", "name the right file with --db"));
     }
     if (::access(path.c_str(), R_OK) != 0) {
-        throw StoreError(StoreErrorKind::read_only, path + ": this user may not read it",
-                         "sign in as the file's owner");
+        throw StoreError(
+            StoreErrorKind::read_only, {QT_TRANSLATE_NOOP("errors", "%1: you may not read this file"), path},
+            QT_TRANSLATE_NOOP("errors",
+                              "log in to the computer as the file's owner, or ask them for read permission"));
     }
     // The mode is looked at, not only access(): a file that somebody made read-only must stay unchanged, even
     // for root.
     if (!read_only && ((status.st_mode & S_IWUSR) == 0 || ::access(path.c_str(), W_OK) != 0)) {
-        throw StoreError(StoreErrorKind::read_only, path + ": the store cannot be written",
-                         "make the file writable (chmod u+w), or open it read-only");
+        throw StoreError(
+            StoreErrorKind::read_only, {QT_TRANSLATE_NOOP("errors", "%1: the store cannot be written"), path},
+            QT_TRANSLATE_NOOP("errors", "make the file writable (chmod u+w), or open it read-only"));
     }
 }
 
 void require_finished(Connection& connection) {
     if (!is_unfinished(connection)) return;
-    throw StoreError(StoreErrorKind::missing,
-                     connection.path() + ": an unfinished store, nothing was entered in it yet",
-                     "make it again with `fulcrum db create`, or start the window and create a programme");
+    throw StoreError(
+        StoreErrorKind::missing,
+        {QT_TRANSLATE_NOOP("errors", "%1: an unfinished store, nothing was entered in it yet"),
+         connection.path()},
+        QT_TRANSLATE_NOOP(
+            "errors",
+            "create it again with `fulcrum db create`, or start the window and create a programme"));
 }
 
 bool is_unfinished(const std::string& path) {
@@ -165,8 +178,9 @@ NewStoreFile::~NewStoreFile() {
 
 void NewStoreFile::commit() {
     if (files::exists(temporary_ + "-wal")) {
-        throw StoreError(StoreErrorKind::failed, path_ + ": the new store could not be completed",
-                         "check the disk's space and health and try again");
+        throw StoreError(StoreErrorKind::failed,
+                         {QT_TRANSLATE_NOOP("errors", "%1: the new store could not be completed"), path_},
+                         QT_TRANSLATE_NOOP("errors", "check the disk's space and health and try again"));
     }
     bool named = false;
     try {

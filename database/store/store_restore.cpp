@@ -51,12 +51,17 @@ class Alone {
             read_schema_version(*connection_);
         } catch (const StoreError& error) {
             if (error.kind() == StoreErrorKind::locked)
-                throw StoreError(StoreErrorKind::locked,
-                                 path + ": a program has the store open, or writes to it",
-                                 "end every Fulcrum on this store, then try again; nothing was changed");
+                throw StoreError(
+                    StoreErrorKind::locked,
+                    {QT_TRANSLATE_NOOP("errors", "%1: a program has the store open, or writes to it"), path},
+                    QT_TRANSLATE_NOOP("errors",
+                                      "close every Fulcrum program that uses this store, then try again; "
+                                      "nothing was changed"));
             if (error.kind() == StoreErrorKind::not_a_store)
-                throw StoreError(StoreErrorKind::not_a_store, path + ": not a Fulcrum store",
-                                 "name the right file with --db, or move this one away first");
+                throw StoreError(StoreErrorKind::not_a_store,
+                                 {QT_TRANSLATE_NOOP("errors", "%1: not a Fulcrum store"), path},
+                                 QT_TRANSLATE_NOOP(
+                                     "errors", "name the right file with --db, or move this one away first"));
             // So damaged that it cannot be read: in nobody's use, and moved away.
             if (error.kind() != StoreErrorKind::corrupt) throw;
             connection_.reset();
@@ -98,10 +103,11 @@ class Alone {
 void require_known_schema(Connection& connection) {
     const int found = read_schema_version(connection), known = latest_schema_version();
     if (found > known)
-        throw StoreError(StoreErrorKind::newer_schema,
-                         connection.path() + ": written by a newer program (schema " + std::to_string(found) +
-                             ", this program knows " + std::to_string(known) + ")",
-                         "update Fulcrum; nothing was changed");
+        throw StoreError(
+            StoreErrorKind::newer_schema,
+            {QT_TRANSLATE_NOOP("errors", "%1: written by a newer program (schema %2, this program knows %3)"),
+             connection.path(), found, known},
+            QT_TRANSLATE_NOOP("errors", "update Fulcrum; nothing was changed"));
 }
 
 /// Throws StoreError corrupt with the first finding.
@@ -109,8 +115,11 @@ void require_sound(const Store& store, const std::string& what) {
     const CheckReport report = store.check(store.station_session());
     for (const CheckItem& item : report.items) {
         if (item.ok || item.name == "permissions") continue;
-        throw StoreError(StoreErrorKind::corrupt, what + ": " + item.name + ": " + item.problems.front(),
-                         "use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)");
+        throw StoreError(
+            StoreErrorKind::corrupt, {"%1: %2: %3", what, item.name, item.problems.front()},
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)"));
     }
 }
 
@@ -164,8 +173,11 @@ void move_logs(const std::string& path, const std::string& kept) {
 
 void take_place(const std::string& copy, const std::string& path) {
     if (files::exists(copy + "-wal"))
-        throw StoreError(StoreErrorKind::failed, copy + ": the copy could not be completed",
-                         "check the disk's space and health and try again; nothing was changed");
+        throw StoreError(
+            StoreErrorKind::failed,
+            {QT_TRANSLATE_NOOP("errors", "%1: the copy could not be completed"), copy},
+            QT_TRANSLATE_NOOP("errors",
+                              "check the disk's space and health and try again; nothing was changed"));
     try {
         rename_replacing(copy, path);
     } catch (const std::system_error& error) {
@@ -180,8 +192,9 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
     require_readable_file(from, true);
     std::error_code ignored;
     if (files::exists(path) && files::equivalent(from, path, ignored))
-        throw StoreError(StoreErrorKind::bad_value, from + ": this is the store itself",
-                         "name the backup, and the store with --db");
+        throw StoreError(StoreErrorKind::bad_value,
+                         {QT_TRANSLATE_NOOP("errors", "%1: this is the store itself"), from},
+                         QT_TRANSLATE_NOOP("errors", "name the backup, and the store with --db"));
     Replaced done;
     std::unique_ptr<Alone> alone;
     if (files::exists(path)) {
@@ -189,8 +202,11 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
         alone = std::make_unique<Alone>(path, options.busy_timeout_ms);
         done.before = alone->head();
     } else if (files::exists(path + "-wal")) {
-        throw StoreError(StoreErrorKind::locked, path + "-wal: the log of a store that is not there",
-                         "put the store back next to it, or move the log away, then try again");
+        throw StoreError(
+            StoreErrorKind::locked,
+            {QT_TRANSLATE_NOOP("errors", "%1-wal: this is the log of a store that is missing"), path},
+            QT_TRANSLATE_NOOP("errors",
+                              "put the store back next to it, or move the log away, then try again"));
     }
     const CopyFile copy(path);
     {
@@ -225,8 +241,9 @@ Replaced migrate_store(const std::string& path, StoreOptions options) {
     Replaced done;
     Alone alone(path, options.busy_timeout_ms);
     if (alone.connection() == nullptr)
-        throw StoreError(StoreErrorKind::corrupt, path + ": the store is damaged",
-                         "restore the newest backup (`fulcrum db restore`)");
+        throw StoreError(StoreErrorKind::corrupt,
+                         {QT_TRANSLATE_NOOP("errors", "%1: the store is damaged"), path},
+                         QT_TRANSLATE_NOOP("errors", "restore the newest backup (`fulcrum db restore`)"));
     require_finished(*alone.connection());
     done.before = done.head = alone.head();
     done.from_schema = read_schema_version(*alone.connection());

@@ -141,8 +141,9 @@ void lay_bowel(const BowelParameters& p, const CavityShape& cavity, BowelShape& 
     // The sigmoid takes up the remaining length.
     double low = 0.35, high = 1.45;
     if (length_of(line_for(low)) > p.length || length_of(line_for(high)) < p.length)
-        throw InputError("bowel parameters", "length", "a bowel of this length does not fit this cavity",
-                         "give a length nearer to 0.9 m");
+        throw InputError("bowel parameters", "length",
+                         QT_TRANSLATE_NOOP("errors", "a bowel of this length does not fit this cavity"),
+                         QT_TRANSLATE_NOOP("errors", "give a length nearer to 0.9 m"));
     for (int i = 0; i < 24; ++i) {
         const double middle = 0.5 * (low + high);
         (length_of(line_for(middle)) < p.length ? low : high) = middle;

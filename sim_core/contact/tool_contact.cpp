@@ -166,6 +166,21 @@ SecantStiffness wall_stiffness(const SurfacePatch& patch, const Triangle& corner
     return stiffness;
 }
 
+// Residual depth after a hold. Tissue drawn into a fold has several places that are nearest to the tool in
+// turn, each with a depth of its own: a depth that appears without a motion is residual, not a push.
+void leave_in(const ToolContactModel& model, const ToolKinematics& tool, double depth,
+              ToolContactState& state) {
+    constexpr double tissue_speed = 1.0;  // m/s, that tissue which lets go of jaws hardly exceeds
+    const double period = model.instrument.tick_period, inside = std::max(0.0, depth);
+    const bool letting_out = !state.held && state.left_in > 0;
+    if (state.held) state.left_in = inside;
+    state.held = false;
+    state.left_in = std::clamp(state.left_in - model.let_out_speed * period, 0.0, inside);
+    const double most = state.pressed + (tool.tip_velocity.norm() + tissue_speed) * period;
+    if (letting_out && inside - state.left_in > most) state.left_in = inside - state.pressed;
+    state.pressed = inside - state.left_in;
+}
+
 void touch_surface(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                    PatchSurface& surface, ToolContactState& state, ToolContactResult& result) {
     const SurfacePatch& patch = local.patch;
@@ -192,10 +207,7 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     result.distance = -depth;
     result.shaft = walk.shaft;
     result.triangle = state.triangle_id;
-    if (state.held) state.left_in = depth;
-    state.held = false;
-    state.left_in =
-        std::clamp(state.left_in - model.let_out_speed * instrument.tick_period, 0.0, std::max(0.0, depth));
+    leave_in(model, tool, depth, state);
     if (!(depth > 0) || !(patch.cover > 0)) {
         state.touching = false;
         state.stiffness = 0;

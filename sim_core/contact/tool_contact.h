@@ -45,7 +45,8 @@ struct ToolContactState {
     /// drawn to. Taken at the first contact after a hold; then it decreases with time and with every
     /// displacement of the tool out of the tissue.
     double left_in = 0;
-    bool held = false;  ///< the jaws held tissue and no contact has been found since
+    double pressed = 0;  ///< m, depth beyond left_in
+    bool held = false;   ///< the jaws held tissue and no contact has been found since
     bool touching = false;
     std::int32_t wall_triangle = -1;
     Vector3 wall_barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);

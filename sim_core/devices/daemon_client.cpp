@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim_core/devices/packets.h"
+#include "sim_core/devices/sentence_packet.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -23,9 +24,13 @@ namespace {
 constexpr std::int64_t start_limit = 6000LL * 1'000'000;  // ns
 constexpr std::int64_t overseer_silence = 500'000'000;    // ns, for a message; the force was off long before
 constexpr std::int64_t end_limit = 1000LL * 1'000'000;    // ns
-constexpr const char* reconnect =
-    " Abandon the attempt and check the device's cable and power; the device is opened again when the next "
-    "attempt begins.";
+/// "... Abandon the attempt and check the device's cable ..."
+Sentence and_reconnect(const Sentence& what) {
+    return {QT_TRANSLATE_NOOP("errors",
+                              "%1 Abandon the attempt and check the device's cable and power; the device is "
+                              "opened again when the next attempt begins."),
+            what};
+}
 
 }  // namespace
 
@@ -52,8 +57,10 @@ DaemonClient::~DaemonClient() {
 
 void DaemonClient::start(const std::string& program, const std::string& specification) {
     if (access(program.c_str(), X_OK) != 0)
-        throw InputError(program, "", std::string("cannot be started: ") + std::strerror(errno),
-                         "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD");
+        throw InputError(
+            program, "", {QT_TRANSLATE_NOOP("errors", "cannot be started: %1"), std::strerror(errno)},
+            QT_TRANSLATE_NOOP("errors",
+                              "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD"));
     int ends[2];
     make_socket_pair(ends);
     socket_ = ends[0];
@@ -68,15 +75,16 @@ void DaemonClient::start(const std::string& program, const std::string& specific
     if (passed >= 0) close(passed);
     if (failed != 0) {
         overseer_ = 0;
-        throw InputError(program, "", std::string("cannot be started: ") + std::strerror(failed),
-                         "check that the file belongs to this version of Fulcrum");
+        throw InputError(
+            program, "", {QT_TRANSLATE_NOOP("errors", "cannot be started: %1"), std::strerror(failed)},
+            QT_TRANSLATE_NOOP("errors", "check that the file belongs to this version of Fulcrum"));
     }
     const std::int64_t until = monotonic_ns() + start_limit;
     while (monotonic_ns() < until) {
         const std::optional<Packet> packet = receive_packet(socket_, 50);
         if (!packet) continue;
         std::vector<int> taken = packet->descriptors;
-        const auto line = nlohmann::json::parse(packet->text, nullptr, false);
+        auto line = nlohmann::json::parse(packet->text, nullptr, false);
         if (taken.size() == 2) {
             state_ = SharedPage<StatePage>::open(taken[0], false);
             command_ = SharedPage<CommandPage>::open(taken[1], true);
@@ -85,9 +93,11 @@ void DaemonClient::start(const std::string& program, const std::string& specific
         }
         if (packet->ended || !line.is_object()) break;
         if (line.contains("error"))
-            throw InputError(line.value("file", std::string("device")), line.value("place", std::string()),
-                             line.value("error", std::string("does not open")),
-                             line.value("hint", std::string("correct that and try again")));
+            throw InputError(
+                sentence_of(line["file"], QT_TRANSLATE_NOOP("errors", "device")),
+                line.value("place", std::string()),
+                sentence_of(line["error"], QT_TRANSLATE_NOOP("errors", "does not open")),
+                sentence_of(line["hint"], QT_TRANSLATE_NOOP("errors", "correct that and try again")));
         if (!state_ || !command_ || line.value("format", 0) != 1) break;
         facts_ = facts_from_json(line.at("device"));
         notes_ = line.at("notes").get<std::vector<std::string>>();
@@ -95,37 +105,45 @@ void DaemonClient::start(const std::string& program, const std::string& specific
         return;
     }
     throw InputError(
-        program, "", "did not open the device",
-        "check that the file belongs to this version of Fulcrum; its messages are on standard error");
+        program, "", QT_TRANSLATE_NOOP("errors", "did not open the device"),
+        QT_TRANSLATE_NOOP(
+            "errors",
+            "check that the file belongs to this version of Fulcrum; its messages are on standard error"));
 }
 
-void DaemonClient::lose(Health health, const std::string& what) {
+void DaemonClient::lose(Health health, const Sentence& what) {
     health_ = health;
     message_ = what;
 }
 
 void DaemonClient::take(const std::string& text) {
-    const auto line = nlohmann::json::parse(text, nullptr, false);
+    auto line = nlohmann::json::parse(text, nullptr, false);
     if (!line.is_object()) return;
     const std::string event = line.value("event", "");
     if (event == "ended") {
-        const std::string what =
-            "The program that drives the device " + line.value("what", std::string("ended"));
+        const Sentence what = sentence_of(line["what"], QT_TRANSLATE_NOOP("errors", "ended"));
         if (line.value("again", false))
-            lose(Health::restarting, what + "; it is being started again.");
+            lose(Health::restarting,
+                 {QT_TRANSLATE_NOOP("errors",
+                                    "The program that drives the device %1; it is being started again."),
+                  what});
         else
-            lose(Health::ended, what + " again and again." + reconnect);
+            lose(Health::ended,
+                 and_reconnect(
+                     {QT_TRANSLATE_NOOP("errors", "The program that drives the device %1 again and again."),
+                      what}));
     } else if (event == "started") {
         device_ = line.value("process", device_);
         lose(Health::good, {});
     } else if (line.contains("error")) {
-        const std::string what =
-            "The device could not be opened again: " + line.value("error", std::string("unknown")) + "; " +
-            line.value("hint", std::string("check its cable and power")) + ".";
+        const Sentence what(
+            QT_TRANSLATE_NOOP("errors", "The device could not be opened again: %1; %2."),
+            sentence_of(line["error"], QT_TRANSLATE_NOOP("errors", "unknown")),
+            sentence_of(line["hint"], QT_TRANSLATE_NOOP("errors", "check its cable and power")));
         if (line.value("again", false))
-            lose(Health::restarting, what + " It is tried again.");
+            lose(Health::restarting, {QT_TRANSLATE_NOOP("errors", "%1 It is tried again."), what});
         else
-            lose(Health::ended, what + reconnect);
+            lose(Health::ended, and_reconnect(what));
     }
 }
 
@@ -135,14 +153,15 @@ DaemonClient::Health DaemonClient::poll() {
         if (!packet) break;
         for (const int descriptor : packet->descriptors) close(descriptor);
         if (packet->ended)
-            lose(Health::ended, std::string("fulcrum-hapticd, which drives the device, ended.") + reconnect);
+            lose(Health::ended, and_reconnect(QT_TRANSLATE_NOOP(
+                                    "errors", "fulcrum-hapticd, which drives the device, ended.")));
         else
             take(packet->text);
     }
     const std::int64_t silent = monotonic_ns() - state_->overseer_time.load(std::memory_order_relaxed);
     if (health_ == Health::good && silent > overseer_silence)
-        lose(Health::silent,
-             std::string("fulcrum-hapticd, which drives the device, does not answer.") + reconnect);
+        lose(Health::silent, and_reconnect(QT_TRANSLATE_NOOP(
+                                 "errors", "fulcrum-hapticd, which drives the device, does not answer.")));
     else if (health_ == Health::silent && silent <= overseer_silence)
         lose(Health::good, {});
     FaultReport report;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim_core/devices/device_facts.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum {
 
@@ -44,12 +45,12 @@ class DaemonClient {
     /// Reads what the daemon reported since the last call. Does not wait.
     Health poll();
     /// What happened to the daemon, else the device's fault, and what to do; empty while both are good.
-    const std::string& message() const { return message_.empty() ? fault_ : message_; }
+    const Sentence& message() const { return message_.empty() ? fault_ : message_; }
 
   private:
     void start(const std::string& program, const std::string& specification);
     void take(const std::string& text);
-    void lose(Health health, const std::string& what);
+    void lose(Health health, const Sentence& what);
     void end();
 
     DeviceFacts facts_;
@@ -59,7 +60,7 @@ class DaemonClient {
     int socket_ = -1;
     pid_t overseer_ = 0, device_ = 0;
     Health health_ = Health::good;
-    std::string message_, fault_;
+    Sentence message_, fault_;
 };
 
 }  // namespace fulcrum

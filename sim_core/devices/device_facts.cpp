@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sim_core/numerics/worded_error.h"
+
 namespace fulcrum {
 
 nlohmann::json to_json(const DeviceFacts& facts) {
@@ -39,11 +41,12 @@ DeviceFacts facts_from_json(const nlohmann::json& document) {
         output.continuous = force.at("continuous_n").get<double>();
         output.stiffness = force.at("stiffness_n_m").get<double>();
         output.torque = force.at("torque_n_m").get<double>();
-        if (!is_usable(output)) throw std::runtime_error("the device reports forces that are not possible");
+        if (!is_usable(output))
+            throw WordedError(QT_TRANSLATE_NOOP("errors", "the device reports forces that are not possible"));
         facts.force[h] = output;
     }
     if (!(facts.rate >= 1 && facts.rate <= 1e5))
-        throw std::runtime_error("the device reports a rate that is not possible");
+        throw WordedError(QT_TRANSLATE_NOOP("errors", "the device reports a rate that is not possible"));
     return facts;
 }
 

@@ -16,6 +16,8 @@
 #define F_SEAL_FUTURE_WRITE 0x0010  // Linux 5.1
 #endif
 
+#include "sim_core/numerics/worded_error.h"
+
 namespace fulcrum {
 namespace {
 
@@ -82,7 +84,7 @@ SharedPage<T> SharedPage<T>::open(int descriptor, bool writes) {
     const int seals = fcntl(descriptor, F_GET_SEALS);
     if (fstat(descriptor, &status) != 0 || status.st_size != static_cast<off_t>(sizeof(T)) || seals < 0 ||
         (seals & size_seals) != size_seals)
-        throw std::runtime_error("the shared memory of the device process is not of this version");
+        throw WordedError(QT_TRANSLATE_NOOP("errors", "fulcrum-hapticd is of another version than fulcrum"));
     void* const memory =
         mmap(nullptr, sizeof(T), writes ? PROT_READ | PROT_WRITE : PROT_READ, MAP_SHARED, descriptor, 0);
     if (memory == MAP_FAILED) refuse("shared memory: map");

@@ -15,8 +15,10 @@ std::unique_ptr<Backend> make_backend(const std::string& specification) {
         return std::make_unique<ForceDimensionDevice>(force_dimension_numbers(specification));
     if (specification.rfind(prefix, 0) != 0)
         throw InputError(
-            "device", "", "'" + specification + "' is not known",
-            "use touch, force-dimension or virtual:SCRIPT.json; `fulcrum devices` lists the devices");
+            "device", "", {QT_TRANSLATE_NOOP("errors", "'%1' is not known"), specification},
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "use touch, force-dimension or virtual:SCRIPT.json; `fulcrum devices` lists the devices"));
     return std::make_unique<VirtualDevice>(read_device_script(specification.substr(prefix.size())));
 }
 

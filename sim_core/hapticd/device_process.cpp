@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim_core/devices/force_guard.h"
+#include "sim_core/devices/sentence_packet.h"
 #include "sim_core/hapticd/rights.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -127,10 +128,10 @@ int run_device(Backend& backend, StatePage& state, const CommandPage& command, p
     try {
         backend.open();
     } catch (const InputError& error) {
-        write_line(report, {{"error", error.problem()},
+        write_line(report, {{"error", sentence_packet(error.problem_sentence())},
                             {"file", error.file()},
                             {"place", error.place()},
-                            {"hint", error.hint()}});
+                            {"hint", sentence_packet(error.hint_sentence())}});
         return 2;
     }
     const RealTime real_time = become_real_time(device_priority);

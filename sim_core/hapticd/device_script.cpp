@@ -23,9 +23,12 @@ std::string text_of(const std::string& path) {
     require_regular_file(path);
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
-    if (!(text << file.rdbuf())) throw InputError(path, "", "cannot be read or is empty", "check the file");
+    if (!(text << file.rdbuf()))
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "cannot be read, or is empty"),
+                         QT_TRANSLATE_NOOP("errors", "check the file"));
     if (text.str().size() > longest_file)
-        throw InputError(path, "", "is larger than 256 MiB", "use a shorter recording");
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "is larger than 256 MiB"),
+                         QT_TRANSLATE_NOOP("errors", "use a shorter recording"));
     return text.str();
 }
 
@@ -36,7 +39,8 @@ class ScriptReader {
         try {
             root_ = json::parse(text_of(path));
         } catch (const json::exception& error) {
-            throw InputError(path, "", std::string("is not JSON: ") + error.what(), "correct the document");
+            throw InputError(path, "", {QT_TRANSLATE_NOOP("errors", "is not JSON: %1"), error.what()},
+                             QT_TRANSLATE_NOOP("errors", "correct the document"));
         }
     }
 
@@ -45,37 +49,45 @@ class ScriptReader {
             root_, "",
             {"format", "title", "rate", "force", "left", "right", "scope", "recording", "repeat", "faults"});
         if (root_.value("format", json()) != json("fulcrum-device-script"))
-            bad("/format", "must be \"fulcrum-device-script\"", "add it, or name another file");
+            bad("/format", QT_TRANSLATE_NOOP("errors", "must be \"fulcrum-device-script\""),
+                QT_TRANSLATE_NOOP("errors", "add it, or name another file"));
         DeviceScript script;
         script.facts.kind = "virtual";
         const json title = root_.value("title", json("virtual device"));
         if (!title.is_string() || title.get<std::string>().size() > 200)
-            bad("/title", "must be a short text", "give a text of at most 200 bytes");
+            bad("/title", QT_TRANSLATE_NOOP("errors", "must be a short text"),
+                QT_TRANSLATE_NOOP("errors", "give a text of at most 200 bytes"));
         script.facts.title = title.get<std::string>();
         script.facts.rate = number(root_, "", "rate", 1000, 100, 4000);
         const json repeat = root_.value("repeat", json(false));
-        if (!repeat.is_boolean()) bad("/repeat", "must be true or false", "correct it");
+        if (!repeat.is_boolean())
+            bad("/repeat", QT_TRANSLATE_NOOP("errors", "must be true or false"),
+                QT_TRANSLATE_NOOP("errors", "correct it"));
         if (root_.contains("recording")) read_recording(next_to_script(root_.at("recording")), script);
         for (int i = 0; i < device_slots; ++i) {
             if (root_.contains(slot_names[i])) read_slot(i, script);
             script.slots[i].path.repeat = repeat.get<bool>();
         }
         if (!script.facts.slot[0] && !script.facts.slot[1] && !script.facts.slot[2])
-            bad("", "has none of left, right, scope and recording", "give at least one");
+            bad("", QT_TRANSLATE_NOOP("errors", "has none of left, right, scope and recording"),
+                QT_TRANSLATE_NOOP("errors", "give at least one"));
         read_force(script);
         read_faults(script);
         return script;
     }
 
   private:
-    [[noreturn]] void bad(const std::string& place, const std::string& what, const std::string& hint) const {
+    [[noreturn]] void bad(const std::string& place, const Sentence& what, const Sentence& hint) const {
         throw InputError(path_, place, what, hint);
     }
     void known(const json& object, const std::string& place, const std::vector<std::string>& keys) const {
-        if (!object.is_object()) bad(place, "must be an object", "write { … }");
+        if (!object.is_object())
+            bad(place, QT_TRANSLATE_NOOP("errors", "must be an object"),
+                QT_TRANSLATE_NOOP("errors", "write { … }"));
         for (const auto& [key, value] : object.items()) {
             if (std::find(keys.begin(), keys.end(), key) == keys.end())
-                bad(place + "/" + key, "is not a key of a device script", "remove it or correct its name");
+                bad(place + "/" + key, QT_TRANSLATE_NOOP("errors", "is not a key of a device script"),
+                    QT_TRANSLATE_NOOP("errors", "remove it or correct its name"));
         }
     }
     double number(const json& object, const std::string& place, const std::string& key, double usual,
@@ -84,14 +96,18 @@ class ScriptReader {
         const json& value = object.at(key);
         const double number = value.is_number() ? value.get<double>() : NAN;
         if (!(number >= low && number <= high))
-            bad(place + "/" + key, "must be a number from " + plain_number(low) + " to " + plain_number(high),
-                "correct the value");
+            bad(place + "/" + key,
+                {QT_TRANSLATE_NOOP("errors", "must be a number from %1 to %2"), plain_number(low),
+                 plain_number(high)},
+                QT_TRANSLATE_NOOP("errors", "correct the value"));
         return number;
     }
     static std::string plain_number(double value) { return json(value).dump(); }
     /// A file next to the script.
     std::string next_to_script(const json& name) const {
-        if (!name.is_string()) bad("/recording", "must be the name of a file", "write the name as a text");
+        if (!name.is_string())
+            bad("/recording", QT_TRANSLATE_NOOP("errors", "must be the name of a file"),
+                QT_TRANSLATE_NOOP("errors", "write the name as a text"));
         const auto file = name.get<std::string>();
         const std::size_t slash = path_.find_last_of('/');
         return file.rfind('/', 0) == 0 || slash == std::string::npos ? file
@@ -106,17 +122,20 @@ class ScriptReader {
         if (object.contains("path")) {
             const json& points = object.at("path");
             if (!points.is_array() || points.empty() || points.size() > most_points)
-                bad(place + "/path", "must be a list with at least one point",
-                    "write [{\"t\": 0, \"position\": [0, 0, 0]}]");
+                bad(place + "/path", QT_TRANSLATE_NOOP("errors", "must be a list with at least one point"),
+                    QT_TRANSLATE_NOOP("errors", "write [{\"t\": 0, \"position\": [0, 0, 0]}]"));
             made.path.points.clear();
             for (std::size_t i = 0; i < points.size(); ++i)
                 made.path.points.push_back(point(points[i], place + "/path/" + std::to_string(i), made.path));
         } else if (made.path.points.empty()) {
-            bad(place + "/path", "is missing", "give the points of the path");
+            bad(place + "/path", QT_TRANSLATE_NOOP("errors", "is missing"),
+                QT_TRANSLATE_NOOP("errors", "give the points of the path"));
         }
         script.facts.slot[slot] = true;
         if (!object.contains("hand")) return;
-        if (slot == scope_slot) bad(place + "/hand", "is not for the scope", "remove it");
+        if (slot == scope_slot)
+            bad(place + "/hand", QT_TRANSLATE_NOOP("errors", "is not for the scope"),
+                QT_TRANSLATE_NOOP("errors", "remove it"));
         const std::string at = place + "/hand";
         const json& hand = object.at("hand");
         known(hand, at, {"mass", "damping", "arm_stiffness", "arm_damping"});
@@ -133,17 +152,22 @@ class ScriptReader {
         known(from, place, {"t", "position", "roll", "jaw", "buttons"});
         PathPoint point;
         point.time = number(from, place, "t", NAN, 0, 1e6);
-        if (std::isnan(point.time)) bad(place + "/t", "is missing", "give the time in seconds");
+        if (std::isnan(point.time))
+            bad(place + "/t", QT_TRANSLATE_NOOP("errors", "is missing"),
+                QT_TRANSLATE_NOOP("errors", "give the time in seconds"));
         if (!before.points.empty() && point.time <= before.points.back().time)
-            bad(place + "/t", "must be later than the point before", "sort the points by time");
+            bad(place + "/t", QT_TRANSLATE_NOOP("errors", "must be later than the point before"),
+                QT_TRANSLATE_NOOP("errors", "sort the points by time"));
         const json position = from.value("position", json::array({0, 0, 0}));
         if (!position.is_array() || position.size() != 3)
-            bad(place + "/position", "must be three numbers in metres", "write [x, y, z]");
+            bad(place + "/position", QT_TRANSLATE_NOOP("errors", "must be three numbers in metres"),
+                QT_TRANSLATE_NOOP("errors", "write [x, y, z]"));
         for (int axis = 0; axis < 3; ++axis) {
             const json& value = position[static_cast<std::size_t>(axis)];
             const double metres = value.is_number() ? value.get<double>() : NAN;
             if (!(std::abs(metres) <= furthest))
-                bad(place + "/position", "must be within 1 m of the origin", "give metres");
+                bad(place + "/position", QT_TRANSLATE_NOOP("errors", "must be within 1 m of the origin"),
+                    QT_TRANSLATE_NOOP("errors", "give metres"));
             point.position[axis] = metres;
         }
         point.roll = number(from, place, "roll", 0, -100, 100);
@@ -169,7 +193,9 @@ class ScriptReader {
 
     void read_faults(DeviceScript& script) const {
         const json faults = root_.value("faults", json::array());
-        if (!faults.is_array()) bad("/faults", "must be a list", "write [ … ]");
+        if (!faults.is_array())
+            bad("/faults", QT_TRANSLATE_NOOP("errors", "must be a list"),
+                QT_TRANSLATE_NOOP("errors", "write [ … ]"));
         for (std::size_t i = 0; i < faults.size(); ++i) {
             const std::string place = "/faults/" + std::to_string(i);
             known(faults[i], place, {"t", "for", "kind"});
@@ -184,7 +210,8 @@ class ScriptReader {
             else if (kind == "jump")
                 fault.kind = ScriptedFaultKind::jump;
             else
-                bad(place + "/kind", "is not a fault", "use silence, not_a_number or jump");
+                bad(place + "/kind", QT_TRANSLATE_NOOP("errors", "is not a fault"),
+                    QT_TRANSLATE_NOOP("errors", "use silence, not_a_number or jump"));
             script.faults.push_back(fault);
         }
     }
@@ -200,40 +227,48 @@ void read_recording(const std::string& path, DeviceScript& script) {
     std::string line;
     constexpr const char* header = "t,slot,x,y,z,roll,jaw,buttons";
     if (!std::getline(lines, line) || line != header)
-        throw InputError(path, "1", std::string("the first line must be ") + header,
-                         "write this line first, as docs/DEVICES.md describes");
+        throw InputError(path, "1", {QT_TRANSLATE_NOOP("errors", "the first line must be %1"), header},
+                         QT_TRANSLATE_NOOP("errors", "write this line first, as docs/DEVICES.md describes"));
     std::size_t row = 1;
     while (std::getline(lines, line)) {
         const std::string place = std::to_string(++row);
         std::vector<std::string> cells;
         std::istringstream cut(line);
         for (std::string cell; std::getline(cut, cell, ',');) cells.push_back(cell);
-        if (cells.size() != 8) throw InputError(path, place, "must have 8 columns", "correct the row");
+        if (cells.size() != 8)
+            throw InputError(path, place, QT_TRANSLATE_NOOP("errors", "must have 8 columns"),
+                             QT_TRANSLATE_NOOP("errors", "correct the row"));
         int slot = -1;
         for (int i = 0; i < device_slots; ++i) {
             if (cells[1] == slot_names[i]) slot = i;
         }
         if (slot < 0)
-            throw InputError(path, place, "slot '" + cells[1] + "' is not known", "use left, right or scope");
+            throw InputError(path, place, {QT_TRANSLATE_NOOP("errors", "slot '%1' is not known"), cells[1]},
+                             QT_TRANSLATE_NOOP("errors", "use left, right or scope"));
         double value[8] = {};
         for (const std::size_t i : {0U, 2U, 3U, 4U, 5U, 6U, 7U}) {
             const std::optional<double> number = parse_decimal(cells[i]);
             const double limit = i == 0 ? 1e6 : i == 7 ? 15 : i == 5 ? 1e4 : 1;
             if (!number || !(std::abs(*number) <= limit))
-                throw InputError(path, place, "'" + cells[i] + "' is not a usable number",
-                                 "correct column " + std::to_string(i + 1));
+                throw InputError(path, place,
+                                 {QT_TRANSLATE_NOOP("errors", "'%1' is not a usable number"), cells[i]},
+                                 {QT_TRANSLATE_NOOP("errors", "correct column %1"), i + 1});
             value[i] = *number;
         }
         std::vector<PathPoint>& points = script.slots[slot].path.points;
         if (value[0] < 0 || (!points.empty() && value[0] <= points.back().time))
-            throw InputError(path, place, "times must rise from 0 on", "sort the rows of each slot by time");
+            throw InputError(path, place, QT_TRANSLATE_NOOP("errors", "times must increase from 0"),
+                             QT_TRANSLATE_NOOP("errors", "sort the rows of each slot by time"));
         if (points.size() >= most_points)
-            throw InputError(path, place, "too many rows", "use a shorter recording");
+            throw InputError(path, place, QT_TRANSLATE_NOOP("errors", "too many rows"),
+                             QT_TRANSLATE_NOOP("errors", "use a shorter recording"));
         points.push_back({value[0], Vector3(value[2], value[3], value[4]), value[5], std::abs(value[6]),
                           static_cast<std::uint32_t>(std::abs(value[7]))});
         script.facts.slot[slot] = true;
     }
-    if (row == 1) throw InputError(path, "", "has no readings", "record again");
+    if (row == 1)
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "has no readings"),
+                         QT_TRANSLATE_NOOP("errors", "record again"));
 }
 
 DeviceScript read_device_script(const std::string& path) {

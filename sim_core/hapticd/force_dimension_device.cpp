@@ -32,9 +32,11 @@ const VendorDriver& driver() {
 int number_of(const std::string& text, const std::string& specification) {
     if (text.empty()) return -1;
     if (text.size() > 1 || text[0] < '0' || text[0] > '9')
-        throw InputError("device", "", "'" + specification + "' does not number the devices",
-                         "write force-dimension:LEFT,RIGHT with numbers from 0 on, for example "
-                         "force-dimension:1,0");
+        throw InputError(
+            "device", "", {QT_TRANSLATE_NOOP("errors", "'%1' does not number the devices"), specification},
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "write force-dimension:LEFT,RIGHT with numbers from 0 on, for example force-dimension:1,0"));
     return text[0] - '0';
 }
 
@@ -50,8 +52,10 @@ ForceDimensionNumbers force_dimension_numbers(const std::string& specification) 
     numbers.hand[0] = number_of(list.substr(0, comma), specification);
     numbers.hand[1] = comma == std::string::npos ? -1 : number_of(list.substr(comma + 1), specification);
     if (comma == std::string::npos || numbers.hand[0] == numbers.hand[1])
-        throw InputError("device", "", "'" + specification + "' does not give each hand a device of its own",
-                         "write force-dimension:LEFT,RIGHT, for example force-dimension:1,0");
+        throw InputError(
+            "device", "",
+            {QT_TRANSLATE_NOOP("errors", "'%1' does not give each hand a device of its own"), specification},
+            QT_TRANSLATE_NOOP("errors", "write force-dimension:LEFT,RIGHT, for example force-dimension:1,0"));
     return numbers;
 }
 
@@ -70,13 +74,15 @@ void ForceDimensionDevice::open_hand(int hand, int number) {
     Hand& one = hands_[hand];
     const std::string shown = "device " + std::to_string(number);
     if (library_.open(static_cast<char>(number)) < 0)
-        refuse_to_open(driver(), shown, "the device does not open: " + last_error(),
-                       "check its cable and power, and end other programs that use it");
+        refuse_to_open(
+            driver(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"), last_error()},
+            QT_TRANSLATE_NOOP("errors", "check its cable and power, and end other programs that use it"));
     one.id = static_cast<char>(number);
     if (const char* const name = library_.name(one.id); name != nullptr && *name != '\0') facts_.title = name;
     if (library_.set_max_force(peak_n, one.id) < 0 || library_.enable_force(1, one.id) < 0)
-        throw InputError(driver().title, shown, "force cannot be switched on: " + last_error(),
-                         "test the device with a program of the maker's SDK");
+        throw InputError(driver().title, shown,
+                         {QT_TRANSLATE_NOOP("errors", "force cannot be switched on: %1"), last_error()},
+                         QT_TRANSLATE_NOOP("errors", "test the device with a program of the maker's SDK"));
     double angle = 0;
     one.gripper = library_.get_gripper(&angle, one.id) >= 0;
     ForceOutput force;
@@ -93,7 +99,8 @@ void ForceDimensionDevice::open() {
     try {
         const int count = library_.device_count();
         if (count <= 0)
-            refuse_to_open(driver(), "", "no device was found", "connect it and its power supply");
+            refuse_to_open(driver(), "", QT_TRANSLATE_NOOP("errors", "no device was found"),
+                           QT_TRANSLATE_NOOP("errors", "connect it and its power supply"));
         if (!numbers_.given) {
             numbers_.hand[0] = count > 1 ? 0 : -1;
             numbers_.hand[1] = count > 1 ? 1 : 0;

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "sim_core/devices/packets.h"
+#include "sim_core/devices/sentence_packet.h"
 #include "sim_core/hapticd/device_process.h"
 #include "sim_core/hapticd/rights.h"
 #include "sim_core/numerics/input_error.h"
@@ -81,7 +82,8 @@ class Overseer {
         if (child < 0) {
             close(ends[0]);
             close(ends[1]);
-            refuse({{"error", "no new process can be started"}, {"hint", "close other programs"}});
+            refuse({{"error", sentence_packet(QT_TRANSLATE_NOOP("errors", "no new process can be started"))},
+                    {"hint", sentence_packet(QT_TRANSLATE_NOOP("errors", "close other programs"))}});
             return false;
         }
         if (child == 0) {
@@ -111,8 +113,10 @@ class Overseer {
             const std::optional<Packet> packet = receive_packet(socket, beat_ms);
             if (!packet) continue;
             if (packet->ended) {
-                refuse({{"error", "the program that opens the device ended"},
-                        {"hint", "install the newest version of the maker's driver"}});
+                refuse({{"error", sentence_packet(QT_TRANSLATE_NOOP(
+                                      "errors", "the program that opens the device ended"))},
+                        {"hint", sentence_packet(QT_TRANSLATE_NOOP(
+                                     "errors", "install the newest version of the maker's driver"))}});
                 return false;
             }
             nlohmann::json line = nlohmann::json::parse(packet->text, nullptr, false);
@@ -127,7 +131,8 @@ class Overseer {
             greeted_ = true;
             return send_packet(control_, line, {state_.descriptor(), command_.descriptor()});
         }
-        refuse({{"error", "the device did not open within 5 s"}, {"hint", "unplug it, connect it again"}});
+        refuse({{"error", sentence_packet(QT_TRANSLATE_NOOP("errors", "the device did not open within 5 s"))},
+                {"hint", sentence_packet(QT_TRANSLATE_NOOP("errors", "unplug it, connect it again"))}});
         return false;
     }
 
@@ -158,12 +163,13 @@ class Overseer {
         const bool again = restart_allowed();
         if (again) restart_at_ = monotonic_ns() + restart_pause;
         const bool lost = WIFEXITED(status) && WEXITSTATUS(status) == status_lost;
-        const std::string what = lost                 ? "lost the device"
-                                 : WIFSTOPPED(status) ? "was stopped"
-                                 : WIFSIGNALED(status)
-                                     ? "ended by signal " + std::to_string(WTERMSIG(status))
-                                     : "ended with status " + std::to_string(WEXITSTATUS(status));
-        send_packet(control_, {{"event", "ended"}, {"what", what}, {"again", again}});
+        const Sentence what =
+            lost                 ? Sentence(QT_TRANSLATE_NOOP("errors", "lost the device"))
+            : WIFSTOPPED(status) ? Sentence(QT_TRANSLATE_NOOP("errors", "was stopped"))
+            : WIFSIGNALED(status)
+                ? Sentence(QT_TRANSLATE_NOOP("errors", "was ended by signal %1"), WTERMSIG(status))
+                : Sentence(QT_TRANSLATE_NOOP("errors", "ended with status %1"), WEXITSTATUS(status));
+        send_packet(control_, {{"event", "ended"}, {"what", sentence_packet(what)}, {"again", again}});
     }
 
     /// Counts one more where it is.
@@ -237,10 +243,10 @@ int oversee(int control, const std::string& specification) {
         const std::unique_ptr<Backend> backend = make_backend(specification);
         return Overseer(control, *backend).run();
     } catch (const InputError& error) {
-        send_packet(control, {{"error", error.problem()},
+        send_packet(control, {{"error", sentence_packet(error.problem_sentence())},
                               {"file", error.file()},
                               {"place", error.place()},
-                              {"hint", error.hint()}});
+                              {"hint", sentence_packet(error.hint_sentence())}});
         return 2;
     } catch (const std::exception& error) {
         send_packet(control, {{"error", error.what()}});

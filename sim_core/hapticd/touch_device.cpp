@@ -52,13 +52,16 @@ TouchNames touch_names(const std::string& specification) {
     const std::string list = specification.substr(colon + 1);
     const std::size_t comma = list.find(',');
     if (comma == std::string::npos || list.size() == 1 || list.find(',', comma + 1) != std::string::npos)
-        throw InputError("device", "", "'" + specification + "' does not name the devices",
-                         "write touch:LEFT,RIGHT with the names that the maker's setup program shows");
+        throw InputError(
+            "device", "", {QT_TRANSLATE_NOOP("errors", "'%1' does not name the devices"), specification},
+            QT_TRANSLATE_NOOP("errors",
+                              "write touch:LEFT,RIGHT with the names that the maker's setup program shows"));
     if (comma > 0) names.hand[0] = list.substr(0, comma);
     if (comma + 1 < list.size()) names.hand[1] = list.substr(comma + 1);
     if (names.hand[0] == names.hand[1])
-        throw InputError("device", "", "'" + specification + "' names one device for both hands",
-                         "give each hand a device of its own");
+        throw InputError("device", "",
+                         {QT_TRANSLATE_NOOP("errors", "'%1' names one device for both hands"), specification},
+                         QT_TRANSLATE_NOOP("errors", "give each hand a device of its own"));
     return names;
 }
 
@@ -100,16 +103,22 @@ hd::Handle TouchDevice::init(const std::string& name) {
         if (error == hd::invalid_license) break;
     }
     const std::string shown = name.empty() ? "default device" : name;
-    const std::string said = "the maker's driver reports " + words_of_error(error);
+    const Sentence said(QT_TRANSLATE_NOOP("errors", "the maker's driver reports %1"), words_of_error(error));
     if (error == hd::invalid_license)
-        throw InputError(driver().title, shown, said, "install the licence of OpenHaptics");
+        throw InputError(driver().title, shown, said,
+                         QT_TRANSLATE_NOOP("errors", "install the licence of OpenHaptics"));
     if (error == hd::already_initiated)
-        throw InputError(driver().title, shown, said, "end the other program that uses the device");
+        throw InputError(driver().title, shown, said,
+                         QT_TRANSLATE_NOOP("errors", "end the other program that uses the device"));
     if (fault_of(error) == DeviceFault::no_answer)
-        refuse_to_open(driver(), shown, "the device does not answer: " + said,
-                       "check its cable and power, then test it with the maker's Touch Diagnostic");
-    throw InputError(driver().title, shown, said,
-                     "check the device's name in the maker's Touch Setup; touch:LEFT,RIGHT names devices");
+        refuse_to_open(
+            driver(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not answer: %1"), said},
+            QT_TRANSLATE_NOOP("errors",
+                              "check its cable and power, then test it with the maker's Touch Diagnostic"));
+    throw InputError(
+        driver().title, shown, said,
+        QT_TRANSLATE_NOOP(
+            "errors", "check the device's name in the maker's Touch Setup; touch:LEFT,RIGHT names devices"));
 }
 
 void TouchDevice::read_limits(int hand) {
@@ -144,9 +153,10 @@ void TouchDevice::open_hand(int hand, const std::string& name) {
     library_.enable(hd::force_output);
     library_.enable(hd::max_force_clamping);
     if (const std::uint32_t error = first_error(); error != hd::success)
-        throw InputError(driver().title, name.empty() ? "default device" : name,
-                         "force cannot be switched on: " + words_of_error(error),
-                         "test the device with the maker's Touch Diagnostic");
+        throw InputError(
+            driver().title, name.empty() ? "default device" : name,
+            {QT_TRANSLATE_NOOP("errors", "force cannot be switched on: %1"), words_of_error(error)},
+            QT_TRANSLATE_NOOP("errors", "test the device with the maker's Touch Diagnostic"));
     facts_.slot[hand] = true;
 }
 
@@ -160,9 +170,11 @@ void TouchDevice::open() {
         library_.start_scheduler();
         running_ = true;
         if (const std::uint32_t error = first_error(); error != hd::success)
-            throw InputError(driver().title, "",
-                             "the maker's driver does not start: " + words_of_error(error),
-                             "unplug the device, connect it again and test it with Touch Diagnostic");
+            throw InputError(
+                driver().title, "",
+                {QT_TRANSLATE_NOOP("errors", "the maker's driver does not start: %1"), words_of_error(error)},
+                QT_TRANSLATE_NOOP("errors",
+                                  "unplug the device, connect it again and test it with Touch Diagnostic"));
     } catch (...) {
         close();
         throw;

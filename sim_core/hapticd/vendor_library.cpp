@@ -43,7 +43,7 @@ LibraryLook load_library(const VendorDriver& driver, const std::vector<std::stri
 
 void require_ready(const VendorDriver& driver, const LibraryLook& look) {
     if (look.state == LibraryState::ready) return;
-    throw InputError(driver.title, "", std::string(problem_of(look.state)) + " (" + look.detail + ")",
+    throw InputError(driver.title, "", {"%1 (%2)", Sentence(problem_of(look.state)), look.detail},
                      hint_of(driver, look.state));
 }
 
@@ -59,14 +59,15 @@ LibraryLook look_at_own_library(const std::string& kind) {
     return {LibraryState::unusable, kind};
 }
 
-void refuse_to_open(const VendorDriver& driver, const std::string& device, const std::string& problem,
-                    const std::string& hint, const UsbFolders& folders) {
+void refuse_to_open(const VendorDriver& driver, const std::string& device, const Sentence& problem,
+                    const Sentence& hint, const UsbFolders& folders) {
     for (const UsbDevice& one : usb_devices(folders)) {
         if (!is_of(driver, one)) continue;
         for (const std::string& node : one.nodes)
             if (access(node.c_str(), R_OK | W_OK) != 0)
                 throw InputError(driver.title, device,
-                                 problem + "; " + node + " may not be opened: " + std::strerror(errno),
+                                 {QT_TRANSLATE_NOOP("errors", "%1; %2 may not be opened: %3"), problem, node,
+                                  std::string(std::strerror(errno))},
                                  driver.rule);
     }
     throw InputError(driver.title, device, problem, hint);

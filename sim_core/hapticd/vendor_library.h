@@ -34,7 +34,7 @@ LibraryLook look_at_own_library(const std::string& kind);
 /// What keeps a device from opening that its library cannot reach: none is connected, or its file may not be
 /// opened. Throws InputError with that, else with `problem` and `hint`.
 [[noreturn]] void refuse_to_open(const VendorDriver& driver, const std::string& device,
-                                 const std::string& problem, const std::string& hint,
+                                 const Sentence& problem, const Sentence& hint,
                                  const UsbFolders& folders = {});
 
 }  // namespace fulcrum::hapticd

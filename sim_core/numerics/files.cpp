@@ -13,15 +13,17 @@ namespace fulcrum {
 namespace {
 
 InputError unwritable(const std::string& path, const std::system_error& error) {
-    return InputError(path.empty() ? "''" : path, "", "cannot be written (" + error.code().message() + ")",
-                      "name a regular file in a folder that can be written and has space");
+    return InputError(
+        path.empty() ? "''" : path, "",
+        {QT_TRANSLATE_NOOP("errors", "cannot be written (%1)"), error.code().message()},
+        QT_TRANSLATE_NOOP("errors", "name a regular file in a folder that can be written and has space"));
 }
 
 const char* kind_of(const struct stat& status) {
-    return S_ISDIR(status.st_mode)    ? "a folder"
-           : S_ISFIFO(status.st_mode) ? "a pipe"
-           : S_ISSOCK(status.st_mode) ? "a socket"
-                                      : "a device";
+    return S_ISDIR(status.st_mode)    ? QT_TRANSLATE_NOOP("errors", "a folder")
+           : S_ISFIFO(status.st_mode) ? QT_TRANSLATE_NOOP("errors", "a pipe")
+           : S_ISSOCK(status.st_mode) ? QT_TRANSLATE_NOOP("errors", "a socket")
+                                      : QT_TRANSLATE_NOOP("errors", "a device");
 }
 
 }  // namespace
@@ -29,11 +31,14 @@ const char* kind_of(const struct stat& status) {
 void require_regular_file(const std::string& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) != 0)
-        throw InputError(path, "", "cannot be read (" + std::generic_category().message(errno) + ")",
-                         "check the path and the permission to read it");
+        throw InputError(
+            path, "",
+            {QT_TRANSLATE_NOOP("errors", "cannot be read (%1)"), std::generic_category().message(errno)},
+            QT_TRANSLATE_NOOP("errors", "check the path and the permission to read it"));
     if (!S_ISREG(status.st_mode))
-        throw InputError(path, "", std::string("is ") + kind_of(status) + ", not a regular file",
-                         "name a regular file");
+        throw InputError(path, "",
+                         {QT_TRANSLATE_NOOP("errors", "is %1, not a regular file"), kind_of(status)},
+                         QT_TRANSLATE_NOOP("errors", "name a regular file"));
 }
 
 void require_writable_file(const std::string& path) {

@@ -3,28 +3,27 @@
 // do.
 #pragma once
 
-#include <stdexcept>
 #include <string>
+
+#include "sim_core/numerics/worded_error.h"
 
 namespace fulcrum {
 
 /// Thrown where files and command lines are read, never on the haptic or the world thread. what() is one
 /// line: `FILE:PLACE: problem; hint`.
-class InputError : public std::runtime_error {
+class InputError : public HintedError {
   public:
-    InputError(std::string file, std::string place, std::string problem, std::string hint)
-        : std::runtime_error(file + (place.empty() ? "" : ":" + place) + ": " + problem + "; " + hint),
-          file_(std::move(file)),
-          place_(std::move(place)),
-          problem_(std::move(problem)),
-          hint_(std::move(hint)) {}
+    InputError(const Sentence& file, std::string place, const Sentence& problem, const Sentence& hint)
+        : HintedError(place.empty() ? Sentence("%1: %2; %3", file, problem, hint)
+                                    : Sentence("%1:%2: %3; %4", file, place, problem, hint),
+                      problem, hint),
+          file_(file.words()),
+          place_(std::move(place)) {}
     const std::string& file() const noexcept { return file_; }
     const std::string& place() const noexcept { return place_; }
-    const std::string& problem() const noexcept { return problem_; }
-    const std::string& hint() const noexcept { return hint_; }
 
   private:
-    std::string file_, place_, problem_, hint_;
+    std::string file_, place_;
 };
 
 }  // namespace fulcrum

@@ -23,12 +23,14 @@
 #include <utility>
 #include <vector>
 
+#include "sim_core/numerics/worded_error.h"
+
 namespace fulcrum {
 
 /// Bytes that are not a state of this scene in this build.
-class StateArchiveError : public std::runtime_error {
+class StateArchiveError : public WordedError {
   public:
-    using std::runtime_error::runtime_error;
+    using WordedError::WordedError;
 };
 
 class StateArchive {
@@ -50,7 +52,9 @@ class StateArchive {
         std::uint64_t layout = layout_;
         raw(&layout, sizeof layout);
         if (reads() && (layout != layout_ || left_ != 0))
-            throw StateArchiveError("the state was written by another build, or for another scene");
+            throw StateArchiveError(QT_TRANSLATE_NOOP(
+                "errors",
+                "the stored state was written by another version of the program, or for another scene"));
     }
 
   private:
@@ -130,7 +134,9 @@ class StateArchive {
     }
     void note(std::size_t size) { layout_ = (layout_ ^ size) * 0x100000001B3ULL; }
     static StateArchiveError too_short() {
-        return StateArchiveError("the state ends too early: it is not one of this scene in this build");
+        return StateArchiveError(QT_TRANSLATE_NOOP("errors",
+                                                   "the stored state ends too early: it does not belong to "
+                                                   "this scene in this version of the program"));
     }
 
     std::vector<std::uint8_t>* out_ = nullptr;

@@ -10,6 +10,9 @@
 namespace fulcrum {
 namespace {
 
+// Of a segment within one step, in its rest lengths: from here on the step is made in smaller parts.
+constexpr double doubtful_stretch = 2;
+
 bool good(const Vector3& v) {
     return std::isfinite(v.x() + v.y() + v.z());
 }
@@ -293,6 +296,28 @@ double leap_of(const Rod& rod, const RodState& state, const RodInputs& inputs) {
     return leap;
 }
 
+// By how much a segment became longer since the step's start at most, in rest lengths. A load that appears at
+// once can drive Newton's method to a balance in which a segment is folded over; smaller parts do not get
+// there.
+double longest_stretch(const Rod::Tables& tables, const RodState& before, const RodState& after) {
+    double longest = 0;
+    for (std::size_t j = 0; j < tables.rest_length.size(); ++j) {
+        const double was = (before.nodes[j + 1] - before.nodes[j]).norm();
+        const double is = (after.nodes[j + 1] - after.nodes[j]).norm();
+        longest = std::max(longest, (is - was) / tables.rest_length[j]);
+    }
+    return longest;
+}
+
+// From the motion within the part that was just solved; rate: one over its time, 1/s.
+void set_velocities(const RodScratch::Data& d, double rate, RodState& state) {
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        const double *now = &d.shape.position[4 * i], *start = &d.start.position[4 * i];
+        state.velocities[i] = Vector3(now[0] - start[0], now[1] - start[1], now[2] - start[2]) * rate;
+        if (i < state.spins.size()) state.spins[i] = now[3] * rate;
+    }
+}
+
 // Targets of ends and grasps after `share` of the remaining motion.
 void set_targets(const RodState& state, const RodInputs& inputs, double share, RodScratch::Data& d) {
     const std::size_t n = state.nodes.size() - 1;
@@ -342,13 +367,15 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
         report.substeps = parts;
         report.iterations = 0;
         NewtonResult result;
+        double folded_stretch = 0;
         for (int part = 0; part < parts; ++part) {
             RodFrame ends[2] = {inputs.ends[0], inputs.ends[1]};
             shape_from_state(*tables_, spec_, state, ends, d.shape);
             if (part == 0) locate_all(*tables_, inputs, d);
             prepare(*this, state, inputs, dt / parts, d);
+            // Well beyond what the loads can stretch the rod to: no answer.
+            if (part == 0) folded_stretch = 4 * (1 + d.dead_norm / axial_stiffness_);
             const double share = 1.0 / (parts - part);
-            const std::size_t n = static_cast<std::size_t>(spec_.segments);
             set_targets(state, inputs, share, d);
             std::copy(d.shape.position.begin(), d.shape.position.end(), d.start.position.begin());
             if (spec_.stiffness_damping > 0) {
@@ -360,22 +387,19 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
             report.iterations += result.iterations;
             if (!result.finite) break;
             state_from_shape(d.shape, state);
-            const double rate = parts / dt;
-            for (std::size_t i = 0; i <= n; ++i) {
-                const double *now = &d.shape.position[4 * i], *start = &d.start.position[4 * i];
-                state.velocities[i] = Vector3(now[0] - start[0], now[1] - start[1], now[2] - start[2]) * rate;
-                if (i < n) state.spins[i] = now[3] * rate;
-            }
+            set_velocities(d, parts / dt, state);
         }
         report.residual = result.residual;
         report.force_residual = result.force_residual;
         report.converged = result.converged;
         report.positive_definite = result.positive_definite;
         report.finite = result.finite && finite(state);
+        const double stretched = report.finite ? longest_stretch(*tables_, d.saved, state) : 0;
         const bool acceptable =
-            report.finite &&
+            stretched < doubtful_stretch && report.finite &&
             (result.converged || solve.level != RodSolve::Level::newton || result.residual < 1e-3);
-        if (acceptable || (report.finite && parts == 8 && result.residual < 0.1)) {
+        if (acceptable ||
+            (report.finite && stretched < folded_stretch && parts == 8 && result.residual < 0.1)) {
             report.fault = parts > 1 ? RodFault::substepped : RodFault::none;
             state.ends[0] = inputs.ends[0];
             state.ends[1] = inputs.ends[1];

@@ -35,19 +35,24 @@ BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
     copy(node, "tissue", bands.tissue);
     scene_json::copy_field(node, bands);
     if (bands.vessels > bands.count) {
-        document.fail("/bands/vessels", "there are more vessels than bands", "give at most \"count\"");
+        document.fail("/bands/vessels", QT_TRANSLATE_NOOP("errors", "there are more vessels than bands"),
+                      QT_TRANSLATE_NOOP("errors", "give at most \"count\""));
     }
     if (bands.half_extent.x() < bands.length + 2 * bands.jitter ||
         bands.half_extent.y() < 0.003 * bands.count) {
-        document.fail("/bands/half_extent", "the bed is too small for two columns of such bands",
-                      "give a wider bed, fewer bands or shorter ones");
+        document.fail("/bands/half_extent",
+                      QT_TRANSLATE_NOOP("errors", "the bed is too small for two columns of such bands"),
+                      QT_TRANSLATE_NOOP("errors", "give a wider bed, fewer bands or shorter ones"));
     }
     if (bands.half_extent.maxCoeff() > 0.3 || bands.half_extent.z() < 0) {
-        document.fail("/bands/half_extent", "the bed is larger than 0.6 m or its rim is below its middle",
-                      "give half edges in metres");
+        document.fail(
+            "/bands/half_extent",
+            QT_TRANSLATE_NOOP("errors", "the bed is larger than 0.6 m or its rim is below its middle"),
+            QT_TRANSLATE_NOOP("errors", "give half edges in metres"));
     }
     if (bands.nerve_gap >= bands.height) {
-        document.fail("/bands/nerve_gap", "the nerve is below the bed", "give a gap below \"height\"");
+        document.fail("/bands/nerve_gap", QT_TRANSLATE_NOOP("errors", "the nerve is below the bed"),
+                      QT_TRANSLATE_NOOP("errors", "give a gap below \"height\""));
     }
     return bands;
 }

@@ -29,8 +29,10 @@ void read_layers(const JsonDocument& document, const json& node, BowelSpec& bowe
         bowel.layers.push_back(layer);
     }
     if (bowel.wall_thickness >= bowel.outer_radius) {
-        document.fail("/bowel/layers", "the layers together are thicker than the bowel's radius",
-                      "give layers whose thicknesses add up to less than outer_radius");
+        document.fail(
+            "/bowel/layers",
+            QT_TRANSLATE_NOOP("errors", "the layers together are thicker than the bowel's radius"),
+            QT_TRANSLATE_NOOP("errors", "give layers whose thicknesses add up to less than outer_radius"));
     }
     const double one_pascal = tube_stiffness({{bowel.wall_thickness, 1.0, 1.0}}, bowel.outer_radius, 0).axial;
     bowel.young_modulus = tube_stiffness(bowel.layers, bowel.outer_radius, 0).axial / one_pascal;
@@ -38,7 +40,8 @@ void read_layers(const JsonDocument& document, const json& node, BowelSpec& bowe
 
 NoduleSpec read_nodule(const JsonDocument& document, const json& node, const BowelSpec& bowel) {
     if (bowel.layers.empty()) {
-        document.fail("/bowel/nodule", "a nodule needs a wall with layers", "give the bowel \"layers\"");
+        document.fail("/bowel/nodule", QT_TRANSLATE_NOOP("errors", "a nodule needs a wall with layers"),
+                      QT_TRANSLATE_NOOP("errors", "give the bowel \"layers\""));
     }
     NoduleSpec nodule;
     copy(node, "at", nodule.at);
@@ -49,8 +52,9 @@ NoduleSpec read_nodule(const JsonDocument& document, const json& node, const Bow
     copy(node, "radius", nodule.shape.radius);
     copy(node, "young_modulus", nodule.shape.young);
     if (nodule.shape.height > bowel.layers.front().thickness) {
-        document.fail("/bowel/nodule/height", "the nodule is thicker than the layer that it replaces",
-                      "give a height of at most the first layer's thickness");
+        document.fail("/bowel/nodule/height",
+                      QT_TRANSLATE_NOOP("errors", "the nodule is thicker than the layer that it replaces"),
+                      QT_TRANSLATE_NOOP("errors", "give a height of at most the first layer's thickness"));
     }
     return nodule;
 }
@@ -79,13 +83,15 @@ BowelSpec read_bowel_spec(const JsonDocument& document, const json& node) {
     copy(node, "weight", bowel.weight);
     copy(node, "blade_width", bowel.blade_width);
     if (bowel.wall_thickness >= bowel.outer_radius) {
-        document.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius",
-                      "give a wall thinner than outer_radius");
+        document.fail("/bowel/wall_thickness",
+                      QT_TRANSLATE_NOOP("errors", "the wall is thicker than the bowel's radius"),
+                      QT_TRANSLATE_NOOP("errors", "give a wall thinner than outer_radius"));
     }
     if (bowel.sphere_spacing > 4 * bowel.outer_radius || bowel.sphere_spacing < bowel.length / 1000) {
-        document.fail("/bowel/sphere_spacing",
-                      "the spheres would leave gaps, or there would be more than 1000",
-                      "give a spacing near outer_radius, below four times it");
+        document.fail(
+            "/bowel/sphere_spacing",
+            QT_TRANSLATE_NOOP("errors", "the spheres would leave gaps, or there would be more than 1000"),
+            QT_TRANSLATE_NOOP("errors", "give a spacing near outer_radius, below four times it"));
     }
     return bowel;
 }

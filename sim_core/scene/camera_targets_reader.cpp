@@ -27,20 +27,24 @@ CameraTargetsSpec read_spec(const JsonDocument& document, const nlohmann::json& 
     copy(node, "tip_speed", targets.tip_speed);
     copy(node, "tissue", targets.tissue);
     if (targets.ball_radius >= targets.cup_radius) {
-        document.fail("/camera_targets/ball_radius", "the balls do not fit into the cups",
-                      "give smaller balls or wider cups");
+        document.fail("/camera_targets/ball_radius",
+                      QT_TRANSLATE_NOOP("errors", "the balls do not fit into the cups"),
+                      QT_TRANSLATE_NOOP("errors", "give smaller balls or wider cups"));
     }
     if (targets.distance < targets.cup_depth + 2 * targets.lens_radius) {
-        document.fail("/camera_targets/distance", "the lens would be in the cup",
-                      "give a larger distance, a shallower cup or a thinner scope");
+        document.fail(
+            "/camera_targets/distance", QT_TRANSLATE_NOOP("errors", "the lens would be in the cup"),
+            QT_TRANSLATE_NOOP("errors", "give a larger distance, a shallower cup or a thinner scope"));
     }
     if (targets.least_insertion > targets.most_insertion) {
-        document.fail("/camera_targets/least_insertion", "least_insertion is above most_insertion",
-                      "give at most the value of most_insertion");
+        document.fail("/camera_targets/least_insertion",
+                      QT_TRANSLATE_NOOP("errors", "least_insertion is above most_insertion"),
+                      QT_TRANSLATE_NOOP("errors", "give at most the value of most_insertion"));
     }
     if (targets.tip_extent.minCoeff() < 0) {
-        document.fail("/camera_targets/tip_extent", "a tip cannot move by less than nothing",
-                      "give three values from 0 on");
+        document.fail("/camera_targets/tip_extent",
+                      QT_TRANSLATE_NOOP("errors", "a tip cannot move by less than 0"),
+                      QT_TRANSLATE_NOOP("errors", "give three values from 0 on"));
     }
     return targets;
 }
@@ -50,24 +54,32 @@ CameraTargetsSpec read_spec(const JsonDocument& document, const nlohmann::json& 
 void read_camera_targets(const JsonDocument& document, Scene& scene) {
     if (!document.root().contains("camera_targets")) {
         if (scene.instruments.empty())
-            document.fail("/instruments", "a scene without instruments has nothing to do",
-                          "give at least one instrument, or \"camera_targets\"");
+            document.fail("/instruments",
+                          QT_TRANSLATE_NOOP("errors", "a scene needs instruments or targets for the camera"),
+                          QT_TRANSLATE_NOOP("errors", "give at least one instrument, or \"camera_targets\""));
         return;
     }
     scene.camera_targets = read_spec(document, document.root().at("camera_targets"));
     if (scene.tissue_index(scene.camera_targets->tissue) < 0)
-        document.fail("/camera_targets", "the tissue \"" + scene.camera_targets->tissue + "\" is not listed",
-                      "add it to \"tissues\" or name another");
-    if (!scene.camera) document.fail("/camera_targets", "targets to look at need a scope", "add \"camera\"");
+        document.fail(
+            "/camera_targets",
+            {QT_TRANSLATE_NOOP("errors", "the tissue \"%1\" is not listed"), scene.camera_targets->tissue},
+            QT_TRANSLATE_NOOP("errors", "add it to \"tissues\" or name another"));
+    if (!scene.camera)
+        document.fail("/camera_targets", QT_TRANSLATE_NOOP("errors", "targets to look at need a scope"),
+                      QT_TRANSLATE_NOOP("errors", "add \"camera\""));
     if (scene.targets || !scene.instruments.empty())
-        document.fail("/camera_targets",
-                      "a scene for the scope alone has no instruments and no targets to touch",
-                      "remove \"instruments\" and \"targets\", or \"camera_targets\"");
+        document.fail(
+            "/camera_targets",
+            QT_TRANSLATE_NOOP("errors",
+                              "a scene for the scope alone has no instruments and no targets to touch"),
+            QT_TRANSLATE_NOOP("errors", "remove \"instruments\" and \"targets\", or \"camera_targets\""));
     for (const char* part : {"cavity", "bowel", "tethers", "membranes", "sheet", "septa", "presacral",
                              "bands", "structures", "objects"}) {
         if (document.root().contains(part))
-            document.fail(std::string("/") + part, "cups for the camera would lie in the tissue",
-                          std::string("remove \"") + part + "\" or \"camera_targets\"");
+            document.fail(std::string("/") + part,
+                          QT_TRANSLATE_NOOP("errors", "cups for the camera would lie in the tissue"),
+                          {QT_TRANSLATE_NOOP("errors", "remove \"%1\" or \"camera_targets\""), part});
     }
 }
 

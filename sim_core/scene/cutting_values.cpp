@@ -34,12 +34,18 @@ void check(const std::string& file, const std::string& tissue, const std::string
         std::string known;
         for (const CuttingKey& one : cutting_keys)
             known += (known.empty() ? "" : ", ") + std::string(one.key);
-        throw InputError(file, place, "this is not a cutting value", "use one of " + known);
+        throw InputError(file, place, QT_TRANSLATE_NOOP("errors", "this is not a cutting value"),
+                         {QT_TRANSLATE_NOOP("errors", "use one of %1"), known});
     }
     const CuttingRange range = cutting_range(key);
     const bool low = range.above ? !(value > range.minimum) : !(value >= range.minimum);
     if (!std::isfinite(value) || low || value > range.maximum)
-        throw InputError(file, place, in_words(value) + " is out of range", "give a number " + range.words);
+        throw InputError(file, place, {QT_TRANSLATE_NOOP("errors", "%1 is out of range"), in_words(value)},
+                         range.above
+                             ? Sentence(QT_TRANSLATE_NOOP("errors", "give a number above %1, at most %2"),
+                                        in_words(range.minimum), in_words(range.maximum))
+                             : Sentence(QT_TRANSLATE_NOOP("errors", "give a number from %1 to %2"),
+                                        in_words(range.minimum), in_words(range.maximum)));
 }
 
 /// The node of a tissue with cutting values. Throws InputError listing those there are.
@@ -50,8 +56,11 @@ json& cutting_of(json& scene, const std::string& file, const std::string& label)
         if (tissue.at("label") == label) return tissue.at("cutting");
         known += (known.empty() ? "" : ", ") + tissue.at("label").get<std::string>();
     }
-    throw InputError(file, "/tissues/" + label, "the scene has no tissue of this name with cutting values",
-                     known.empty() ? "choose a task in which tissue is cut" : "use one of " + known);
+    throw InputError(file, "/tissues/" + label,
+                     QT_TRANSLATE_NOOP("errors", "the scene has no tissue of this name with cutting values"),
+                     known.empty()
+                         ? Sentence(QT_TRANSLATE_NOOP("errors", "choose a task in which tissue is cut"))
+                         : Sentence(QT_TRANSLATE_NOOP("errors", "use one of %1"), known));
 }
 
 }  // namespace

@@ -31,8 +31,9 @@ Fidelity fidelity_of(FidelityLevel level) {
 Fidelity named_fidelity(const std::string& name) {
     const NameRow<FidelityLevel>* row = find_row(fidelity_levels, name);
     if (row == nullptr)
-        throw InputError("command line", "--fidelity", "unknown fidelity \"" + name + "\"",
-                         "give one of: " + names_of(fidelity_levels));
+        throw InputError(QT_TRANSLATE_NOOP("errors", "command line"), "--fidelity",
+                         {QT_TRANSLATE_NOOP("errors", "unknown fidelity \"%1\""), name},
+                         {QT_TRANSLATE_NOOP("errors", "give one of: %1"), names_of(fidelity_levels)});
     return fidelity_of(row->kind);
 }
 

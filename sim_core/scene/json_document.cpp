@@ -151,48 +151,55 @@ std::string read_text_file(const std::string& path, std::size_t limit) {
     require_regular_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
-        throw InputError(path, "", "the file cannot be opened",
-                         "check the path and the permission to read it");
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be opened"),
+                         QT_TRANSLATE_NOOP("errors", "check the path and the permission to read it"));
     std::string text;
     text.resize(limit + 1);
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad() || (stream.gcount() == 0 && !stream.eof())) {
-        throw InputError(path, "", "the file cannot be read", "give a regular file, not a folder");
+        throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be read"),
+                         QT_TRANSLATE_NOOP("errors", "give a regular file, not a folder"));
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > limit) {
-        throw InputError(path, "", "the file is larger than " + std::to_string(limit) + " bytes",
-                         "split it or remove what it does not need");
+        throw InputError(path, "", {QT_TRANSLATE_NOOP("errors", "the file is larger than %1 bytes"), limit},
+                         QT_TRANSLATE_NOOP("errors", "split it or remove what it does not need"));
     }
     return text;
 }
 
 JsonDocument JsonDocument::parse(const std::string& text, const std::string& file, const JsonLimits& limits) {
     if (text.size() > limits.bytes) {
-        throw InputError(file, "", "the text is larger than " + std::to_string(limits.bytes) + " bytes",
-                         "remove what it does not need");
+        throw InputError(file, "",
+                         {QT_TRANSLATE_NOOP("errors", "the text is larger than %1 bytes"), limits.bytes},
+                         QT_TRANSLATE_NOOP("errors", "remove what it does not need"));
     }
     if (const int line = line_too_deep(text, limits.depth); line > 0) {
-        throw InputError(file, std::to_string(line),
-                         "the text is nested deeper than " + std::to_string(limits.depth) + " levels",
-                         "check for a bracket that is never closed");
+        throw InputError(
+            file, std::to_string(line),
+            {QT_TRANSLATE_NOOP("errors", "the text is nested deeper than %1 levels"), limits.depth},
+            QT_TRANSLATE_NOOP("errors", "check for a bracket that is never closed"));
     }
     JsonDocument document;
     document.file_ = file;
     try {
         document.root_ = nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
-        throw InputError(file, std::to_string(line_of_byte(text, error.byte > 0 ? error.byte - 1 : 0)),
-                         "the text is not valid JSON: " + syntax_text(error.what()),
-                         "correct the text at this line or just before it");
+        throw InputError(
+            file, std::to_string(line_of_byte(text, error.byte > 0 ? error.byte - 1 : 0)),
+            {QT_TRANSLATE_NOOP("errors", "the text is not valid JSON: %1"), syntax_text(error.what())},
+            QT_TRANSLATE_NOOP("errors", "correct the text at this line or just before it"));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(file, "1", "the text is not valid JSON: " + syntax_text(error.what()),
-                         "use numbers that a double can hold");
+        throw InputError(
+            file, "1",
+            {QT_TRANSLATE_NOOP("errors", "the text is not valid JSON: %1"), syntax_text(error.what())},
+            QT_TRANSLATE_NOOP("errors", "use numbers between -1e308 and 1e308"));
     }
     LineIndex index(text, document.lines_);
     index.value("");
     if (!index.duplicate().empty())
-        document.fail(index.duplicate(), "the key is given twice", "remove one of the two");
+        document.fail(index.duplicate(), QT_TRANSLATE_NOOP("errors", "the key is given twice"),
+                      QT_TRANSLATE_NOOP("errors", "remove one of the two"));
     return document;
 }
 
@@ -210,7 +217,7 @@ int JsonDocument::line(const std::string& pointer) const {
     }
 }
 
-void JsonDocument::fail(const std::string& pointer, const std::string& wrong, const std::string& hint) const {
+void JsonDocument::fail(const std::string& pointer, const Sentence& wrong, const Sentence& hint) const {
     throw InputError(file_, std::to_string(line(pointer)) + (pointer.empty() ? "" : " (" + pointer + ")"),
                      wrong, hint);
 }

@@ -36,8 +36,7 @@ class JsonDocument {
     /// an invalid one throws std::logic_error.
     void check_schema(const char* schema) const;
     /// Throws InputError at a JSON pointer.
-    [[noreturn]] void fail(const std::string& pointer, const std::string& wrong,
-                           const std::string& hint) const;
+    [[noreturn]] void fail(const std::string& pointer, const Sentence& wrong, const Sentence& hint) const;
 
   private:
     std::string file_;

@@ -10,8 +10,8 @@
 namespace fulcrum {
 
 inline constexpr NameRow<Hand> hand_names[] = {
-    {Hand::left, "left", QT_TRANSLATE_NOOP("fulcrum::hands", "left hand")},
-    {Hand::right, "right", QT_TRANSLATE_NOOP("fulcrum::hands", "right hand")}};
+    {Hand::left, QT_TRANSLATE_NOOP("errors", "left"), QT_TRANSLATE_NOOP("fulcrum::hands", "left hand")},
+    {Hand::right, QT_TRANSLATE_NOOP("errors", "right"), QT_TRANSLATE_NOOP("fulcrum::hands", "right hand")}};
 static_assert(in_order(hand_names));
 
 /// The value that a word in a file stands for. Throws InputError.
@@ -19,7 +19,9 @@ template <typename Row, std::size_t n>
 auto named(const JsonDocument& document, const nlohmann::json& word, const std::string& place,
            const Row (&rows)[n]) {
     const Row* row = word.is_string() ? find_row(rows, word.get_ref<const std::string&>()) : nullptr;
-    if (row == nullptr) document.fail(place, "unknown name " + word.dump(), "give one of: " + names_of(rows));
+    if (row == nullptr)
+        document.fail(place, {QT_TRANSLATE_NOOP("errors", "unknown name %1"), word.dump()},
+                      {QT_TRANSLATE_NOOP("errors", "give one of: %1"), names_of(rows)});
     return row->kind;
 }
 

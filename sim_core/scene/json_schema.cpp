@@ -61,43 +61,55 @@ std::string keys_of(const json& node) {
     return text;
 }
 
-// A schema lists one type or several.
-std::string type_words(const json& node) {
-    if (!node.contains("type")) return "another value";
-    const json& type = node.at("type");
-    if (type.is_string()) return type.get<std::string>();
-    std::string words;
-    for (const json& one : type) words += (words.empty() ? "" : " or ") + one.get<std::string>();
-    return words;
+/// "number", "list" ... A schema lists one type or several.
+Sentence type_words(const json& type) {
+    if (type.is_array())
+        return type.size() == 2 ? Sentence(QT_TRANSLATE_NOOP("errors", "%1 or %2"), type_words(type[0]),
+                                           type_words(type[1]))
+                                : Sentence(list_of(type));
+    constexpr std::pair<const char*, const char*> names[] = {
+        {"object", QT_TRANSLATE_NOOP("errors", "an object")},
+        {"array", QT_TRANSLATE_NOOP("errors", "a list")},
+        {"integer", QT_TRANSLATE_NOOP("errors", "a whole number")},
+        {"number", QT_TRANSLATE_NOOP("errors", "a number")},
+        {"string", QT_TRANSLATE_NOOP("errors", "a text")},
+        {"boolean", QT_TRANSLATE_NOOP("errors", "true or false")},
+        {"null", QT_TRANSLATE_NOOP("errors", "null")}};
+    for (const auto& [name, words] : names)
+        if (type == name) return words;
+    return plain(type);
 }
 
-// Description of a legal value: type, range, choices and the schema's own description.
-std::string legal_value(const json& node) {
-    std::string text = "give ";
+/// A number with its range, a list with its length.
+Sentence with_limits(const Sentence& type, const json& node) {
+    if (node.contains("minItems") && node.contains("maxItems") && node.at("minItems") == node.at("maxItems"))
+        return {QT_TRANSLATE_NOOP("errors", "%1 of %2"), type, node.at("minItems").dump()};
+    const bool above = node.contains("exclusiveMinimum"), from = node.contains("minimum");
+    const std::string low = above  ? node.at("exclusiveMinimum").dump()
+                            : from ? node.at("minimum").dump()
+                                   : "";
+    const std::string high = node.contains("maximum") ? node.at("maximum").dump() : "";
+    if (above && !high.empty()) return {QT_TRANSLATE_NOOP("errors", "%1 above %2 to %3"), type, low, high};
+    if (above) return {QT_TRANSLATE_NOOP("errors", "%1 above %2"), type, low};
+    if (from && !high.empty()) return {QT_TRANSLATE_NOOP("errors", "%1 from %2 to %3"), type, low, high};
+    if (from) return {QT_TRANSLATE_NOOP("errors", "%1 from %2"), type, low};
+    return high.empty() ? type : Sentence(QT_TRANSLATE_NOOP("errors", "%1 up to %2"), type, high);
+}
+
+/// "give ...": type, range, choices and the schema's own description, which is in English.
+Sentence legal_value(const json& node) {
+    Sentence value;
     if (node.contains("enum")) {
-        text += "one of: " + list_of(node.at("enum"));
+        value = Sentence(QT_TRANSLATE_NOOP("errors", "one of: %1"), list_of(node.at("enum")));
     } else if (node.contains("const")) {
-        text += plain(node.at("const"));
+        value = plain(node.at("const"));
+    } else if (node.contains("type")) {
+        value = with_limits(type_words(node.at("type")), node);
     } else {
-        const std::string type = type_words(node);
-        text += (type == "object" || type == "array" || type == "integer" ? "an "
-                 : type == "another value"                                ? ""
-                                                                          : "a ") +
-                type;
-        if (node.contains("minItems") && node.contains("maxItems") &&
-            node.at("minItems") == node.at("maxItems")) {
-            text += " of " + node.at("minItems").dump();
-        }
-        const bool above = node.contains("exclusiveMinimum");
-        const std::string low = above                      ? node.at("exclusiveMinimum").dump()
-                                : node.contains("minimum") ? node.at("minimum").dump()
-                                                           : "";
-        const std::string high = node.contains("maximum") ? node.at("maximum").dump() : "";
-        if (!low.empty()) text += (above ? " above " : " from ") + low;
-        if (!high.empty()) text += (low.empty() ? " up to " : " to ") + high;
+        value = QT_TRANSLATE_NOOP("errors", "another value");
     }
-    if (node.contains("description")) text += " (" + node.at("description").get<std::string>() + ")";
-    return text;
+    if (!node.contains("description")) return {QT_TRANSLATE_NOOP("errors", "give %1"), value};
+    return {QT_TRANSLATE_NOOP("errors", "give %1 (%2)"), value, node.at("description").get<std::string>()};
 }
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -141,6 +153,26 @@ std::string lower_first(std::string text) {
     return text;
 }
 
+/// What the checker reports, in our words; what is legal is in the hint.
+Sentence violation(const std::string& description) {
+    constexpr std::pair<const char*, const char*> known[] = {
+        {"Value type not permitted", QT_TRANSLATE_NOOP("errors", "the value has the wrong type")},
+        {"Expected number less", QT_TRANSLATE_NOOP("errors", "the number is too large")},
+        {"Expected number greater", QT_TRANSLATE_NOOP("errors", "the number is too small")},
+        {"Failed to match against any enum",
+         QT_TRANSLATE_NOOP("errors", "the value is not one of those allowed")},
+        {"Failed to match expected value", QT_TRANSLATE_NOOP("errors", "the value is not the one allowed")},
+        {"Array should contain no more", QT_TRANSLATE_NOOP("errors", "the list is too long")},
+        {"Array should contain no fewer", QT_TRANSLATE_NOOP("errors", "the list is too short")},
+        {"String should be no more", QT_TRANSLATE_NOOP("errors", "the text is too long")},
+        {"String should be no fewer", QT_TRANSLATE_NOOP("errors", "the text is too short")},
+        {"Failed to match regex",
+         QT_TRANSLATE_NOOP("errors", "the text has characters that are not allowed")}};
+    for (const auto& [begin, words] : known)
+        if (description.rfind(begin, 0) == 0) return words;
+    return lower_first(description);
+}
+
 }  // namespace
 
 void JsonDocument::check_schema(const char* schema_text) const {
@@ -174,16 +206,19 @@ void JsonDocument::check_schema(const char* schema_text) const {
     const std::string name = quoted_at_end(worst.description);
     if (worst.description.find("additionalProperties") != std::string::npos && node.contains("properties")) {
         const std::string nearest = nearest_key(name, node);
-        fail(pointer + "/" + name, "unknown key \"" + name + "\"",
-             (nearest.empty() ? "remove it" : "did you mean \"" + nearest + "\"?") + "; the keys here are " +
-                 keys_of(node));
+        const Sentence keys(QT_TRANSLATE_NOOP("errors", "the keys here are %1"), keys_of(node));
+        fail(pointer + "/" + name, {QT_TRANSLATE_NOOP("errors", "unknown key \"%1\""), name},
+             nearest.empty()
+                 ? Sentence(QT_TRANSLATE_NOOP("errors", "remove it; %1"), keys)
+                 : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean \"%1\"? %2"), nearest, keys));
     }
     if (worst.description.find("Missing required property") != std::string::npos &&
         node.contains("properties") && node.at("properties").contains(name)) {
-        fail(pointer, "the key \"" + name + "\" is missing",
-             "add it and " + legal_value(resolve(schema_json, node.at("properties").at(name))));
+        fail(pointer, {QT_TRANSLATE_NOOP("errors", "the key \"%1\" is missing"), name},
+             {QT_TRANSLATE_NOOP("errors", "add it: %1"),
+              legal_value(resolve(schema_json, node.at("properties").at(name)))});
     }
-    fail(pointer, lower_first(worst.description), legal_value(node));
+    fail(pointer, violation(worst.description), legal_value(node));
 }
 
 }  // namespace fulcrum

@@ -32,21 +32,26 @@ ObjectsSpec read_objects_spec(const JsonDocument& document, const nlohmann::json
     constexpr double pi = 3.14159265358979323846;
     const double hole = objects.corner_radius * math::cos(pi / objects.sides) - objects.tube_radius;
     if (hole < objects.peg_radius + 0.0005) {
-        document.fail("/objects/corner_radius", "the rings do not fit around the pegs",
-                      "give larger rings, thinner tubes or thinner pegs");
+        document.fail("/objects/corner_radius",
+                      QT_TRANSLATE_NOOP("errors", "the rings do not fit around the pegs"),
+                      QT_TRANSLATE_NOOP("errors", "give larger rings, thinner tubes or thinner pegs"));
     }
     const double widest = objects.corner_radius + objects.tube_radius;
     if (objects.spacing < 2 * (widest + objects.jitter)) {
-        document.fail("/objects/spacing", "rings around neighbouring pegs would overlap",
-                      "give pegs that are further apart, smaller rings or less jitter");
+        document.fail(
+            "/objects/spacing", QT_TRANSLATE_NOOP("errors", "rings around neighbouring pegs would overlap"),
+            QT_TRANSLATE_NOOP("errors", "give pegs that are further apart, smaller rings or less jitter"));
     }
     // Two columns of up to three pegs in each group.
     const int rows = (std::min(objects.count, 6) + 1) / 2;
     const double x = 0.5 * objects.gap + 0.5 * objects.spacing + widest + objects.jitter;
     const double y = 0.5 * (rows - 1) * objects.spacing + widest + objects.jitter;
     if (objects.gap < 2 * objects.spacing || x > objects.half_length || y > objects.half_width) {
-        document.fail("/objects/half_length", "the pegs do not fit on the tray side by side",
-                      "give a larger tray, a gap of at least twice the spacing, or fewer rings");
+        document.fail(
+            "/objects/half_length",
+            QT_TRANSLATE_NOOP("errors", "the pegs do not fit on the tray side by side"),
+            QT_TRANSLATE_NOOP("errors",
+                              "give a larger tray, a gap of at least twice the spacing, or fewer rings"));
     }
     return objects;
 }

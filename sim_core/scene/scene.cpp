@@ -80,13 +80,17 @@ class SceneReader {
             if (node.contains("cutting"))
                 tissue.cutting = read_cutting(node.at("cutting"), place + "/cutting", tissue);
             if (scene_.tissue_index(tissue.label) >= 0) {
-                document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice",
-                               "give every tissue its own label");
+                document_.fail(
+                    place + "/label",
+                    {QT_TRANSLATE_NOOP("errors", "the tissue \"%1\" is given twice"), tissue.label},
+                    QT_TRANSLATE_NOOP("errors", "give every tissue its own label"));
             }
             // A spread of half the median would give limits near zero in some attempts.
             if (tissue.perforation_spread > 0.4 * tissue.perforation_force) {
-                document_.fail(place + "/perforation_spread", "the spread is above 0.4 of perforation_force",
-                               "give a smaller spread or a larger perforation_force");
+                document_.fail(
+                    place + "/perforation_spread",
+                    QT_TRANSLATE_NOOP("errors", "the spread is above 0.4 of perforation_force"),
+                    QT_TRANSLATE_NOOP("errors", "give a smaller spread or a larger perforation_force"));
             }
             scene_.tissues.push_back(tissue);
         }
@@ -96,13 +100,17 @@ class SceneReader {
         CuttingSpec cutting;
         for (const CuttingKey& key : cutting_keys) copy(node, key.key, cutting.*key.value);
         if (cutting.dynamic_friction > cutting.static_friction) {
-            document_.fail(place + "/dynamic_friction_n", "dynamic_friction_n is above static_friction_n",
-                           "give at most the value of static_friction_n");
+            document_.fail(place + "/dynamic_friction_n",
+                           QT_TRANSLATE_NOOP("errors", "dynamic_friction_n is above static_friction_n"),
+                           QT_TRANSLATE_NOOP("errors", "give at most the value of static_friction_n"));
         }
         if (!(tissue.friction > 0)) {
             document_.fail(
-                place, "a tissue without friction carries no force along it, so no blade can break through",
-                "give the tissue a friction above 0");
+                place,
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "a tissue without friction carries no force along it, so no blade can break through"),
+                QT_TRANSLATE_NOOP("errors", "give the tissue a friction above 0"));
         }
         return cutting;
     }
@@ -114,26 +122,30 @@ class SceneReader {
         copy(node, "up", trocar.up);
         copy(node, "shaft_length", trocar.shaft_length);
         if (trocar.position.norm() > 1.0) {
-            document_.fail(place + "/position", "the trocar is more than 1 m from the pelvis",
-                           "give metres, not millimetres");
+            document_.fail(place + "/position",
+                           QT_TRANSLATE_NOOP("errors", "the trocar is more than 1 m from the pelvis"),
+                           QT_TRANSLATE_NOOP("errors", "give metres, not millimetres"));
         }
         if (trocar.direction.norm() < 1e-6) {
-            document_.fail(place + "/direction", "the direction has no length",
-                           "give a vector from the trocar into the body");
+            document_.fail(place + "/direction", QT_TRANSLATE_NOOP("errors", "the direction has no length"),
+                           QT_TRANSLATE_NOOP("errors", "give a vector from the trocar into the body"));
         }
         trocar.direction.normalize();
         if (trocar.up.norm() < 1e-6 || trocar.direction.cross(trocar.up.normalized()).norm() < 0.05) {
-            document_.fail(node.contains("up") ? place + "/up" : place, "up is parallel to the direction",
-                           "give an up vector at least 3 degrees away from the shaft");
+            document_.fail(
+                node.contains("up") ? place + "/up" : place,
+                QT_TRANSLATE_NOOP("errors", "up is parallel to the direction"),
+                QT_TRANSLATE_NOOP("errors", "give an up vector at least 3 degrees away from the shaft"));
         }
         return trocar;
     }
 
     void check_insertion(double insertion, const TrocarSpec& trocar, const std::string& place) {
         if (insertion > 0.9 * trocar.shaft_length) {
-            document_.fail(place + "/start_insertion",
-                           "the start insertion exceeds 0.9 of the shaft's length",
-                           "give a smaller start_insertion or a longer shaft_length");
+            document_.fail(
+                place + "/start_insertion",
+                QT_TRANSLATE_NOOP("errors", "the start insertion exceeds 0.9 of the shaft's length"),
+                QT_TRANSLATE_NOOP("errors", "give a smaller start_insertion or a longer shaft_length"));
         }
     }
 
@@ -144,10 +156,10 @@ class SceneReader {
             InstrumentSpec instrument;
             copy_named(document_, node, place, "hand", hand_names, instrument.hand);
             if (scene_.instrument(instrument.hand) != nullptr) {
-                document_.fail(
-                    place + "/hand",
-                    std::string("the ") + hand_name(instrument.hand) + " hand holds two instruments",
-                    "give one instrument a hand");
+                document_.fail(place + "/hand",
+                               {QT_TRANSLATE_NOOP("errors", "the %1 hand holds two instruments"),
+                                hand_name(instrument.hand)},
+                               QT_TRANSLATE_NOOP("errors", "give each hand one instrument"));
             }
             copy_named(document_, node, place, "kind", instrument_types, instrument.kind);
             if (node.contains("exchange")) {
@@ -158,13 +170,17 @@ class SceneReader {
             }
             if (!instrument.exchange.empty()) {
                 if (!document_.root().contains("bands") && !document_.root().contains("structures")) {
-                    document_.fail(place + "/exchange",
-                                   "instruments are exchanged where nothing needs another",
-                                   "add \"bands\" or \"structures\" to the scene or remove \"exchange\"");
+                    document_.fail(
+                        place + "/exchange",
+                        QT_TRANSLATE_NOOP("errors", "instruments are exchanged where nothing needs another"),
+                        QT_TRANSLATE_NOOP(
+                            "errors", "add \"bands\" or \"structures\" to the scene or remove \"exchange\""));
                 }
                 if (node.contains("kind") && instrument.kind != instrument.exchange.front()) {
-                    document_.fail(place + "/exchange", "the first of \"exchange\" is not \"kind\"",
-                                   "start the list with what the hand holds at the start");
+                    document_.fail(
+                        place + "/exchange",
+                        QT_TRANSLATE_NOOP("errors", "the first of \"exchange\" is not \"kind\""),
+                        QT_TRANSLATE_NOOP("errors", "start the list with what the hand holds at the start"));
                 }
                 instrument.kind = instrument.exchange.front();
             }
@@ -206,16 +222,20 @@ class SceneReader {
         copy(node, "damping", targets.damping);
         check_tissue("/targets", targets.tissue);
         if (targets.half_extent.minCoeff() <= 0 || targets.half_extent.maxCoeff() > 0.3) {
-            document_.fail("/targets/half_extent", "the box has an edge of 0 or above 0.6 m",
-                           "give three half edges in metres, each above 0");
+            document_.fail("/targets/half_extent",
+                           QT_TRANSLATE_NOOP("errors", "the box has an edge of 0 or above 0.6 m"),
+                           QT_TRANSLATE_NOOP("errors", "give three half edges in metres, each above 0"));
         }
         // Random packing of spheres of half the distance succeeds for fill ratios well below 0.2; above that
         // it may never end.
         const double box = 8 * targets.half_extent.prod();
         const double filled = 2 * targets.per_hand * 0.5236 * std::pow(targets.minimum_distance, 3);
         if (filled > 0.32 * box) {
-            document_.fail("/targets/per_hand", "the box has no room for this many targets at this distance",
-                           "give fewer targets, a smaller minimum_distance or a larger half_extent");
+            document_.fail(
+                "/targets/per_hand",
+                QT_TRANSLATE_NOOP("errors", "the box has no room for this many targets at this distance"),
+                QT_TRANSLATE_NOOP("errors",
+                                  "give fewer targets, a smaller minimum_distance or a larger half_extent"));
         }
         return targets;
     }
@@ -239,11 +259,12 @@ class SceneReader {
         copy(node, "damping", tethers.damping);
         copy(node, "slack", tethers.slack);
         if (!document_.root().contains("bowel")) {
-            document_.fail("/tethers", "tethers need a bowel", "add a \"bowel\" or remove \"tethers\"");
+            document_.fail("/tethers", QT_TRANSLATE_NOOP("errors", "tethers need a bowel"),
+                           QT_TRANSLATE_NOOP("errors", "add a \"bowel\" or remove \"tethers\""));
         }
         if (tethers.first >= tethers.last) {
-            document_.fail("/tethers/first", "first must be below last",
-                           "give first < last, fractions of the bowel's length");
+            document_.fail("/tethers/first", QT_TRANSLATE_NOOP("errors", "first must be below last"),
+                           QT_TRANSLATE_NOOP("errors", "give first < last, fractions of the bowel's length"));
         }
         return tethers;
     }
@@ -265,12 +286,14 @@ class SceneReader {
             copy(node, "weight", membrane.weight);
             const std::string place = "/membranes/" + std::to_string(i);
             if (!scene_.bowel || !scene_.cavity) {
-                document_.fail(place, "a membrane needs a bowel and a cavity to attach to",
-                               "add \"bowel\" and \"cavity\" or remove \"membranes\"");
+                document_.fail(
+                    place, QT_TRANSLATE_NOOP("errors", "a membrane needs a bowel and a cavity to attach to"),
+                    QT_TRANSLATE_NOOP("errors", "add \"bowel\" and \"cavity\" or remove \"membranes\""));
             }
             if (membrane.first >= membrane.last) {
-                document_.fail(place + "/first", "first must be below last",
-                               "give first < last, fractions of the bowel's length");
+                document_.fail(
+                    place + "/first", QT_TRANSLATE_NOOP("errors", "first must be below last"),
+                    QT_TRANSLATE_NOOP("errors", "give first < last, fractions of the bowel's length"));
             }
             scene_.membranes.push_back(membrane);
         }
@@ -305,26 +328,30 @@ class SceneReader {
         for (Vector3* direction : {&sheet.along, &sheet.across}) {
             if (direction->norm() < 1e-6) {
                 document_.fail(direction == &sheet.along ? "/sheet/along" : "/sheet/across",
-                               "the direction has no length", "give a vector in the sheet's plane");
+                               QT_TRANSLATE_NOOP("errors", "the direction has no length"),
+                               QT_TRANSLATE_NOOP("errors", "give a vector in the sheet's plane"));
             }
             direction->normalize();
         }
         sheet.across -= sheet.along * sheet.along.dot(sheet.across);
         if (sheet.across.norm() < 0.1) {
-            document_.fail("/sheet/across", "across is parallel to the marked line",
-                           "give a direction at right angles to \"along\"");
+            document_.fail("/sheet/across",
+                           QT_TRANSLATE_NOOP("errors", "across is parallel to the marked line"),
+                           QT_TRANSLATE_NOOP("errors", "give a direction at right angles to \"along\""));
         }
         sheet.across.normalize();
         if (sheet.line_length > sheet.length) {
-            document_.fail("/sheet/line_length", "the marked line is longer than the sheet",
-                           "give at most length");
+            document_.fail("/sheet/line_length",
+                           QT_TRANSLATE_NOOP("errors", "the marked line is longer than the sheet"),
+                           QT_TRANSLATE_NOOP("errors", "give at most length"));
         }
         if (sheet.spacing > 0.25 * std::min(sheet.length, sheet.width) ||
             sheet.length / sheet.spacing * (sheet.width / sheet.spacing) > 20000) {
-            document_.fail(
-                "/sheet/spacing",
-                "the sheet would have fewer than five vertices along an edge, or more than 20000 in total",
-                "give a spacing that suits length and width");
+            document_.fail("/sheet/spacing",
+                           QT_TRANSLATE_NOOP("errors",
+                                             "the sheet would have fewer than five vertices along an edge, "
+                                             "or more than 20000 in total"),
+                           QT_TRANSLATE_NOOP("errors", "give a spacing that suits length and width"));
         }
         return sheet;
     }
@@ -333,26 +360,34 @@ class SceneReader {
         const bool rectum = scene_.bowel && scene_.bowel->layout == BowelLayout::rectum;
         if (root.contains("presacral")) {
             if (!scene_.bowel)
-                document_.fail("/presacral", "a presacral wall needs a rectum",
-                               "add a bowel of layout \"rectum\"");
+                document_.fail("/presacral", QT_TRANSLATE_NOOP("errors", "a presacral wall needs a rectum"),
+                               QT_TRANSLATE_NOOP("errors", "add a bowel of layout \"rectum\""));
             scene_.presacral = read_presacral_spec(document_, root.at("presacral"), scene_.bowel->length);
             check_tissue("/presacral", scene_.presacral->tissue);
         }
         if (rectum != scene_.presacral.has_value()) {
-            document_.fail(rectum ? "/bowel/layout" : "/presacral",
-                           "a rectum and a presacral wall need each other",
-                           "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither");
+            document_.fail(
+                rectum ? "/bowel/layout" : "/presacral",
+                QT_TRANSLATE_NOOP("errors", "a rectum and a presacral wall need each other"),
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither"));
         }
         if (rectum && (scene_.cavity || scene_.tethers || !scene_.membranes.empty() || scene_.targets)) {
             document_.fail(
                 "/presacral",
-                "a scene with a presacral wall cannot have a cavity, tethers, membranes or targets",
-                "remove cavity, tethers, membranes and targets");
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "a scene with a presacral wall cannot have a cavity, tethers, membranes or targets"),
+                QT_TRANSLATE_NOOP("errors", "remove cavity, tethers, membranes and targets"));
         }
         if (!root.contains("septa")) return;
         if (!rectum || scene_.sheet) {
-            document_.fail("/septa", "septa need a rectum and a presacral wall, and exclude a sheet",
-                           "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\"");
+            document_.fail(
+                "/septa",
+                QT_TRANSLATE_NOOP("errors", "septa need a rectum and a presacral wall, and exclude a sheet"),
+                QT_TRANSLATE_NOOP(
+                    "errors", "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\""));
         }
         scene_.septa = read_septa_spec(document_, root.at("septa"), *scene_.presacral, scene_.bowel->length,
                                        scene_.bowel->outer_radius);
@@ -367,8 +402,10 @@ class SceneReader {
             check_tissue("/bands", label);
         }
         if (scene_.bowel || scene_.cavity || scene_.targets || scene_.sheet) {
-            document_.fail("/bands", "bands cannot be combined with a bowel, cavity, sheet or targets",
-                           "remove those parts or \"bands\"");
+            document_.fail("/bands",
+                           QT_TRANSLATE_NOOP(
+                               "errors", "bands cannot be combined with a bowel, cavity, sheet or targets"),
+                           QT_TRANSLATE_NOOP("errors", "remove those parts or \"bands\""));
         }
     }
 
@@ -379,12 +416,13 @@ class SceneReader {
             check_tissue("/structures", label);
         }
         if (!scene_.presacral) {
-            document_.fail("/structures", "structures need a presacral wall",
-                           "add \"presacral\" or remove \"structures\"");
+            document_.fail("/structures", QT_TRANSLATE_NOOP("errors", "structures need a presacral wall"),
+                           QT_TRANSLATE_NOOP("errors", "add \"presacral\" or remove \"structures\""));
         }
         if (scene_.bands) {
-            document_.fail("/structures", "bands and structures cannot be combined",
-                           "remove \"bands\" or \"structures\"");
+            document_.fail("/structures",
+                           QT_TRANSLATE_NOOP("errors", "bands and structures cannot be combined"),
+                           QT_TRANSLATE_NOOP("errors", "remove \"bands\" or \"structures\""));
         }
     }
 
@@ -394,8 +432,11 @@ class SceneReader {
             check_tissue("/objects", label);
         if (scene_.bowel || scene_.cavity || scene_.targets || scene_.sheet || scene_.bands ||
             scene_.presacral) {
-            document_.fail("/objects", "objects on a tray cannot be combined with tissue, cavity or targets",
-                           "remove those parts or \"objects\"");
+            document_.fail(
+                "/objects",
+                QT_TRANSLATE_NOOP("errors",
+                                  "objects on a tray cannot be combined with tissue, cavity or targets"),
+                QT_TRANSLATE_NOOP("errors", "remove those parts or \"objects\""));
         }
     }
 
@@ -419,8 +460,10 @@ class SceneReader {
         if (scene_.tissue_index(label) >= 0) return;
         std::string known;
         for (const TissueSpec& tissue : scene_.tissues) known += (known.empty() ? "" : ", ") + tissue.label;
-        document_.fail(place + "/tissue", "the tissue \"" + label + "\" is not in the list of tissues",
-                       "use one of: " + known + ", or add it to \"tissues\"");
+        document_.fail(
+            place + "/tissue",
+            {QT_TRANSLATE_NOOP("errors", "the tissue \"%1\" is not in the list of tissues"), label},
+            {QT_TRANSLATE_NOOP("errors", "use one of: %1, or add it to \"tissues\""), known});
     }
 
     const JsonDocument& document_;

@@ -26,8 +26,9 @@ PresacralSpec read_presacral_spec(const JsonDocument& document, const json& node
     copy(node, "tissue", presacral.tissue);
     if (!(presacral.promontory_angle > presacral.caudal_angle) ||
         presacral.promontory_angle > presacral.caudal_angle + length / presacral.curve_radius) {
-        document.fail("/presacral/promontory_angle_deg", "the promontory is beyond an end of the rectum",
-                      "give an angle between the rectum's ends");
+        document.fail("/presacral/promontory_angle_deg",
+                      QT_TRANSLATE_NOOP("errors", "the promontory is beyond an end of the rectum"),
+                      QT_TRANSLATE_NOOP("errors", "give an angle between the rectum's ends"));
     }
     return presacral;
 }
@@ -60,31 +61,37 @@ SeptaSpec read_septa_spec(const JsonDocument& document, const json& node, const 
     copy(node, "fibres", septa.fibres);
     septa.fat_height = presacral.gap;
     if (!(septa.plane_height < septa.areolar_height)) {
-        document.fail("/septa/plane_height", "the intended plane is outside the areolar zone",
-                      "give less than areolar_height");
+        document.fail("/septa/plane_height",
+                      QT_TRANSLATE_NOOP("errors", "the intended plane is outside the areolar zone"),
+                      QT_TRANSLATE_NOOP("errors", "give less than areolar_height"));
     }
     if (!(septa.areolar_height < 0.8 * septa.fat_height)) {
-        document.fail("/septa/areolar_height", "the areolar zone leaves no room for the mesorectal fat",
-                      "give less than 0.8 of presacral.gap");
+        document.fail("/septa/areolar_height",
+                      QT_TRANSLATE_NOOP("errors", "the areolar zone leaves no room for the mesorectal fat"),
+                      QT_TRANSLATE_NOOP("errors", "give less than 0.8 of presacral.gap"));
     }
     // Beyond a right angle to either side a septum would be lateral to the rectum, not behind it.
     constexpr double widest = 3.0;  // rad
     const double plane_radius = radius + presacral.gap - septa.plane_height;
     if (septa.width > widest * plane_radius) {
-        document.fail("/septa/width", "the septa would extend around the rectum",
-                      "give less, or a wider presacral.gap or rectum");
+        document.fail("/septa/width", QT_TRANSLATE_NOOP("errors", "the septa would extend around the rectum"),
+                      QT_TRANSLATE_NOOP("errors", "give less, or a wider presacral.gap or rectum"));
     }
     if (septa.node_spacing > 0.25 * septa.width || septa.width / septa.node_spacing > 200) {
-        document.fail("/septa/node_spacing",
-                      "a septum would have fewer than five vertices along it, or more than 200",
-                      "give a spacing that suits the width");
+        document.fail(
+            "/septa/node_spacing",
+            QT_TRANSLATE_NOOP("errors",
+                              "a septum would have fewer than five vertices along it, or more than 200"),
+            QT_TRANSLATE_NOOP("errors", "give a spacing that suits the width"));
     }
     const double step = septa.spacing / (presacral.curve_radius + plane_radius);
     const double last = septa.first_angle - (septa.count - 1) * step;
     if (septa.first_angle > presacral.promontory_angle ||
         last < presacral.caudal_angle + 0.03 * length / presacral.curve_radius) {
-        document.fail("/septa/first_angle_deg", "a septum is above the promontory or below the rectum",
-                      "give fewer or closer septa, another first angle or a longer rectum");
+        document.fail("/septa/first_angle_deg",
+                      QT_TRANSLATE_NOOP("errors", "a septum is above the promontory or below the rectum"),
+                      QT_TRANSLATE_NOOP(
+                          "errors", "give fewer or closer septa, another first angle or a longer rectum"));
     }
     return septa;
 }

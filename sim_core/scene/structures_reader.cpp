@@ -22,16 +22,19 @@ StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann
     copy(node, "nerve_height", structures.nerve_height);
     copy(node, "cell", structures.cell);
     if (structures.rung_radius > structures.vessel_radius) {
-        document.fail("/structures/rung_radius", "a rung is wider than the veins it joins",
-                      "give at most \"vessel_radius\"");
+        document.fail("/structures/rung_radius",
+                      QT_TRANSLATE_NOOP("errors", "a rung is wider than the veins it joins"),
+                      QT_TRANSLATE_NOOP("errors", "give at most \"vessel_radius\""));
     }
     if (structures.nerve_height < structures.nerve_radius) {
-        document.fail("/structures/nerve_height", "the nerves would be inside the fascia",
-                      "give at least \"nerve_radius\"");
+        document.fail("/structures/nerve_height",
+                      QT_TRANSLATE_NOOP("errors", "the nerves would be inside the fascia"),
+                      QT_TRANSLATE_NOOP("errors", "give at least \"nerve_radius\""));
     }
     if (structures.wander > 0.5 * structures.vein_lateral) {
-        document.fail("/structures/wander", "veins that wander this far would intersect",
-                      "give at most half of \"vein_lateral\"");
+        document.fail("/structures/wander",
+                      QT_TRANSLATE_NOOP("errors", "veins that wander this far would intersect"),
+                      QT_TRANSLATE_NOOP("errors", "give at most half of \"vein_lateral\""));
     }
     return structures;
 }

@@ -6,6 +6,6 @@ namespace fulcrum {
 
 /// Raised with every change after which an attempt of the same inputs has another state hash
 /// (tests/assessment/attempt/golden_hashes_test.cpp).
-inline constexpr int physics_version = 3;
+inline constexpr int physics_version = 4;
 
 }  // namespace fulcrum

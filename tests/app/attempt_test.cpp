@@ -78,7 +78,7 @@ TEST_F(Window, FaultyDeviceRampsForceToZeroPausesAndResumesAsPracticeFromTheSame
         ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::device_lost; }));
         ASSERT_TRUE(wait_for([&] { return rig.sent(Hand::left) == 0; }));
         ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
-        const std::string message = theatre().session()->message();
+        const std::string message = theatre().session()->message().words();
         EXPECT_NE(message.find("The left hand's device"), std::string::npos) << message;
         EXPECT_NE(message.find(fault == SpoiltRig::Fault::silence ? "does not answer" : "impossible reading"),
                   std::string::npos)

@@ -88,7 +88,7 @@ class ForwardingServices : public ui::ApplicationServices {
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
         return own_->hands(scene, std::move(others));
     }
-    std::string device_trouble() override { return own_->device_trouble(); }
+    Sentence device_trouble() override { return own_->device_trouble(); }
     std::string program_version() const override { return own_->program_version(); }
 
     /// Gets the real device, returns the device that the attempt reads instead.

@@ -303,5 +303,34 @@ TEST_F(Program, RefusesToWriteForARealPersonWithoutOne) {
     EXPECT_EQ(run({"report", "--person", "x", "-o", path("x.pdf")}).status, 2);
 }
 
+TEST_F(Program, SaysErrorsInTheLanguageOfTheStation) {
+    QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
+    german.insert(QStringLiteral("FULCRUM_LANGUAGE"), QStringLiteral("de"));
+    write("scene.json", "{\"id\": ");
+    const struct {
+        QStringList words;
+        const char* said;
+        int status;
+    } cases[] = {
+        {{"preform", "A2"},
+         "fulcrum: preform: unbekannter Befehl; meinten Sie perform? siehe fulcrum --help",
+         2},
+        {{"perform", "A9"}, "Befehlszeile:task: es gibt keine Aufgabe „A9“; nennen Sie eine von A1", 2},
+        {{"db", "check", "--db", path("none.db")},
+         "none.db: Dort ist kein Datenbestand; legen Sie einen mit",
+         2},
+        {{"check", path("scene.json")}, "scene.json:1: der Text ist kein gültiges JSON", 2},
+    };
+    for (const auto& one : cases) {
+        const Outcome outcome = run(one.words, german);
+        EXPECT_EQ(outcome.status, one.status) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(one.said), std::string::npos)
+            << outcome.errors << "without: " << one.said;
+    }
+    german.insert(QStringLiteral("FULCRUM_LANGUAGE"), QStringLiteral("deutsch"));
+    EXPECT_NE(run({"preform"}, german).errors.find("\"deutsch\" is not the name of a language"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace fulcrum::app

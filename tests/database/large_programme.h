@@ -3,6 +3,7 @@
 // transaction: a password for each person would take longer than all the rest.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,13 @@ struct LargeProgramme {
     std::string cohort;
 };
 
-/// `metrics` rows a score; attempts are spread over the tasks and four weeks.
+/// `metrics` rows a score; attempts are spread over the tasks and four weeks. `change` may write another
+/// score.
 inline LargeProgramme make_large_programme(const Store& store, int trainees, int attempts_each, int metrics,
                                            std::uint64_t seed,
-                                           const std::vector<std::string>& tasks = {"A2", "B1"}) {
+                                           const std::vector<std::string>& tasks = {"A2", "B1"},
+                                           const std::function<void(ScoreRow&, Random&)>& change = {},
+                                           int task_version = 1) {
     const char* const password = "correct horse battery";
     const People people(store);
     const Session administrator =
@@ -60,7 +64,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
                   "device_class, device, "
                   "operator_name, variant, seed, fidelity, scene, scene_digest, curriculum, limits, "
                   "program_version, "
-                  "cpu_features, started, utc_offset_min, state, duration_s) VALUES (?, ?, ?, ?, 1, "
+                  "cpu_features, started, utc_offset_min, state, duration_s) VALUES (?, ?, ?, ?, ?, "
                   "'assessed', 'haptic', "
                   "'stylus', '', 'standard', 1, 'standard', 'scene', '', '', ?, '0.1.0', '', ?, 60, "
                   "'completed', ?)")
@@ -68,6 +72,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
                 .bind(id)
                 .bind(store.station_id())
                 .bind(task)
+                .bind(task_version)
                 .bind(task + "-operators@1")
                 .bind(store.now() - (attempts_each - a) * std::int64_t{86'400'000})
                 .bind(120 - points)
@@ -101,6 +106,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
                                          Direction::lower,
                                          {{1.0, 2.0}}});
             }
+            if (change) change(score, random);
             write_score(store, station, attempt, score);
         }
     }

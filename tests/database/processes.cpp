@@ -12,10 +12,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <system_error>
 
 #include "database/store/store_state.h"
+#include "database/sync/sync.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -175,12 +177,28 @@ int open_older(const std::string& folder, int) {
     return 0;
 }
 
+/// Exchanges with the server whose address is in the file `server`; killed before its statement `number` to
+/// it.
+int sync(const std::string& folder, int number) {
+    std::string address;
+    std::getline(std::ifstream(folder + "/server"), address);
+    const ManualClock clock;
+    const Store store = Store::open(folder + "/fulcrum.db", clock.options());
+    const Session session = People(store).sign_in("administrator", password);
+    SyncOptions options;
+    options.stop = [&number] {
+        if (--number == 0) ::raise(SIGKILL);
+        return false;
+    };
+    return sync_with_server(store, session, ServerAddress::parse(address), options).complete ? 0 : 1;
+}
+
 }  // namespace
 
 int run_child(const std::string& name, const std::string& folder, int number) {
     const std::map<std::string, int (*)(const std::string&, int)> children = {
         {"window", window}, {"command", command}, {"foreign", foreign_program}, {"rounds", rounds},
-        {"create", create}, {"backup", backup},   {"migrate", open_older}};
+        {"create", create}, {"backup", backup},   {"migrate", open_older},      {"sync", sync}};
     try {
         return children.at(name)(folder, number);
     } catch (const std::exception& error) {

@@ -207,13 +207,38 @@ TEST(Rooms, OnlyTheLaboratorysProgramIncludesTheLaboratory) {
 TEST(Rooms, NothingBelowTheWindowLinksOrIncludesWidgets) {
     const Rooms rooms = declared_rooms();
     // Qt headers that come with Qt Core and Qt SQL; everything else needs a window system.
-    const std::set<std::string> plain = {
-        "QByteArray",  "QCoreApplication", "QDate",      "QDateTime",      "QDir",
-        "QFile",       "QFileInfo",        "QJsonArray", "QJsonDocument",  "QJsonObject",
-        "QLocale",     "QProcess",         "QSaveFile",  "QSqlDatabase",   "QSqlDriver",
-        "QSqlError",   "QSqlQuery",        "QSqlRecord", "QStandardPaths", "QString",
-        "QStringList", "QSysInfo",         "QUuid",      "QVariant",       "QtCore",
-        "QtSql"};
+    const std::set<std::string> plain = {"QByteArray",
+                                         "QCoreApplication",
+                                         "QDataStream",
+                                         "QDate",
+                                         "QDateTime",
+                                         "QDir",
+                                         "QFile",
+                                         "QFileInfo",
+                                         "QIODevice",
+                                         "QJsonArray",
+                                         "QJsonDocument",
+                                         "QJsonObject",
+                                         "QLocale",
+                                         "QProcess",
+                                         "QRegularExpression",
+                                         "QSaveFile",
+                                         "QSqlDatabase",
+                                         "QSqlDriver",
+                                         "QSqlError",
+                                         "QSqlField",
+                                         "QSqlQuery",
+                                         "QSqlRecord",
+                                         "QStandardPaths",
+                                         "QString",
+                                         "QStringList",
+                                         "QSysInfo",
+                                         "QUrl",
+                                         "QUrlQuery",
+                                         "QUuid",
+                                         "QVariant",
+                                         "QtCore",
+                                         "QtSql"};
     for (const auto& [name, room] : rooms) {
         const bool headless = name.rfind("sim_core", 0) == 0 || name.rfind("assessment", 0) == 0 ||
                               name.rfind("database", 0) == 0 || name == "app/live" || name == "app/cli";

@@ -96,7 +96,7 @@ class FakeAttempt : public AttemptSession {
     }
     void abandon() override { end(AttemptState::abandoned, EventKind::abandoned); }
     void interrupt() override { end(AttemptState::interrupted, EventKind::interrupted); }
-    std::string message() const override {
+    Sentence message() const override {
         return phase_ == AttemptPhase::device_lost ? "The device does not answer; reconnect it to resume."
                                                    : "";
     }

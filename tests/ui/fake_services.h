@@ -69,7 +69,7 @@ class FakeServices : public ApplicationServices {
         return [listed = devices] { return listed; };
     }
     DeviceInUse device_in_use() const override { return in_use; }
-    std::string device_trouble() override { return trouble; }
+    Sentence device_trouble() override { return trouble; }
     std::optional<DeviceReadings> device_readings() override { return readings; }
     double force_scale(const std::string& kind) const override {
         const auto found = scales.find(kind);
@@ -81,7 +81,7 @@ class FakeServices : public ApplicationServices {
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;
-    std::string trouble;  ///< of the device in use
+    Sentence trouble;  ///< of the device in use
     std::optional<DeviceReadings> readings;
     std::map<std::string, double> scales;
     AttemptControl control;

@@ -50,7 +50,7 @@ QString particulars(const std::string& payload) {
 }
 
 struct ChainState {
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
     std::int64_t rows = 0;
     std::string head;
 };
@@ -202,7 +202,7 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
         oldest_ = entry.sequence;
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_, {0});
+    fit_columns(table_, {0, 1, 3});
 }
 
 void AuditPage::verify() {
@@ -227,7 +227,7 @@ void AuditPage::verify() {
             line =
                 line.arg(state->rows).arg(in_lines(text(state->head), fontMetrics(), width() - beside_page));
             for (std::size_t i = 0; i < std::min<std::size_t>(5, state->problems.size()); ++i)
-                line += QLatin1Char('\n') + text(state->problems[i]);
+                line += QLatin1Char('\n') + sentence_text(state->problems[i]);
             if (state->problems.size() > 5) line += tr("\nand %1 more").arg(state->problems.size() - 5);
             chain_->setText(line);
             set_tint(chain_, holds ? Tint::good : Tint::bad);

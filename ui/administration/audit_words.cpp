@@ -44,6 +44,8 @@ constexpr WordsOf operations[] = {
     {"store.backup", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store backed up")},
     {"store.restore", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store restored from a backup")},
     {"store.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store created")},
+    {"sync.finish", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Synchronised with the programme server")},
+    {"sync.receive", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Received from the programme server")},
     {"tissue.set", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values set")},
 };
 
@@ -63,6 +65,7 @@ constexpr WordsOf groups[] = {
     {"setting", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Settings: all")},
     {"standing", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Standings: all")},
     {"store", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store: all")},
+    {"sync", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Programme server: all")},
     {"tissue", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values: all")},
 };
 

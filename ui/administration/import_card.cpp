@@ -142,7 +142,7 @@ void ImportCard::look() {
     context_.guarded([&] {
         const database::Roster roster = database::read_roster(path.toStdString());
         plan_ = database::RosterImport(context_.store(), context_.session()).plan_people(roster);
-        for (const std::string& line : roster.left_out) left_out_ << text(line);
+        for (const Sentence& line : roster.left_out) left_out_ << sentence_text(line);
         const QDir folder = QFileInfo(path).isDir() ? QDir(path) : QFileInfo(path).dir();
         passwords_->setText(QDir::toNativeSeparators(folder.filePath(QStringLiteral("passwords.csv"))));
         show_plan();

@@ -178,8 +178,8 @@ void StationPage::show_report(const database::CheckReport& report) {
         const int row = items_->rowCount();
         items_->insertRow(row);
         QStringList problems;
-        for (const std::string& problem : item.problems) problems << text(problem);
-        items_->setItem(row, 0, make_cell(text(item.name)));
+        for (const Sentence& problem : item.problems) problems << sentence_text(problem);
+        items_->setItem(row, 0, make_cell(sentence_text(item.name.c_str())));
         items_->setItem(row, 1, make_cell(item.ok ? tr("✓ intact") : tr("✕ damaged")));
         items_->setItem(row, 2, make_cell(QString::number(item.count), Qt::AlignRight | Qt::AlignVCenter));
         items_->setItem(row, 3, make_cell(problems.join(QStringLiteral("; "))));

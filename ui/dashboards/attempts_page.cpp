@@ -143,7 +143,7 @@ void AttemptsPage::recompute() {
             for (const RecomputedScore& score : *scores) {
                 made += score.problem.empty() ? 1 : 0;
                 other += score.problem.empty() && score.passed != score.passed_in_force ? 1 : 0;
-                if (!score.problem.empty()) problem = text(score.problem);
+                if (!score.problem.empty()) problem = sentence_text(score.problem);
             }
             const QString line =
                 tr("Recomputed: %1. The result differs from the score in force in %2 of them.")
@@ -192,6 +192,13 @@ void AttemptsPage::fill_filters() {
     refill(cohort_, tr("All cohorts"), cohorts);
     refill(person_, tr("Everyone"), people);
     refill(task_, tr("All tasks"), tasks);
+}
+
+// In a narrow window the figures that decide stay: the debrief has the others.
+void AttemptsPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    const bool narrow = width() < 130 * fontMetrics().averageCharWidth();
+    for (const int column : {4, 6}) table_->setColumnHidden(column, narrow);
 }
 
 void AttemptsPage::fill_requests() {

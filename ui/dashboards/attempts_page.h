@@ -28,6 +28,9 @@ class AttemptsPage : public Page {
     void enter() override;
     void leave() override;
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QFrame* build_stale();
     void count_stale();

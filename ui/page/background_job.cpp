@@ -8,6 +8,7 @@
 
 #include "ui/page/error_text.h"
 #include "ui/page/mail_room.h"
+#include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
@@ -40,7 +41,7 @@ BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Prog
     const Progress progress = [guard, stop, ui_thread](double share, const std::string& line) {
         // The guard is looked at on the UI thread only, where the job lives and dies.
         ui_thread->post([guard, share, line] {
-            if (guard) emit guard->progressed(share, QString::fromStdString(line));
+            if (guard) emit guard->progressed(share, sentence_text(line.c_str()));
         });
         return !stop->load();
     };

@@ -67,6 +67,8 @@ constexpr WordsOf reasons[] = {
     {"the one-time password must be changed first", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Change the one-time password first.")},
     {"the role is not held", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You do not hold this role.")},
     {"someone else's login", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "It belongs to another account.")},
+    {"someone else's form", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The form belongs to another person.")},
+    {"by the program, in a demo store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Only the program does this, in the demonstration.")},
     {"someone else's comment", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The comment belongs to another person.")},
 };
 // clang-format on
@@ -75,7 +77,7 @@ constexpr WordsOf reasons[] = {
 
 QString error_text(const std::exception& error) {
     const auto* denied = dynamic_cast<const database::AccessDenied*>(&error);
-    if (denied == nullptr) return QString::fromUtf8(error.what());
+    if (denied == nullptr) return sentence_text(sentence_of(error));
     const QString operation = words_in(operations, denied->operation(), "fulcrum::ui::errors");
     QString line = operation.isEmpty()
                        ? QCoreApplication::translate("fulcrum::ui::errors", "You may not do this as %1.")

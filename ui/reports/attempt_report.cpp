@@ -45,7 +45,7 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.new_page();
     if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(beside({text(paper.provenance.programme), ReportTexts::tr("attempt report")}));
+    sheet.paragraph(beside({text(paper.provenance.programme), ReportTexts::tr("report on one attempt")}));
     sheet.font(17, true);
     sheet.paragraph(text(attempt.meta.task_id) + QStringLiteral("  ") + asset_text(paper.task.title));
     sheet.font(9, false, paper_palette().muted);

@@ -28,8 +28,9 @@ Sheet::Sheet(const std::string& path, bool landscape, const QString& title) try
     writer_.setTitle(title);
     writer_.setCreator(QStringLiteral("Fulcrum"));
     if (!painter_.begin(&writer_)) {
-        throw database::StoreError(database::StoreErrorKind::failed, path + ": the PDF cannot be written",
-                                   "choose another folder or free some space");
+        throw database::StoreError(database::StoreErrorKind::failed,
+                                   {QT_TRANSLATE_NOOP("errors", "%1: the PDF cannot be written"), path},
+                                   QT_TRANSLATE_NOOP("errors", "choose another folder or free some space"));
     }
 } catch (const std::system_error& error) {
     fail_output(path, error);

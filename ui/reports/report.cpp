@@ -45,8 +45,9 @@ std::vector<std::string> ids_of(const std::vector<TaskDefinition>& tasks) {
 void require_not_the_store(const std::string& path, const database::Store& store) {
     std::error_code ignored;
     if (!std::filesystem::equivalent(path, store.path(), ignored)) return;
-    throw database::StoreError(database::StoreErrorKind::bad_value, path + ": this file is the store itself",
-                               "choose another name for the report");
+    throw database::StoreError(database::StoreErrorKind::bad_value,
+                               {QT_TRANSLATE_NOOP("errors", "%1: this file is the store itself"), path},
+                               QT_TRANSLATE_NOOP("errors", "choose another name for the report"));
 }
 
 void save(const std::string& path, const std::string& content) {
@@ -60,9 +61,10 @@ void save(const std::string& path, const std::string& content) {
 }  // namespace
 
 void fail_output(const std::string& path, const std::system_error& error) {
-    throw database::StoreError(database::StoreErrorKind::failed,
-                               path + ": the report cannot be written (" + error.code().message() + ")",
-                               "choose another folder or free some space");
+    throw database::StoreError(
+        database::StoreErrorKind::failed,
+        {QT_TRANSLATE_NOOP("errors", "%1: the report cannot be written (%2)"), path, error.code().message()},
+        QT_TRANSLATE_NOOP("errors", "choose another folder or free some space"));
 }
 
 ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
@@ -90,8 +92,9 @@ const TaskStanding* standing_in(const database::CohortTable& table, const std::s
 
 ReportFormat parse_report_format(const std::string& name) {
     if (const ReportFormatRow* row = find_row(report_formats, name)) return row->kind;
-    throw InputError("command line", "--format", "unknown report format \"" + name + "\"",
-                     "use one of " + names_of(report_formats));
+    throw InputError(QT_TRANSLATE_NOOP("errors", "command line"), "--format",
+                     {QT_TRANSLATE_NOOP("errors", "unknown report format \"%1\""), name},
+                     {QT_TRANSLATE_NOOP("errors", "use one of %1"), names_of(report_formats)});
 }
 
 PersonReport gather_person(const database::Store& store, const database::Session& session,
@@ -178,10 +181,11 @@ void write_attempt(const AttemptPaper& paper, const ReportRequest& request) {
             return save(request.path, attempt_json(paper));
         case ReportFormat::xlsx:
         case ReportFormat::xapi:
-            throw InputError("command line", "--format",
-                             std::string("one attempt has no report in the format ") +
-                                 row_of(report_formats, request.format).name,
-                             "use pdf, csv or json, or name a person or a cohort");
+            throw InputError(
+                QT_TRANSLATE_NOOP("errors", "command line"), "--format",
+                {QT_TRANSLATE_NOOP("errors", "one attempt has no report in the format %1"),
+                 row_of(report_formats, request.format).name},
+                QT_TRANSLATE_NOOP("errors", "use pdf, csv or json, or name a person or a cohort"));
     }
 }
 

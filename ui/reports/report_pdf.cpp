@@ -142,8 +142,8 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
     const auto head = [&] {
         page_head(
             sheet, report.provenance, ReportTexts::tr("progress report"), report.name,
-            beside({report.login.empty() ? QString() : ReportTexts::tr("login %1").arg(text(report.login)),
-                    ReportTexts::tr("as of %1").arg(local_time(report.provenance.as_of))}),
+            beside({report.login.empty() ? QString() : ReportTexts::tr("account %1").arg(text(report.login)),
+                    ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of))}),
             report.synthetic || report.provenance.demo, any_provisional(report.rows));
     };
     const double columns[] = {0, 0.29, 0.49, 0.67, 0.77, 0.85, 0.92, 1.0};
@@ -241,7 +241,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const QString n = ReportTexts::tr("people: n = %1").arg(report.table.people);
     const int left_out = report.table.left_out_synthetic;
     const QString line =
-        beside({ReportTexts::tr("as of %1").arg(local_time(report.provenance.as_of)), n,
+        beside({ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)), n,
                 left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
     const auto head = [&] {
         page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name, line,

@@ -144,9 +144,12 @@ void require_home_page(const std::string& home_page) {
     const bool web = url.scheme() == QStringLiteral("http") || url.scheme() == QStringLiteral("https");
     if (url.isValid() && web && !url.host().isEmpty()) return;
     throw InputError(
-        "command line", "--home-page",
-        home_page.empty() ? "is missing" : "\"" + home_page + "\" is not a web address",
-        "name the address that the ids of your people belong to, such as https://training.example");
+        QT_TRANSLATE_NOOP("errors", "command line"), "--home-page",
+        home_page.empty() ? Sentence(QT_TRANSLATE_NOOP("errors", "is missing"))
+                          : Sentence(QT_TRANSLATE_NOOP("errors", "\"%1\" is not a web address"), home_page),
+        QT_TRANSLATE_NOOP(
+            "errors",
+            "name the address that the ids of your people belong to, such as https://training.example"));
 }
 
 std::string xapi_statements(const std::vector<PersonReport>& people, const std::string& home_page) {

@@ -81,8 +81,10 @@ void write_origin(lxw_workbook* book, lxw_format* bold, const ReportProvenance& 
 }
 
 [[noreturn]] void fail(const std::string& why) {
-    throw database::StoreError(database::StoreErrorKind::failed, "the workbook cannot be made (" + why + ")",
-                               "free some space in the folder of temporary files, or choose CSV");
+    throw database::StoreError(
+        database::StoreErrorKind::failed,
+        {QT_TRANSLATE_NOOP("errors", "the workbook cannot be made (%1)"), why},
+        QT_TRANSLATE_NOOP("errors", "free some space in the folder of temporary files, or choose CSV"));
 }
 
 }  // namespace

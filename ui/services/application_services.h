@@ -39,6 +39,7 @@ struct InterruptedScore {
     double duration_s = 0;       ///< of the recorded part
     std::optional<bool> passed;  ///< false: failed for good; empty: it does not count
     Statement why;               ///< what failed, or why it was not scored
+    Sentence problem;            ///< instead of `why`: why it cannot be scored now
 };
 
 /// The programme's store on the UI thread, and the demonstration.

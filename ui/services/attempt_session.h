@@ -94,7 +94,7 @@ class AttemptSession {
     virtual void abandon() = 0;
     virtual void interrupt() = 0;
     /// For device_lost and failed: one line of what happened and what to do; else empty.
-    virtual std::string message() const = 0;
+    virtual Sentence message() const = 0;
     /// Set once phase() is finished.
     virtual const std::optional<AttemptOutcome>& outcome() const = 0;
 };

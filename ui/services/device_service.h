@@ -71,7 +71,7 @@ class DeviceService {
     /// keyboard) for what it does not have. Throws InputError where it does not open.
     virtual std::shared_ptr<Rig> hands(const Scene& /*scene*/, std::shared_ptr<Rig> others) { return others; }
     /// What is wrong with the device in use and what to do; empty while nothing is.
-    virtual std::string device_trouble() { return {}; }
+    virtual Sentence device_trouble() { return {}; }
     /// The devices of this machine. The function that is returned does the work and may run on any thread.
     virtual std::function<std::vector<ListedDevice>()> list_devices() {
         return [] { return std::vector<ListedDevice>(); };

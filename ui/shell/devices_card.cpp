@@ -140,7 +140,7 @@ void DevicesCard::show_use() {
 
 void DevicesCard::show_readings() {
     DeviceService& devices = context_.services();
-    const QString trouble = QCoreApplication::translate("errors", devices.device_trouble().c_str());
+    const QString trouble = sentence_text(devices.device_trouble());
     trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
     QStringList lines;

@@ -280,7 +280,7 @@ void MainWindow::start() {
             show_page(first);
         }
     } catch (const database::StoreError& error) {
-        first->show_trouble(text(error.problem()), text(error.hint()));
+        first->show_trouble(sentence_text(error.problem_sentence()), sentence_text(error.hint_sentence()));
         show_page(first);
     }
 }

@@ -12,6 +12,7 @@
 #include "ui/dashboards/attempts_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
+#include "ui/dashboards/limits_page.h"
 #include "ui/dashboards/to_rate_page.h"
 #include "ui/shell/settings_page.h"
 #include "ui/trainee/home_page.h"
@@ -44,6 +45,7 @@ const std::vector<PageEntry>& page_table() {
         entry<ToRatePage>  ("rail_rate",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Rate"),           {educator, director}),
         entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Progress"),       {educator, director}),
         entry<CurriculumPage>("rail_curriculum", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Curriculum"), {educator, director}),
+        entry<LimitsPage>  ("rail_limits",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Limits"),         {educator, director}),
         entry<MetricsPage> ("rail_metrics",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Metrics"),        {trainee, educator, director}),
         entry<PeoplePage>  ("rail_people",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "People"),         {administrator}),
         entry<StationPage> ("rail_station",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Station"),        {administrator}),

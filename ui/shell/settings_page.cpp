@@ -96,17 +96,7 @@ QFrame* SettingsPage::build_language() {
         auto* choice = make_choice(language_, static_cast<int>(one.kind), QString::fromUtf8(one.title),
                                    QStringLiteral("language_") + QLatin1String(one.name));
         choice->setEnabled(!language_is_fixed());
-        if (one.kind != Language::german) {
-            card_layout(card)->addWidget(choice);
-            continue;
-        }
-        auto* row = new QHBoxLayout;
-        row->setSpacing(18);
-        const QString limit = tr("Messages about errors are still in English.");
-        choice->setAccessibleDescription(limit);
-        row->addWidget(choice);
-        row->addWidget(make_label(limit, "muted"), 1);
-        card_layout(card)->addLayout(row);
+        card_layout(card)->addWidget(choice);
     }
     if (language_is_fixed())
         card_layout(card)->addWidget(

@@ -30,6 +30,10 @@ QString statement_text(const Statement& statement) {
     return text(words_of(statement, in_readers_language));
 }
 
+QString sentence_text(const Sentence& sentence) {
+    return text(sentence.words(in_readers_language));
+}
+
 QString metric_text(const std::string& id) {
     const MetricDescriptor* metric = find_metric(id);
     return metric == nullptr ? text(id) : metric_words(metric->name);

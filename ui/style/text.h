@@ -13,6 +13,7 @@
 #include "assessment/metrics/statement.h"
 #include "assessment/task/attempt_words.h"
 #include "sim_core/instrument/device.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::ui {
 
@@ -45,6 +46,8 @@ QString words_in(const WordsOf (&table)[N], const std::string& name, const char*
 
 /// A stored sentence (advice, a reason) in the reader's language; a text of an old store as it is.
 QString statement_text(const Statement& statement);
+/// What an error says, in the reader's language.
+QString sentence_text(const Sentence& sentence);
 /// A metric's name in the reader's language; the id where the program does not know the metric.
 QString metric_text(const std::string& id);
 /// A text of a metric's descriptor (name, explanation, advice) in the reader's language.

@@ -369,7 +369,7 @@ void TheatrePage::follow_phase() {
             finish();
             break;
         case AttemptPhase::failed: {
-            const QString why = text(session_->message());
+            const QString why = sentence_text(session_->message());
             end_session();
             show_panel(Panel::failed, tr("The attempt could not continue"), why);
             break;
@@ -385,10 +385,9 @@ void TheatrePage::align() {
     aligning_ = realignment.back;
     if (!realignment.back) {
         if (was_aligning) view_->set_realignment({});
-        const QString trouble =
-            QCoreApplication::translate("errors", context().services().device_trouble().c_str());
+        const QString trouble = sentence_text(context().services().device_trouble());
         const QString line = trouble.isEmpty()
-                                 ? text(session_->message())
+                                 ? sentence_text(session_->message())
                                  : trouble + QLatin1Char(' ') +
                                        tr("The force is 0 and the timer is stopped; the recording is kept.");
         if (shown_ != Panel::device_lost || line != panel_text_->text())

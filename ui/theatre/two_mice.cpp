@@ -162,12 +162,15 @@ std::unique_ptr<TwoMice> TwoMice::open(bool virtual_too) {
     int opcode = 0;
     Connection display = connect_to_server(opcode);
     if (!display)
-        throw InputError("two mice", "", "cannot be read: there is no X server with XInput 2.1",
-                         "start Fulcrum in an X11 session, or use mouse and keyboard");
+        throw InputError(
+            QT_TRANSLATE_NOOP("errors", "two mice"), "",
+            QT_TRANSLATE_NOOP("errors", "cannot be read: there is no X server with XInput 2.1"),
+            QT_TRANSLATE_NOOP("errors", "start Fulcrum in an X11 session, or use mouse and keyboard"));
     const std::vector<MouseDevice> mice = mice_of(display.get(), virtual_too);
     if (mice.size() < 2)
-        throw InputError("two mice", "", std::to_string(mice.size()) + " connected",
-                         "connect a second mouse, or use mouse and keyboard");
+        throw InputError(QT_TRANSLATE_NOOP("errors", "two mice"), "",
+                         {QT_TRANSLATE_NOOP("errors", "%1 connected; two are needed"), mice.size()},
+                         QT_TRANSLATE_NOOP("errors", "connect a second mouse, or use mouse and keyboard"));
     return std::make_unique<ServersMice>(std::move(display), opcode, mice[0], mice[1]);
 }
 

@@ -103,9 +103,11 @@ void HomePage::fill_interrupted() {
             tr("%1, %2, %3 recorded: ")
                 .arg(context().task_title(one.task_id), local_time(one.started), clock_text(one.duration_s));
         // The debrief behind the link says which limit; a line has no room for it.
-        const QString verdict = one.passed == false
-                                    ? tr("failed: a limit was exceeded before the interruption")
-                                    : tr("does not count (%1)").arg(statement_text(one.why));
+        const QString verdict =
+            one.passed == false
+                ? tr("failed: a limit was exceeded before the interruption")
+                : tr("does not count (%1)")
+                      .arg(one.problem.empty() ? statement_text(one.why) : sentence_text(one.problem));
         QPushButton* open = make_button(what + verdict, "interrupted_attempt", "link");
         connect(open, &QPushButton::clicked, this,
                 [this, id = text(one.attempt_id)] { emit context().debrief_wanted(id, -1); });

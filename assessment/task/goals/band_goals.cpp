@@ -56,8 +56,9 @@ class BleedingTracker : public GoalTracker {
 
 std::optional<GoalFault> too_many(bool more) {
     if (!more) return std::nullopt;
-    return GoalFault{"count", "the goal asks for more bands or vessels than the scene has",
-                     "lower \"count\" or raise the scene's"};
+    return GoalFault{
+        "count", QT_TRANSLATE_NOOP("errors", "the goal asks for more bands or vessels than the scene has"),
+        QT_TRANSLATE_NOOP("errors", "lower \"count\" or raise the scene's")};
 }
 
 }  // namespace

@@ -161,15 +161,18 @@ std::unique_ptr<GoalTracker> track_tip(const Goal& goal, const GoalWatch& watch)
 
 std::optional<GoalFault> check_framing(const Goal& goal) {
     if (goal.size_share >= 1)
-        return GoalFault{"size_share", "every distance gives a size within it",
-                         "give less than 1, such as 0.2"};
+        return GoalFault{
+            "size_share",
+            QT_TRANSLATE_NOOP("errors", "the target has a size within this share at every distance"),
+            QT_TRANSLATE_NOOP("errors", "give less than 1, such as 0.2")};
     return std::nullopt;
 }
 
 std::optional<GoalFault> camera_targets_suit(const Goal& goal, const Scene& scene) {
     if (goal.count > scene.camera_targets->count)
-        return GoalFault{"count", "the goal asks for more targets than the scene has",
-                         "lower \"count\" or raise \"count\" of the scene's camera_targets"};
+        return GoalFault{
+            "count", QT_TRANSLATE_NOOP("errors", "the goal asks for more targets than the scene has"),
+            QT_TRANSLATE_NOOP("errors", "lower \"count\" or raise \"count\" of the scene's camera_targets")};
     return std::nullopt;
 }
 

@@ -53,7 +53,8 @@ std::unique_ptr<GoalTracker> track_lift(const Goal& goal, const GoalWatch& watch
 
 std::optional<GoalFault> check_stretch(const Goal& goal) {
     if (goal.from_m < goal.to_m) return std::nullopt;
-    return GoalFault{"from_m", "the stretch of bowel has no length", "give from_m below to_m"};
+    return GoalFault{"from_m", QT_TRANSLATE_NOOP("errors", "the stretch of bowel has no length"),
+                     QT_TRANSLATE_NOOP("errors", "give from_m below to_m")};
 }
 
 }  // namespace goals

@@ -74,19 +74,22 @@ std::unique_ptr<GoalTracker> track_run(const Goal& goal, const GoalWatch& watch)
 
 std::optional<GoalFault> check_run(const Goal& goal) {
     if (goal.minimum_step_m >= goal.maximum_step_m)
-        return GoalFault{"minimum_step_m", "minimum_step_m is not below maximum_step_m",
-                         "give the shortest step first"};
+        return GoalFault{"minimum_step_m",
+                         QT_TRANSLATE_NOOP("errors", "minimum_step_m is not below maximum_step_m"),
+                         QT_TRANSLATE_NOOP("errors", "give the shortest step first")};
     const double room = goal.to_m > goal.from_m ? goal.to_m - goal.from_m : goal.from_m - goal.to_m;
     if (room + 1e-9 < goal.length_m)
-        return GoalFault{"length_m", "there are only " + std::to_string(room) + " m between from_m and to_m",
-                         "ask for less, or move from_m and to_m apart"};
+        return GoalFault{"length_m",
+                         {QT_TRANSLATE_NOOP("errors", "there are only %1 m between from_m and to_m"),
+                          std::to_string(room)},
+                         QT_TRANSLATE_NOOP("errors", "ask for less, or move from_m and to_m apart")};
     return std::nullopt;
 }
 
 std::optional<GoalFault> on_bowel(const Goal& goal, const Scene& scene) {
     if (std::max(goal.from_m, goal.to_m) <= scene.bowel->length) return std::nullopt;
-    return GoalFault{"to_m", "the goal reaches beyond the bowel's end",
-                     "keep from_m and to_m below the bowel's length"};
+    return GoalFault{"to_m", QT_TRANSLATE_NOOP("errors", "the goal reaches beyond the bowel's end"),
+                     QT_TRANSLATE_NOOP("errors", "keep from_m and to_m below the bowel's length")};
 }
 
 }  // namespace goals

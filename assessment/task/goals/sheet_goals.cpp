@@ -94,21 +94,23 @@ std::unique_ptr<GoalTracker> track_let_go(const Goal& goal, const GoalWatch& wat
 
 std::optional<GoalFault> check_traction(const Goal& goal) {
     if (goal.traction_low_n_m < goal.traction_high_n_m) return std::nullopt;
-    return GoalFault{"traction_low_n_m", "traction_low_n_m is not below traction_high_n_m",
-                     "give the least traction first"};
+    return GoalFault{"traction_low_n_m",
+                     QT_TRANSLATE_NOOP("errors", "traction_low_n_m is not below traction_high_n_m"),
+                     QT_TRANSLATE_NOOP("errors", "give the least traction first")};
 }
 
 std::optional<GoalFault> check_line(const Goal& goal) {
     if (goal.tolerance_m > goal.corridor_m)
-        return GoalFault{"tolerance_m", "tolerance_m is above corridor_m",
-                         "give the smaller distance as tolerance_m"};
+        return GoalFault{"tolerance_m", QT_TRANSLATE_NOOP("errors", "tolerance_m is above corridor_m"),
+                         QT_TRANSLATE_NOOP("errors", "give the smaller distance as tolerance_m")};
     return check_traction(goal);
 }
 
 std::optional<GoalFault> line_suits(const Goal& goal, const Scene& scene) {
     if (goal.length_m <= marked_line(scene) + 1e-9) return std::nullopt;
-    return GoalFault{"length_m", "the goal asks for more than the marked line's length",
-                     "lower \"length_m\" or raise \"line_length\" of the scene"};
+    return GoalFault{"length_m",
+                     QT_TRANSLATE_NOOP("errors", "the goal asks for more than the marked line's length"),
+                     QT_TRANSLATE_NOOP("errors", "lower \"length_m\" or raise \"line_length\" of the scene")};
 }
 
 }  // namespace goals

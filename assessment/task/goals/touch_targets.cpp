@@ -74,12 +74,15 @@ std::unique_ptr<GoalTracker> track_targets(const Goal& goal, const GoalWatch& wa
 
 std::optional<GoalFault> targets_suit(const Goal& goal, const Scene& scene) {
     if (scene.instrument(goal.hand) == nullptr)
-        return GoalFault{"hand",
-                         std::string("the scene gives the ") + hand_name(goal.hand) + " hand no instrument",
-                         "add one to the scene"};
+        return GoalFault{
+            "hand",
+            {QT_TRANSLATE_NOOP("errors", "the scene gives the %1 hand no instrument"), hand_name(goal.hand)},
+            QT_TRANSLATE_NOOP("errors", "add one to the scene")};
     if (goal.count > scene.targets->per_hand)
-        return GoalFault{"count", "the goal asks for more targets than the scene has for a hand",
-                         "lower \"count\" or raise \"per_hand\" of the scene"};
+        return GoalFault{
+            "count",
+            QT_TRANSLATE_NOOP("errors", "the goal asks for more targets than the scene has for a hand"),
+            QT_TRANSLATE_NOOP("errors", "lower \"count\" or raise \"per_hand\" of the scene")};
     return std::nullopt;
 }
 

@@ -135,20 +135,25 @@ std::unique_ptr<GoalTracker> track_transfer(const Goal& goal, const GoalWatch& w
 
 std::optional<GoalFault> check_transfer(const Goal& goal) {
     if (goal.height_m < 0.005)
-        return GoalFault{"height_m", "a ring at this height still touches the tray",
-                         "give at least 0.005, the height from which a fall counts as a drop"};
+        return GoalFault{"height_m",
+                         QT_TRANSLATE_NOOP("errors", "a ring at this height still touches the tray"),
+                         QT_TRANSLATE_NOOP(
+                             "errors", "give at least 0.005, the height from which a fall counts as a drop")};
     return std::nullopt;
 }
 
 std::optional<GoalFault> objects_suit(const Goal& goal, const Scene& scene) {
     if (goal.count > scene.objects->count)
-        return GoalFault{"count", "the goal asks for more rings than the scene has",
-                         "lower \"count\" or raise \"count\" of the scene's objects"};
+        return GoalFault{
+            "count", QT_TRANSLATE_NOOP("errors", "the goal asks for more rings than the scene has"),
+            QT_TRANSLATE_NOOP("errors", "lower \"count\" or raise \"count\" of the scene's objects")};
     for (const Hand hand : {Hand::left, Hand::right}) {
         const InstrumentSpec* instrument = scene.instrument(hand);
         if (instrument == nullptr || !type_of(instrument->kind).grasps)
-            return GoalFault{"", std::string("the ") + hand_name(hand) + " hand cannot grasp a ring",
-                             "give both hands of the scene a grasper"};
+            return GoalFault{
+                "",
+                {QT_TRANSLATE_NOOP("errors", "the %1 hand cannot grasp a ring"), hand_name(hand)},
+                QT_TRANSLATE_NOOP("errors", "give both hands of the scene a grasper")};
     }
     return std::nullopt;
 }

@@ -40,8 +40,11 @@ MembraneEdge::MembraneEdge(const Scene& scene, std::size_t index, MembranePart& 
     if (!(coupling_ <= most_coupling)) {
         throw InputError(
             scene.id, "/membranes/" + std::to_string(index),
-            "the membrane is too stiff or heavy for the bowel's mass at this step",
-            "lower its stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step");
+            QT_TRANSLATE_NOOP("errors",
+                              "the membrane is too stiff or heavy for the bowel's mass at this step"),
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "lower its stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step"));
     }
 }
 

@@ -53,8 +53,11 @@ SeptaEdge::SeptaEdge(const Scene& scene, SheetPart& septa, const Rod& rod, const
     }
     if (!(coupling_ <= most_coupling)) {
         throw InputError(
-            scene.id, "/septa", "the septa are too stiff or heavy for the bowel's mass at this step",
-            "lower their stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step");
+            scene.id, "/septa",
+            QT_TRANSLATE_NOOP("errors", "the septa are too stiff or heavy for the bowel's mass at this step"),
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "lower their stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step"));
     }
 }
 

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/style/language.h"
+#include "ui/style/text.h"
+
 namespace fulcrum::app {
 namespace {
 
@@ -141,6 +144,19 @@ TEST(DeviceWatch, ExpiresAfterAMinuteAndNotBefore) {
     EXPECT_FALSE(bench.watch.expired());
     bench.step();
     EXPECT_TRUE(bench.watch.expired());
+}
+
+TEST(DeviceWatch, SaysInTheReadersLanguageWhichDeviceIsLost) {
+    EXPECT_NE(loss_of(DeviceTrouble::silent, 0).words().find("The left hand's device does not answer."),
+              std::string::npos);
+    ui::use_language(ui::Language::german);
+    const std::string jump = ui::sentence_text(loss_of(DeviceTrouble::impossible_reading, 2)).toStdString();
+    const std::string silence = ui::sentence_text(loss_of(DeviceTrouble::silent, 1)).toStdString();
+    ui::use_language(ui::Language::english);
+    EXPECT_EQ(jump.find("Das Gerät der Optik lieferte einen unmöglichen Messwert"), 0U) << jump;
+    EXPECT_EQ(silence.find("Das Gerät der rechten Hand antwortet nicht. Die Kraft wurde auf null gesenkt"),
+              0U)
+        << silence;
 }
 
 }  // namespace

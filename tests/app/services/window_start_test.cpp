@@ -80,7 +80,8 @@ TEST_F(WindowStart, LanguageThatDoesNotExistIsAnErrorThatNamesThoseThatDo) {
         run_window();
         FAIL() << "the window was opened";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "FULCRUM_LANGUAGE: \"deutsch\" names no language; use one of: en, de");
+        EXPECT_STREQ(error.what(),
+                     "FULCRUM_LANGUAGE: \"deutsch\" is not the name of a language; use one of: en, de");
     }
 }
 

@@ -20,7 +20,7 @@ const std::map<std::string, std::string> golden = {{"A1", "b54d11a511c0bd9f"}, {
                                                    {"B1", "320a99d03f8803f2"}, {"B2", "52ddf1b63b70e891"},
                                                    {"B3", "8757db99a19e94ab"}, {"C4", "70d3a8d489bc669c"}};
 
-static_assert(physics_version == 3, "the table belongs to one version of physics: change both or neither");
+static_assert(physics_version == 4, "the table belongs to one version of physics: change both or neither");
 
 void expect_golden(const std::string& id) {
     std::ostringstream hash;

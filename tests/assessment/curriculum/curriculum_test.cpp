@@ -67,7 +67,7 @@ TEST(Curriculum, EarlierVersionsStayInstalledAndNoneIsThereTwice) {
         load_versions(folder.path().string(), "rectal", task_ids());
         FAIL() << "two files with one version";
     } catch (const InputError& error) {
-        EXPECT_NE(error.problem().find("is that of"), std::string::npos) << error.what();
+        EXPECT_NE(error.problem().find("has the same version"), std::string::npos) << error.what();
     }
     EXPECT_THROW(load_versions(asset_path("curricula"), "other", task_ids()), InputError);
 }

@@ -31,7 +31,7 @@ TEST(Task, EveryTaskFitsItsScene) {
         }
         for (const Goal& goal : task.goals) {
             const std::optional<GoalFault> fault = goal_fault(goal, scene);
-            EXPECT_FALSE(fault.has_value()) << id << ": " << (fault ? fault->problem : std::string());
+            EXPECT_FALSE(fault.has_value()) << id << ": " << (fault ? fault->problem.words() : std::string());
         }
     }
 }
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "add it"},
         BrokenTask{"goal_kind", "\"kind\": \"run_bowel\"", "\"kind\": \"run\"", "unknown name \"run\"",
                    "run_bowel"},
-        BrokenTask{"device_class", "\"haptic\"", "\"joystick\"", "enum", "haptic"},
+        BrokenTask{"device_class", "\"haptic\"", "\"joystick\"", "not one of those allowed", "haptic"},
         BrokenTask{"goal_needs_height", "\"height_m\": 0.03,", "", "needs \"height_m\"",
                    "above the resting height"},
         BrokenTask{"run_too_long", "\"length_m\": 0.6", "\"length_m\": 0.7", "between from_m and to_m",
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenTask{"scene_path", "\"scene\": \"b1_bowel.json\"", "\"scene\": \"../b1_bowel.json\"",
                    "not the name of a scene file", "assets/scenes"},
         BrokenTask{"step_not_text", "\"Then grasp the middle", "7, \"Then grasp the middle", "type",
-                   "a string"}),
+                   "a text"}),
     [](const testing::TestParamInfo<BrokenTask>& broken) { return std::string(broken.param.name); });
 
 }  // namespace

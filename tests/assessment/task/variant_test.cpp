@@ -37,8 +37,8 @@ TEST(Variants, EveryTaskOfTheCurriculumHasThreeThatFitItsGoals) {
             EXPECT_TRUE(titles.insert(variant.title).second) << variant.title;
             for (const Goal& goal : task.goals) {
                 const std::optional<GoalFault> fault = goal_fault(goal, scene);
-                EXPECT_FALSE(fault.has_value())
-                    << entry.task << " " << variant.id << ": " << (fault ? fault->problem : std::string());
+                EXPECT_FALSE(fault.has_value()) << entry.task << " " << variant.id << ": "
+                                                << (fault ? fault->problem.words() : std::string());
             }
             const BenchmarkKey key{task.id, variant.family, DeviceClass::haptic, "standard"};
             EXPECT_TRUE(std::filesystem::exists(asset_path("benchmarks/" + benchmark_name(key) + ".json")))

@@ -115,7 +115,7 @@ TEST(TraceCsv, NamesFileRowColumnAndHint) {
     EXPECT_EQ(complaint(good + "0,1\n0.001,abc\n"),
               "trace.csv:4: left.fx: 'abc' is not a number; give forces in newtons");
     EXPECT_EQ(complaint(good + "0,1\n0,2\n"),
-              "trace.csv:4: t: the time does not rise; sort the rows and remove doubled ones");
+              "trace.csv:4: t: the time does not increase; sort the rows and remove duplicates");
 }
 
 TEST(TraceCsv, RefusesBrokenFiles) {

@@ -151,7 +151,7 @@ TEST(TraceMapping, FilesThatDoNotFitAreRefusedWithTheirRow) {
     EXPECT_TRUE(
         says(reading_problem(small_mapping, head + "0;1;2;3\n5;1;2\n"), "other.txt:3: (row): 3 cells"));
     EXPECT_TRUE(says(reading_problem(small_mapping, head + "0;1;2;3\n0;1;2;3\n"),
-                     "other.txt:3: t: the time does not rise"));
+                     "other.txt:3: t: the time does not increase"));
     EXPECT_TRUE(says(reading_problem(small_mapping, head + "0;1;2;3\n5;one;2;3\n"),
                      "other.txt:3: right.px: 'one' is not a number"));
     EXPECT_TRUE(says(reading_problem(small_mapping, head + "0;1;2;nan\n"), "is not a finite number"));

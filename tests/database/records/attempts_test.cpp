@@ -84,7 +84,8 @@ TEST(Attempt, IsNotReadAsAShorterOneWhereItsRecordLostItsEnd) {
 TEST(Attempt, IsNotReadWhereItsSamplesOrInputsLostTheirEnd) {
     const std::pair<const char*, const char*> cases[] = {
         {"stream = 0", " has 1000 samples for 2000 inputs: a part of it is missing"},
-        {"stream = 1", ": a trace chunk is damaged (the inputs that it was made with are missing)"}};
+        {"stream = 1",
+         ": a part of the recording is damaged (the inputs that it was made with are missing)"}};
     for (const auto& [lost, reported] : cases) {
         Programme programme;
         Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),

@@ -155,7 +155,9 @@ TEST(Curricula, AnEditedOrMissingVersionThatPeopleFollowIsRefused) {
         one.curricula.check(edited);
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.problem(), "says rectal@2, but 1 person follows a rectal@2 with another content");
+        EXPECT_EQ(error.problem(),
+                  "this file says it is rectal@2, but the rectal@2 that people follow (how many: 1) has "
+                  "different content");
         EXPECT_NE(error.hint().find("/version raised"), std::string::npos);
     }
     // With the version raised and the followed one next to it, the change is a new version.
@@ -168,7 +170,8 @@ TEST(Curricula, AnEditedOrMissingVersionThatPeopleFollowIsRefused) {
         one.curricula.check(edited);
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.problem(), "1 person follows rectal@2, which is not installed");
+        EXPECT_EQ(error.problem(),
+                  "the curriculum rectal@2 is not installed, but people follow it (how many: 1)");
     }
 }
 

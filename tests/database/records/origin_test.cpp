@@ -117,9 +117,9 @@ TEST(AttemptOrigin, ADamagedStateIsFound) {
               StoreErrorKind::corrupt);
     const CheckReport report = programme.store->check(programme.session("administrator"));
     EXPECT_TRUE(std::any_of(report.items.begin(), report.items.end(), [&](const CheckItem& item) {
-        return std::any_of(item.problems.begin(), item.problems.end(), [&](const std::string& problem) {
-            return problem.find(attempt) != std::string::npos &&
-                   problem.find("began with") != std::string::npos;
+        return std::any_of(item.problems.begin(), item.problems.end(), [&](const Sentence& problem) {
+            return problem.words().find(attempt) != std::string::npos &&
+                   problem.words().find("began with") != std::string::npos;
         });
     }));
 }

@@ -237,7 +237,7 @@ TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
     programme.open();
     const CheckReport report = programme.store->check(programme.session("station"));
     for (const CheckItem& item : report.items)
-        EXPECT_TRUE(item.ok) << item.name << ": " << (item.ok ? "" : item.problems.front());
+        EXPECT_TRUE(item.ok) << item.name << ": " << (item.ok ? "" : item.problems.front().words());
     RecordProperty("interrupted", interrupted_total);
     RecordProperty("with_trace", with_trace);
     RecordProperty("scores", scores);

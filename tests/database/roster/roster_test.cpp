@@ -78,11 +78,12 @@ TEST(Roster, ReadsAOneRosterFolder) {
     EXPECT_EQ(roster.cohorts[1].members, std::vector<std::string>{"Noah"});
     // Everything that is not imported is named with its place.
     std::string all;
-    for (const std::string& line : roster.left_out) all += line + "\n";
-    for (const char* said : {"users.csv:5: off is not enabled", "users.csv:6: status tobedeleted",
-                             "users.csv:7: parent is parent, not imported", "users.csv:8: alone has no role",
-                             "enrollments.csv:6: no such user", "enrollments.csv:7: no such class",
-                             "enrollments.csv:8: role proctor is not imported"})
+    for (const Sentence& line : roster.left_out) all += line.words() + "\n";
+    for (const char* said :
+         {"users.csv:5: off is not enabled", "users.csv:6: status tobedeleted",
+          "users.csv:7: parent has the role parent, which is not imported", "users.csv:8: alone has no role",
+          "enrollments.csv:6: there is no such user", "enrollments.csv:7: there is no such class",
+          "enrollments.csv:8: the role proctor is not imported"})
         EXPECT_NE(all.find(said), std::string::npos) << said << " is not in\n" << all;
     EXPECT_EQ(roster.left_out.size(), 7U) << all;
 }
@@ -116,16 +117,16 @@ TEST(Roster, NamesWhatIsWrongAndWhere) {
     };
     EXPECT_NE(list("a b,Ab,,\n").find("l.csv:2: the login \"a b\" cannot be used"), std::string::npos);
     EXPECT_NE(list("synthetic-x,X,,\n").find("belong to simulated people"), std::string::npos);
-    EXPECT_NE(list("ok,,,\n").find("the name is empty"), std::string::npos);
-    EXPECT_NE(list("ok,Ok,boss,\n").find("'boss' is no role that can be imported"), std::string::npos);
+    EXPECT_NE(list("ok,,,\n").find("name: it is empty or too long"), std::string::npos);
+    EXPECT_NE(list("ok,Ok,boss,\n").find("'boss' is not a role that can be imported"), std::string::npos);
     EXPECT_NE(list("ok,Ok,,\nOK,Other,,\n").find("l.csv:3: login OK has another name here"),
               std::string::npos);
     EXPECT_NE(list("ok,Ok,\n").find("l.csv:2: has 3 cells where the first row has 4"), std::string::npos);
-    EXPECT_NE(list("ok,\"Ok,,\n").find("a quote begins here and does not end"), std::string::npos);
+    EXPECT_NE(list("ok,\"Ok,,\n").find("a quotation mark opens here and is never closed"), std::string::npos);
     EXPECT_NE(list("ok,O\xFFk,,\n").find("is not UTF-8"), std::string::npos);
     EXPECT_NE(list("ok,Evil \xE2\x80\xAEname,,\n").find("control or direction characters"),
               std::string::npos);
-    EXPECT_NE(refusal({{"l.csv", "login,login\n"}}, "l.csv").find("column 'login' is there twice"),
+    EXPECT_NE(refusal({{"l.csv", "login,login\n"}}, "l.csv").find("column 'login' occurs twice"),
               std::string::npos);
     EXPECT_NE(refusal({{"l.csv", "name\nx\n"}}, "l.csv").find("has no column login"), std::string::npos);
     EXPECT_NE(refusal({{"l.csv", ""}}, "l.csv").find("is empty"), std::string::npos);
@@ -133,10 +134,10 @@ TEST(Roster, NamesWhatIsWrongAndWhere) {
     EXPECT_NE(refusal({{"classes.csv", "sourcedId,title\n"}}).find("has no users.csv"), std::string::npos);
     auto twice = school;
     twice["users.csv"] += "u1,,true,other,O,Ther\r\n";
-    EXPECT_NE(refusal(twice).find("users.csv:9: sourcedId 'u1' is there twice"), std::string::npos);
+    EXPECT_NE(refusal(twice).find("users.csv:9: sourcedId 'u1' occurs twice"), std::string::npos);
     twice = school;
     twice["users.csv"] += "u8,,true,MIA,Mia,Second\r\n";
-    EXPECT_NE(refusal(twice).find("login MIA is that of users.csv:2 too"), std::string::npos);
+    EXPECT_NE(refusal(twice).find("login MIA is also used by users.csv:2"), std::string::npos);
 }
 
 TEST(Roster, CsvKeepsLineEndsInQuotesAndCountsLines) {

@@ -22,7 +22,7 @@ class AuditChain : public ::testing::Test {
         filter.limit = limit;
         return filter;
     }
-    std::vector<std::string> problems() const { return Audit(*programme.store).verify(); }
+    std::vector<std::string> problems() const { return english_of(Audit(*programme.store).verify()); }
     Programme programme;
 };
 

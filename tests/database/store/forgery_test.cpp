@@ -106,7 +106,7 @@ class Forgery : public ::testing::Test {
         const Store store = Store::open(path, options);
         std::vector<std::string> problems;
         for (const CheckItem& item : store.check(store.station_session()).items)
-            problems.insert(problems.end(), item.problems.begin(), item.problems.end());
+            for (const Sentence& problem : item.problems) problems.push_back(problem.words());
         return problems;
     }
     static void edit(const std::string& path, const std::string& sql) {
@@ -166,7 +166,7 @@ const std::vector<Edit> edits = {
     {"UPDATE attempt SET missed_ticks = 3 WHERE id = '{passed}'", "attempt {passed}: changed"},
     {"UPDATE attempt SET scene_digest = '' WHERE id = '{synthetic}'", "attempt {synthetic}: changed"},
     {"UPDATE scene_text SET text = '{}'", "scene {scene}: changed"},
-    {"DELETE FROM scene_text", "attempt {synthetic}: its scene is gone"},
+    {"DELETE FROM scene_text", "attempt {synthetic}: its scene is missing"},
     {"INSERT INTO attempt SELECT 'forged', person_id, station_id, task_id, task_version, mode, device_class, "
      "device, operator_name, variant, seed, fidelity, scene, scene_digest, curriculum, limits, "
      "program_version, cpu_features, started, utc_offset_min, state, duration_s, wall_s, missed_ticks, "
@@ -174,7 +174,7 @@ const std::vector<Edit> edits = {
      "trace_chunk SELECT "
      "'forged', stream, number, first_tick, last_tick, records, checksum, data FROM trace_chunk WHERE "
      "attempt_id = '{passed}'",
-     "attempt forged: there without a row of the audit log"},
+     "attempt forged: the audit log has no row for it"},
     {"DELETE FROM correction_request WHERE attempt_id = '{failed}'; DELETE FROM gate WHERE score_id = "
      "'{score "
      "of failed}'; DELETE FROM metric WHERE score_id = '{score of failed}'; DELETE FROM score WHERE id = "
@@ -198,10 +198,10 @@ const std::vector<Edit> edits = {
     {"UPDATE score SET points = 99 WHERE id = '{score of passed}'; DELETE FROM audit_payload WHERE sequence "
      "= "
      "(SELECT sequence FROM audit_entry WHERE object_id = '{score of passed}')",
-     "score {score of passed}: there without a row of the audit log"},
+     "score {score of passed}: the audit log has no row for it"},
     {"DELETE FROM attempt_void WHERE attempt_id = '{voided}'", "void of attempt {voided}: gone"},
     {"INSERT INTO attempt_void VALUES ('{failed}', '{educator}', 1, 'so that it does not count')",
-     "void of attempt {failed}: there without a row of the audit log"},
+     "void of attempt {failed}: the audit log has no row for it"},
     {"UPDATE attempt_void SET reason = 'another' WHERE attempt_id = '{voided}'",
      "void of attempt {voided}: changed"},
     {"DELETE FROM attempt_reassignment", "reassignment of attempt {moved}: gone"},
@@ -221,7 +221,7 @@ const std::vector<Edit> edits = {
     {"UPDATE comment SET sent = 0", "comment {comment} of attempt {passed}: gone"},
     {"DELETE FROM comment", "comment {comment} of attempt {passed}: gone"},
     {"INSERT INTO comment VALUES ('forged', '{passed}', '{educator}', 1, 'Excellent.', 1, 1, 0)",
-     "comment forged: there without a row of the audit log"},
+     "comment forged: the audit log has no row for it"},
     {"DELETE FROM correction_request", "correction request {request}: gone"},
     {"UPDATE rating_item SET value = 5 WHERE number = 2", "rating {rating} of attempt {passed}: changed"},
     {"DELETE FROM rating_item WHERE number = 4", "rating {rating} of attempt {passed}: changed"},
@@ -235,21 +235,22 @@ const std::vector<Edit> edits = {
     {"DELETE FROM rating_release; DELETE FROM rating_item; DELETE FROM rating",
      "rating {rating} of attempt {passed}: gone"},
     {"INSERT INTO rating VALUES ('forged', '{passed}', '{educator}', 'goals@1', '{form}', 'kept', 1, 1, '')",
-     "rating forged: there without a row of the audit log"},
+     "rating forged: the audit log has no row for it"},
     {"UPDATE form_text SET text = '{}'", "form {form} of attempt {passed}: changed"},
     {"DELETE FROM rating_release", "release of rating {rating} of attempt {passed}: gone"},
     {"UPDATE rating_release SET time = 1", "release of rating {rating} of attempt {passed}: changed"},
     {"UPDATE tissue_value SET value = 1", "tissues of task B2 1: changed"},
     {"INSERT INTO tissue_setting VALUES ('B2', 2, '{educator}', 1, 'softer still')",
-     "tissues of task B2 2: there without a row of the audit log"},
+     "tissues of task B2 2: the audit log has no row for it"},
     {"INSERT INTO cohort_member VALUES ('{cohort}', '{eve}')", "cohort {cohort}: changed"},
     {"DELETE FROM cohort_educator WHERE cohort_id = '{cohort}'", "cohort {cohort}: changed"},
     {"UPDATE cohort SET name = 'Year 2'", "cohort {cohort}: changed"},
     {"DELETE FROM standing_override", "decision {decision}: gone"},
     {"INSERT INTO standing_override VALUES ('forged', '{ben}', 'A2', 'proficient', '{educator}', 1, 'so')",
-     "decision forged: there without a row of the audit log"},
+     "decision forged: the audit log has no row for it"},
     {"UPDATE setting SET value = '1' WHERE key = 'demo'", "setting demo: changed"},
-    {"INSERT INTO setting VALUES ('baseline_wanted', '1')", "setting baseline_wanted: there without"},
+    {"INSERT INTO setting VALUES ('baseline_wanted', '1')",
+     "setting baseline_wanted: the audit log has no row for it"},
     {"UPDATE station SET name = 'elsewhere'", "station "},
     {"DELETE FROM trace_chunk WHERE attempt_id = '{passed}'; UPDATE attempt SET events = 0 WHERE id = "
      "'{passed}'",

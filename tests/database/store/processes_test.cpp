@@ -72,7 +72,7 @@ class StoreProcesses : public ::testing::Test {
         const Store store = Store::open(path);
         const CheckReport report = store.check(store.station_session());
         for (const CheckItem& item : report.items)
-            EXPECT_TRUE(item.ok) << item.name << ": " << item.problems.front();
+            EXPECT_TRUE(item.ok) << item.name << ": " << item.problems.front().words();
     }
     /// Names in the folder that begin with the store's.
     std::vector<std::string> names() const {

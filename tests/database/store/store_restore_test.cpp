@@ -217,7 +217,7 @@ TEST(Migrate, ChecksCopiesAndReplacesAnOlderStore) {
         files::permissions(path, files::perms::owner_read | files::perms::owner_write);
         const CheckReport report = old.check(old.station_session());
         for (const CheckItem& item : report.items)
-            EXPECT_TRUE(item.ok) << item.name << ": " << item.problems.front();
+            EXPECT_TRUE(item.ok) << item.name << ": " << item.problems.front().words();
         EXPECT_EQ(read_schema_version(old.connection()), 7) << "looking changes nothing";
     }
     const Replaced done = migrate_store(path);
@@ -227,7 +227,7 @@ TEST(Migrate, ChecksCopiesAndReplacesAnOlderStore) {
         EXPECT_EQ(store.found_schema(), Store::schema_version());
         const CheckReport report = store.check(store.station_session());
         for (const CheckItem& item : report.items)
-            EXPECT_TRUE(item.ok) << item.name << ": " << item.problems.front();
+            EXPECT_TRUE(item.ok) << item.name << ": " << item.problems.front().words();
         store.connection().execute("UPDATE person SET kind = 'synthetic' WHERE id = 'p1'");
         EXPECT_FALSE(store.check(store.station_session()).ok) << "from then on edits are found";
     }

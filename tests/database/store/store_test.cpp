@@ -204,7 +204,7 @@ TEST(Store, CheckPassesOnAGoodStore) {
     programme.record("ann");
     const CheckReport report = programme.store->check(programme.session("station"));
     for (const CheckItem& each : report.items)
-        EXPECT_TRUE(each.ok) << each.name << ": " << each.problems.front();
+        EXPECT_TRUE(each.ok) << each.name << ": " << each.problems.front().words();
     EXPECT_TRUE(report.ok);
     EXPECT_EQ(item(report, "score digests").count, 1);
     EXPECT_GE(item(report, "trace checksums").count, 4);

@@ -52,6 +52,35 @@ TEST(Jaws, FindTissueBetweenThemOnly) {
     EXPECT_DOUBLE_EQ(box.contact_area(0), pinched_area) << "an edge bite";
 }
 
+// Jaws that held tissue and opened are deep in it; that is no push. Tissue in a fold has another nearest
+// place a moment later, deeper by centimetres.
+TEST(Jaws, ThatLetGoDoNotPushWithADepthThatAppearsWithoutAMotion) {
+    test::ContactRig rig;
+    const ToolKinematics tool = rig.tool_at(Vector3(0.2, 0, 0.012));
+    rig.publish(tool);
+    rig.state.held = true;
+    rig.touch(tool);
+    EXPECT_GT(-rig.result.distance, 0.004);
+    EXPECT_LT(rig.result.surface_force.norm(), 0.05) << "what was drawn in is let out slowly";
+    for (RingMotion& ring : rig.rings) ring.frame.position.z() += 0.010;
+    ++rig.tick;
+    rig.publish(tool);
+    rig.touch(tool);
+    EXPECT_GT(-rig.result.distance, 0.013);
+    EXPECT_LT(rig.result.surface_force.norm(), 0.1) << "10 mm within a tick is not a push";
+    // Without a hold before it the same depth is a contact.
+    test::ContactRig pressed;
+    for (RingMotion& ring : pressed.rings) ring.frame.position.z() += 0.010;
+    pressed.publish(tool);
+    EXPECT_GT(pressed.touch(tool).surface_force.norm(), 1.0);
+    // In the end all of it is let out.
+    for (int i = 0; i < 2000; ++i) {
+        ++rig.tick;
+        rig.touch(tool);
+    }
+    EXPECT_EQ(rig.state.left_in, 0);
+}
+
 // ---- jaws as boxes ----
 
 TEST(JawPush, IsLinearAboutTheTipAndNeverAttracts) {

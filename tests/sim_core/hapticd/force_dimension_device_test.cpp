@@ -142,7 +142,7 @@ TEST_F(ForceDimensionThroughTheDaemon, AFaultStopsForceAndHandAndSaysWhatToDo) {
         ASSERT_TRUE(push_until(client, gentle, [&] { return force(0) == 0; }));
         EXPECT_LE(monotonic_ns() - begin, limit);
         client.poll();
-        EXPECT_EQ(client.message(), words_of(fault));
+        EXPECT_EQ(client.message().words(), words_of(fault));
     };
     stops_with(DeviceFault::switched_off, [&] {
         device.status[force_off_cause] = 1;
@@ -175,13 +175,13 @@ TEST_F(ForceDimensionThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
         ASSERT_TRUE(until([&] { return !is_present(client, 1); }));
         EXPECT_LE(monotonic_ns() - begin, limit);
         client.poll();
-        EXPECT_EQ(client.message(), words_of(fault));
+        EXPECT_EQ(client.message().words(), words_of(fault));
         ASSERT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
         set(0);
         device.open = 0;  // the system closes what a process that was killed had open
         EXPECT_TRUE(until([&] {
             return client.poll() == DaemonClient::Health::good && is_present(client, 1);
-        })) << client.message();
+        })) << client.message().words();
         if (fault == DeviceFault::no_answer) {
             EXPECT_EQ(device.closed, closed + 1);
         }

@@ -238,7 +238,7 @@ TEST_F(HapticdKills, TheClientReportsWhatHappenedToTheDaemon) {
     };
     kill(client.device_process(), SIGKILL);
     EXPECT_TRUE(wait_for(DaemonClient::Health::restarting));
-    EXPECT_NE(client.message().find("signal 9"), std::string::npos) << client.message();
+    EXPECT_NE(client.message().words().find("signal 9"), std::string::npos) << client.message().words();
     EXPECT_TRUE(wait_for(DaemonClient::Health::good));
     kill(client.overseer(), SIGSTOP);
     EXPECT_TRUE(wait_for(DaemonClient::Health::silent));
@@ -246,7 +246,7 @@ TEST_F(HapticdKills, TheClientReportsWhatHappenedToTheDaemon) {
     EXPECT_TRUE(wait_for(DaemonClient::Health::good));
     kill(client.overseer(), SIGKILL);
     EXPECT_TRUE(wait_for(DaemonClient::Health::ended));
-    EXPECT_NE(client.message().find("when the next attempt begins"), std::string::npos);
+    EXPECT_NE(client.message().words().find("when the next attempt begins"), std::string::npos);
 }
 
 TEST_F(HapticdKills, TheDeviceProcessOpensNoSocketAndStartsNoProgram) {

@@ -148,7 +148,7 @@ TEST_F(TouchThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) 
         page->device[1].tick_error = 0;
         EXPECT_TRUE(push_until(client, gentle, [&] { return is_present(client, 1); }));
         client.poll();
-        EXPECT_EQ(client.message(), "");
+        EXPECT_EQ(client.message().words(), "");
     }
     EXPECT_EQ(page->inits, 2U) << "opened once each";
     EXPECT_EQ(page->misuse, 0U);
@@ -168,12 +168,12 @@ TEST_F(TouchThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
         client.poll();
         EXPECT_EQ(client.message(), words_of(code == 0x0103U ? DeviceFault::driver : DeviceFault::no_answer));
         ASSERT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
-        EXPECT_NE(client.message().find("lost the device"), std::string::npos) << client.message();
+        EXPECT_NE(client.message().words().find("lost the device"), std::string::npos) << client.message().words();
         page->device[1].tick_error = 0;
         EXPECT_TRUE(until([&] {
             return client.poll() == DaemonClient::Health::good && is_present(client, 1) &&
                    client.message().empty();
-        })) << client.message();
+        })) << client.message().words();
         EXPECT_GT(page->inits, inits);
     }
     EXPECT_EQ(page->misuse, 0U) << "closed before it was opened again";
@@ -186,11 +186,11 @@ TEST_F(TouchThroughTheDaemon, AnUnpluggedDeviceIsTriedAgainUntilItIsBack) {
     page->device[1].tick_error = 0x0302;
     EXPECT_TRUE(until([&] {
         return client.poll() == DaemonClient::Health::restarting &&
-               client.message().find("0x0302 Communication error; check its cable") != std::string::npos;
-    })) << client.message();
+               client.message().words().find("0x0302 Communication error; check its cable") != std::string::npos;
+    })) << client.message().words();
     page->device[1].tick_error = 0;
     EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::good && is_present(client, 1); }))
-        << client.message();
+        << client.message().words();
 }
 
 TEST_F(TouchThroughTheDaemon, AServoLoopThatStopsIsNoticed) {

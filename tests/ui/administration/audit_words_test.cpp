@@ -18,7 +18,7 @@ namespace {
 std::set<std::string> audited_operations() {
     static const std::regex call(R"re(append\([^;]*?"((?:[a-z]+\.[a-z_]+)|sign_in)")re");
     std::set<std::string> names;
-    for (const char* folder : {"database/records", "database/store"}) {
+    for (const char* folder : {"database/records", "database/store", "database/sync"}) {
         for (const auto& entry : std::filesystem::directory_iterator(fulcrum::test::source_path(folder))) {
             std::stringstream source;
             source << std::ifstream(entry.path()).rdbuf();

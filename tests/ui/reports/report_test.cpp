@@ -244,7 +244,7 @@ TEST(Report, LinesHaveNoSeparatorForMissingParts) {
     for (const QByteArray& page : pages) expect_no_part_missing(page);
     EXPECT_TRUE(pages[0].startsWith("cohort report\n")) << pages[0].toStdString();
     EXPECT_TRUE(pages[1].startsWith("progress report\n")) << pages[1].toStdString();
-    EXPECT_TRUE(pages[2].startsWith("attempt report\n")) << pages[2].toStdString();
+    EXPECT_TRUE(pages[2].startsWith("report on one attempt\n")) << pages[2].toStdString();
 }
 
 }  // namespace

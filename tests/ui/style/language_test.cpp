@@ -69,7 +69,9 @@ QStringList placeholders(const QString& text) {
 }
 
 /// The texts of tr("..."), translate("...", "...") and QT_TRANSLATE_NOOP("...", "...") in one source.
-QStringList marked_texts(const QString& code) {
+QStringList marked_texts(QString code) {
+    static const QRegularExpression comment(QStringLiteral("(?:^|\\n)\\s*//[^\\n]*"));
+    code.remove(comment);
     static const QRegularExpression mark(
         QStringLiteral("(?:\\btr\\(|\\btranslate\\(\\s*\"[^\"]*\",|QT_TRANSLATE_NOOP\\(\\s*\"[^\"]*\",)\\s*(("
                        "?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)"));

@@ -401,8 +401,12 @@
         <translation>Üben Sie Zug von der festen Seite weg und leicht nach oben aus, bis er im Zielbereich liegt, und halten Sie ihn dort.</translation>
     </message>
     <message>
-        <source>Hold the right button and press the blade onto the beginning of the line until it breaks through, then follow the line.</source>
-        <translation>Halten Sie die Taste der rechten Hand gedrückt und drücken Sie die Klinge auf den Anfang der Linie, bis sie durchbricht; folgen Sie dann der Linie.</translation>
+        <source>Hold the button of the right hand. With one mouse: make the right hand active (Tab), then hold the left mouse button. With two mice: hold the left button of the right mouse.</source>
+        <translation>Halten Sie die Taste der rechten Hand gedrückt. Mit einer Maus: Machen Sie die rechte Hand aktiv (Tab) und halten Sie die linke Maustaste. Mit zwei Mäusen: Halten Sie die linke Taste der rechten Maus.</translation>
+    </message>
+    <message>
+        <source>Press the blade onto the beginning of the line until it breaks through, then follow the line.</source>
+        <translation>Drücken Sie die Klinge auf den Anfang der Linie, bis sie durchbricht; folgen Sie dann der Linie.</translation>
     </message>
     <message>
         <source>When the tissue in front of the blade goes slack or too tight, stop and regrasp further along.</source>
@@ -601,8 +605,12 @@
         <translation>Gehen Sie Etage für Etage nach unten. Wenn die nächsten Fasern schlaff sind, fassen Sie das Rektum weiter unten nach.</translation>
     </message>
     <message>
-        <source>Stay clear of the veins behind the plane; near the two nerves divide without energy, with the right button alone. Use suction when smoke or blood hides the plane, and clip a vein that bleeds.</source>
-        <translation>Halten Sie Abstand zu den Venen hinter der Schicht; durchtrennen Sie in der Nähe der beiden Nerven ohne Strom, nur mit der Taste der rechten Hand. Saugen Sie, wenn Rauch oder Blut die Schicht verdeckt, und clippen Sie eine blutende Vene.</translation>
+        <source>Stay clear of the veins behind the plane. Use suction when smoke or blood hides the plane, and clip a vein that bleeds.</source>
+        <translation>Halten Sie Abstand zu den Venen hinter der Schicht. Saugen Sie, wenn Rauch oder Blut die Schicht verdeckt, und clippen Sie eine blutende Vene.</translation>
+    </message>
+    <message>
+        <source>Near the two nerves divide without energy: hold the button of the right hand, not the pedal. With one mouse: the left mouse button while the right hand is active (Tab). With two mice: the left button of the right mouse.</source>
+        <translation>Durchtrennen Sie in der Nähe der beiden Nerven ohne Strom: Halten Sie die Taste der rechten Hand, nicht das Pedal. Mit einer Maus: die linke Maustaste, während die rechte Hand aktiv ist (Tab). Mit zwei Mäusen: die linke Taste der rechten Maus.</translation>
     </message>
     <message>
         <source>When the last level is divided, open the jaws and withdraw both instruments.</source>

@@ -12,6 +12,4574 @@
 <context>
     <name>errors</name>
     <message>
+        <source>a bowel of this length does not fit this cavity</source>
+        <translation>ein Darm dieser Länge passt nicht in diesen Hohlraum</translation>
+    </message>
+    <message>
+        <source>give a length nearer to 0.9 m</source>
+        <translation>geben Sie eine Länge näher bei 0.9 m an</translation>
+    </message>
+    <message>
+        <source>%1 Abandon the attempt and check the device&apos;s cable and power; the device is opened again when the next attempt begins.</source>
+        <translation>%1 Brechen Sie den Versuch ab und prüfen Sie Kabel und Stromversorgung des Geräts; mit dem nächsten Versuch wird es wieder geöffnet.</translation>
+    </message>
+    <message>
+        <source>cannot be started: %1</source>
+        <translation>kann nicht gestartet werden: %1</translation>
+    </message>
+    <message>
+        <source>install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD</source>
+        <translation>installieren Sie fulcrum-hapticd neben fulcrum, oder nennen Sie es in FULCRUM_HAPTICD</translation>
+    </message>
+    <message>
+        <source>check that the file belongs to this version of Fulcrum</source>
+        <translation>prüfen Sie, ob die Datei zu dieser Version von Fulcrum gehört</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>does not open</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>correct that and try again</source>
+        <translation>beheben Sie das und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>did not open the device</source>
+        <translation>hat das Gerät nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>check that the file belongs to this version of Fulcrum; its messages are on standard error</source>
+        <translation>prüfen Sie, ob die Datei zu dieser Version von Fulcrum gehört; ihre Meldungen stehen in der Fehlerausgabe</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>hat sich beendet</translation>
+    </message>
+    <message>
+        <source>The program that drives the device %1; it is being started again.</source>
+        <translation>Das Programm, das das Gerät ansteuert, %1; es wird neu gestartet.</translation>
+    </message>
+    <message>
+        <source>The program that drives the device %1 again and again.</source>
+        <translation>Das Programm, das das Gerät ansteuert, %1, und zwar immer wieder.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>fulcrum-hapticd, which drives the device, ended.</source>
+        <translation>fulcrum-hapticd, das das Gerät ansteuert, hat sich beendet.</translation>
+    </message>
+    <message>
+        <source>fulcrum-hapticd, which drives the device, does not answer.</source>
+        <translation>fulcrum-hapticd, das das Gerät ansteuert, antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known</source>
+        <translation>„%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>check the file</source>
+        <translation>prüfen Sie die Datei</translation>
+    </message>
+    <message>
+        <source>is larger than 256 MiB</source>
+        <translation>ist größer als 256 MiB</translation>
+    </message>
+    <message>
+        <source>use a shorter recording</source>
+        <translation>verwenden Sie eine kürzere Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>is not JSON: %1</source>
+        <translation>ist kein JSON: %1</translation>
+    </message>
+    <message>
+        <source>correct the document</source>
+        <translation>berichtigen Sie das Dokument</translation>
+    </message>
+    <message>
+        <source>must be &quot;fulcrum-device-script&quot;</source>
+        <translation>muss &quot;fulcrum-device-script&quot; sein</translation>
+    </message>
+    <message>
+        <source>add it, or name another file</source>
+        <translation>fügen Sie es hinzu, oder nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>must be a short text</source>
+        <translation>muss ein kurzer Text sein</translation>
+    </message>
+    <message>
+        <source>give a text of at most 200 bytes</source>
+        <translation>geben Sie einen Text von höchstens 200 Bytes an</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>correct it</source>
+        <translation>berichtigen Sie es</translation>
+    </message>
+    <message>
+        <source>has none of left, right, scope and recording</source>
+        <translation>hat keines von left, right, scope und recording</translation>
+    </message>
+    <message>
+        <source>give at least one</source>
+        <translation>geben Sie mindestens eines an</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>write { … }</source>
+        <translation>schreiben Sie { … }</translation>
+    </message>
+    <message>
+        <source>is not a key of a device script</source>
+        <translation>ist kein Schlüssel eines Geräteskripts</translation>
+    </message>
+    <message>
+        <source>remove it or correct its name</source>
+        <translation>entfernen Sie ihn, oder berichtigen Sie seinen Namen</translation>
+    </message>
+    <message>
+        <source>must be a number from %1 to %2</source>
+        <translation>muss eine Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>correct the value</source>
+        <translation>berichtigen Sie den Wert</translation>
+    </message>
+    <message>
+        <source>must be the name of a file</source>
+        <translation>muss der Name einer Datei sein</translation>
+    </message>
+    <message>
+        <source>write the name as a text</source>
+        <translation>schreiben Sie den Namen als Text</translation>
+    </message>
+    <message>
+        <source>must be a list with at least one point</source>
+        <translation>muss eine Liste mit mindestens einem Punkt sein</translation>
+    </message>
+    <message>
+        <source>write [{&quot;t&quot;: 0, &quot;position&quot;: [0, 0, 0]}]</source>
+        <translation>schreiben Sie [{&quot;t&quot;: 0, &quot;position&quot;: [0, 0, 0]}]</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>give the points of the path</source>
+        <translation>geben Sie die Punkte des Weges an</translation>
+    </message>
+    <message>
+        <source>is not for the scope</source>
+        <translation>gilt nicht für die Optik</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>give the time in seconds</source>
+        <translation>geben Sie die Zeit in Sekunden an</translation>
+    </message>
+    <message>
+        <source>must be later than the point before</source>
+        <translation>muss später sein als der Punkt davor</translation>
+    </message>
+    <message>
+        <source>sort the points by time</source>
+        <translation>ordnen Sie die Punkte nach der Zeit</translation>
+    </message>
+    <message>
+        <source>must be three numbers in metres</source>
+        <translation>müssen drei Zahlen in Metern sein</translation>
+    </message>
+    <message>
+        <source>write [x, y, z]</source>
+        <translation>schreiben Sie [x, y, z]</translation>
+    </message>
+    <message>
+        <source>must be within 1 m of the origin</source>
+        <translation>muss innerhalb von 1 m um den Ursprung liegen</translation>
+    </message>
+    <message>
+        <source>give metres</source>
+        <translation>geben Sie Meter an</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>write [ … ]</source>
+        <translation>schreiben Sie [ … ]</translation>
+    </message>
+    <message>
+        <source>is not a fault</source>
+        <translation>ist keine Störung</translation>
+    </message>
+    <message>
+        <source>use silence, not_a_number or jump</source>
+        <translation>verwenden Sie silence, not_a_number oder jump</translation>
+    </message>
+    <message>
+        <source>the first line must be %1</source>
+        <translation>die erste Zeile muss %1 sein</translation>
+    </message>
+    <message>
+        <source>write this line first, as docs/DEVICES.md describes</source>
+        <translation>schreiben Sie diese Zeile an den Anfang, wie in docs/DEVICES.md beschrieben</translation>
+    </message>
+    <message>
+        <source>must have 8 columns</source>
+        <translation>muss 8 Spalten haben</translation>
+    </message>
+    <message>
+        <source>correct the row</source>
+        <translation>berichtigen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>slot &apos;%1&apos; is not known</source>
+        <translation>„%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>use left, right or scope</source>
+        <translation>verwenden Sie left, right oder scope</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a usable number</source>
+        <translation>„%1“ ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>correct column %1</source>
+        <translation>berichtigen Sie die Spalte %1</translation>
+    </message>
+    <message>
+        <source>sort the rows of each slot by time</source>
+        <translation>ordnen Sie die Zeilen jeder Hand nach der Zeit</translation>
+    </message>
+    <message>
+        <source>too many rows</source>
+        <translation>zu viele Zeilen</translation>
+    </message>
+    <message>
+        <source>has no readings</source>
+        <translation>enthält keine Messwerte</translation>
+    </message>
+    <message>
+        <source>record again</source>
+        <translation>nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>was stopped</source>
+        <translation>wurde angehalten</translation>
+    </message>
+    <message>
+        <source>was ended by signal %1</source>
+        <translation>wurde durch Signal %1 beendet</translation>
+    </message>
+    <message>
+        <source>ended with status %1</source>
+        <translation>hat sich mit Status %1 beendet</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>kann nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>name a regular file in a folder that can be written and has space</source>
+        <translation>nennen Sie eine gewöhnliche Datei in einem Ordner, der beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>check the path and the permission to read it</source>
+        <translation>prüfen Sie den Pfad und die Leseberechtigung</translation>
+    </message>
+    <message>
+        <source>is %1, not a regular file</source>
+        <translation>ist %1, keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>name a regular file</source>
+        <translation>nennen Sie eine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>there are more vessels than bands</source>
+        <translation>es gibt mehr Gefäße als Stränge</translation>
+    </message>
+    <message>
+        <source>give at most &quot;count&quot;</source>
+        <translation>geben Sie höchstens &quot;count&quot; an</translation>
+    </message>
+    <message>
+        <source>the bed is too small for two columns of such bands</source>
+        <translation>das Bett ist zu klein für zwei Reihen solcher Stränge</translation>
+    </message>
+    <message>
+        <source>give a wider bed, fewer bands or shorter ones</source>
+        <translation>geben Sie ein breiteres Bett, weniger oder kürzere Stränge an</translation>
+    </message>
+    <message>
+        <source>the bed is larger than 0.6 m or its rim is below its middle</source>
+        <translation>das Bett ist größer als 0.6 m, oder sein Rand liegt tiefer als seine Mitte</translation>
+    </message>
+    <message>
+        <source>give half edges in metres</source>
+        <translation>geben Sie halbe Kantenlängen in Metern an</translation>
+    </message>
+    <message>
+        <source>the nerve is below the bed</source>
+        <translation>der Nerv liegt unter dem Bett</translation>
+    </message>
+    <message>
+        <source>give a gap below &quot;height&quot;</source>
+        <translation>geben Sie einen Abstand unter &quot;height&quot; an</translation>
+    </message>
+    <message>
+        <source>the layers together are thicker than the bowel&apos;s radius</source>
+        <translation>die Schichten sind zusammen dicker als der Radius des Darms</translation>
+    </message>
+    <message>
+        <source>give layers whose thicknesses add up to less than outer_radius</source>
+        <translation>geben Sie Schichten an, deren Dicken zusammen kleiner sind als outer_radius</translation>
+    </message>
+    <message>
+        <source>a nodule needs a wall with layers</source>
+        <translation>ein Knoten braucht eine Wand mit Schichten</translation>
+    </message>
+    <message>
+        <source>give the bowel &quot;layers&quot;</source>
+        <translation>geben Sie dem Darm &quot;layers&quot;</translation>
+    </message>
+    <message>
+        <source>the nodule is thicker than the layer that it replaces</source>
+        <translation>der Knoten ist dicker als die Schicht, die er ersetzt</translation>
+    </message>
+    <message>
+        <source>give a height of at most the first layer&apos;s thickness</source>
+        <translation>geben Sie höchstens die Dicke der ersten Schicht an</translation>
+    </message>
+    <message>
+        <source>the wall is thicker than the bowel&apos;s radius</source>
+        <translation>die Wand ist dicker als der Radius des Darms</translation>
+    </message>
+    <message>
+        <source>give a wall thinner than outer_radius</source>
+        <translation>geben Sie eine Wand an, die dünner ist als outer_radius</translation>
+    </message>
+    <message>
+        <source>the spheres would leave gaps, or there would be more than 1000</source>
+        <translation>zwischen den Kugeln blieben Lücken, oder es wären mehr als 1000</translation>
+    </message>
+    <message>
+        <source>give a spacing near outer_radius, below four times it</source>
+        <translation>geben Sie einen Abstand nahe outer_radius an, unter dem Vierfachen davon</translation>
+    </message>
+    <message>
+        <source>the balls do not fit into the cups</source>
+        <translation>die Kugeln passen nicht in die Becher</translation>
+    </message>
+    <message>
+        <source>give smaller balls or wider cups</source>
+        <translation>geben Sie kleinere Kugeln oder weitere Becher an</translation>
+    </message>
+    <message>
+        <source>the lens would be in the cup</source>
+        <translation>die Linse läge im Becher</translation>
+    </message>
+    <message>
+        <source>give a larger distance, a shallower cup or a thinner scope</source>
+        <translation>geben Sie einen größeren Abstand, einen flacheren Becher oder eine dünnere Optik an</translation>
+    </message>
+    <message>
+        <source>least_insertion is above most_insertion</source>
+        <translation>least_insertion liegt über most_insertion</translation>
+    </message>
+    <message>
+        <source>give at most the value of most_insertion</source>
+        <translation>geben Sie höchstens den Wert von most_insertion an</translation>
+    </message>
+    <message>
+        <source>give three values from 0 on</source>
+        <translation>geben Sie drei Werte ab 0 an</translation>
+    </message>
+    <message>
+        <source>give at least one instrument, or &quot;camera_targets&quot;</source>
+        <translation>geben Sie mindestens ein Instrument oder &quot;camera_targets&quot; an</translation>
+    </message>
+    <message>
+        <source>the tissue &quot;%1&quot; is not listed</source>
+        <translation>das Gewebe „%1“ ist nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>add it to &quot;tissues&quot; or name another</source>
+        <translation>fügen Sie es zu &quot;tissues&quot; hinzu, oder nennen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>targets to look at need a scope</source>
+        <translation>Ziele zum Ansehen brauchen eine Optik</translation>
+    </message>
+    <message>
+        <source>add &quot;camera&quot;</source>
+        <translation>fügen Sie &quot;camera&quot; hinzu</translation>
+    </message>
+    <message>
+        <source>a scene for the scope alone has no instruments and no targets to touch</source>
+        <translation>eine Szene nur für die Optik hat keine Instrumente und keine Ziele zum Berühren</translation>
+    </message>
+    <message>
+        <source>remove &quot;instruments&quot; and &quot;targets&quot;, or &quot;camera_targets&quot;</source>
+        <translation>entfernen Sie &quot;instruments&quot; und &quot;targets&quot;, oder &quot;camera_targets&quot;</translation>
+    </message>
+    <message>
+        <source>cups for the camera would lie in the tissue</source>
+        <translation>Becher für die Kamera lägen im Gewebe</translation>
+    </message>
+    <message>
+        <source>remove &quot;%1&quot; or &quot;camera_targets&quot;</source>
+        <translation>entfernen Sie &quot;%1&quot; oder &quot;camera_targets&quot;</translation>
+    </message>
+    <message>
+        <source>this is not a cutting value</source>
+        <translation>das ist kein Schneidewert</translation>
+    </message>
+    <message>
+        <source>use one of %1</source>
+        <translation>verwenden Sie einen der folgenden: %1</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 liegt außerhalb des erlaubten Bereichs</translation>
+    </message>
+    <message>
+        <source>the scene has no tissue of this name with cutting values</source>
+        <translation>die Szene hat kein Gewebe dieses Namens mit Schneidewerten</translation>
+    </message>
+    <message>
+        <source>choose a task in which tissue is cut</source>
+        <translation>wählen Sie eine Aufgabe, in der Gewebe geschnitten wird</translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation>Befehlszeile</translation>
+    </message>
+    <message>
+        <source>unknown fidelity &quot;%1&quot;</source>
+        <translation>unbekannte Genauigkeit „%1“</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>geben Sie eines an von: %1</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>give a regular file, not a folder</source>
+        <translation>geben Sie eine gewöhnliche Datei an, keinen Ordner</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 bytes</source>
+        <translation>die Datei ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>split it or remove what it does not need</source>
+        <translation>teilen Sie sie auf, oder entfernen Sie, was sie nicht braucht</translation>
+    </message>
+    <message>
+        <source>the text is larger than %1 bytes</source>
+        <translation>der Text ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>remove what it does not need</source>
+        <translation>entfernen Sie, was er nicht braucht</translation>
+    </message>
+    <message>
+        <source>the text is nested deeper than %1 levels</source>
+        <translation>der Text ist tiefer als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>check for a bracket that is never closed</source>
+        <translation>suchen Sie eine Klammer, die nicht geschlossen wird</translation>
+    </message>
+    <message>
+        <source>the text is not valid JSON: %1</source>
+        <translation>der Text ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>correct the text at this line or just before it</source>
+        <translation>berichtigen Sie den Text in dieser Zeile oder unmittelbar davor</translation>
+    </message>
+    <message>
+        <source>the key is given twice</source>
+        <translation>der Schlüssel ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>remove one of the two</source>
+        <translation>entfernen Sie einen von beiden</translation>
+    </message>
+    <message>
+        <source>unknown name %1</source>
+        <translation>unbekannter Name %1</translation>
+    </message>
+    <message>
+        <source>the rings do not fit around the pegs</source>
+        <translation>die Ringe passen nicht um die Stifte</translation>
+    </message>
+    <message>
+        <source>give larger rings, thinner tubes or thinner pegs</source>
+        <translation>geben Sie größere Ringe, dünnere Rohre oder dünnere Stifte an</translation>
+    </message>
+    <message>
+        <source>rings around neighbouring pegs would overlap</source>
+        <translation>Ringe um benachbarte Stifte würden sich überlappen</translation>
+    </message>
+    <message>
+        <source>give pegs that are further apart, smaller rings or less jitter</source>
+        <translation>geben Sie weiter entfernte Stifte, kleinere Ringe oder weniger Streuung an</translation>
+    </message>
+    <message>
+        <source>the pegs do not fit on the tray side by side</source>
+        <translation>die Stifte passen nicht nebeneinander auf das Tablett</translation>
+    </message>
+    <message>
+        <source>give a larger tray, a gap of at least twice the spacing, or fewer rings</source>
+        <translation>geben Sie ein größeres Tablett, eine Lücke vom mindestens doppelten Abstand oder weniger Ringe an</translation>
+    </message>
+    <message>
+        <source>the tissue &quot;%1&quot; is given twice</source>
+        <translation>das Gewebe „%1“ ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>give every tissue its own label</source>
+        <translation>geben Sie jedem Gewebe einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>the spread is above 0.4 of perforation_force</source>
+        <translation>die Streuung ist größer als 0.4 von perforation_force</translation>
+    </message>
+    <message>
+        <source>give a smaller spread or a larger perforation_force</source>
+        <translation>geben Sie eine kleinere Streuung oder eine größere perforation_force an</translation>
+    </message>
+    <message>
+        <source>dynamic_friction_n is above static_friction_n</source>
+        <translation>dynamic_friction_n liegt über static_friction_n</translation>
+    </message>
+    <message>
+        <source>give at most the value of static_friction_n</source>
+        <translation>geben Sie höchstens den Wert von static_friction_n an</translation>
+    </message>
+    <message>
+        <source>a tissue without friction carries no force along it, so no blade can break through</source>
+        <translation>ein Gewebe ohne Reibung trägt in Längsrichtung keine Kraft, also kann keine Klinge durchbrechen</translation>
+    </message>
+    <message>
+        <source>give the tissue a friction above 0</source>
+        <translation>geben Sie dem Gewebe eine Reibung über 0</translation>
+    </message>
+    <message>
+        <source>the trocar is more than 1 m from the pelvis</source>
+        <translation>der Trokar ist mehr als 1 m vom Becken entfernt</translation>
+    </message>
+    <message>
+        <source>give metres, not millimetres</source>
+        <translation>geben Sie Meter an, nicht Millimeter</translation>
+    </message>
+    <message>
+        <source>the direction has no length</source>
+        <translation>die Richtung hat keine Länge</translation>
+    </message>
+    <message>
+        <source>give a vector from the trocar into the body</source>
+        <translation>geben Sie einen Vektor vom Trokar in den Körper an</translation>
+    </message>
+    <message>
+        <source>up is parallel to the direction</source>
+        <translation>up ist parallel zur Richtung</translation>
+    </message>
+    <message>
+        <source>give an up vector at least 3 degrees away from the shaft</source>
+        <translation>geben Sie einen Vektor an, der mindestens 3 Grad vom Schaft abweicht</translation>
+    </message>
+    <message>
+        <source>the start insertion exceeds 0.9 of the shaft&apos;s length</source>
+        <translation>die Einführtiefe am Anfang überschreitet 0.9 der Schaftlänge</translation>
+    </message>
+    <message>
+        <source>give a smaller start_insertion or a longer shaft_length</source>
+        <translation>geben Sie eine kleinere start_insertion oder eine größere shaft_length an</translation>
+    </message>
+    <message>
+        <source>the %1 hand holds two instruments</source>
+        <translation>die %1 Hand hält zwei Instrumente</translation>
+    </message>
+    <message>
+        <source>instruments are exchanged where nothing needs another</source>
+        <translation>Instrumente werden gewechselt, wo nichts ein anderes braucht</translation>
+    </message>
+    <message>
+        <source>add &quot;bands&quot; or &quot;structures&quot; to the scene or remove &quot;exchange&quot;</source>
+        <translation>fügen Sie der Szene &quot;bands&quot; oder &quot;structures&quot; hinzu, oder entfernen Sie &quot;exchange&quot;</translation>
+    </message>
+    <message>
+        <source>the first of &quot;exchange&quot; is not &quot;kind&quot;</source>
+        <translation>das erste von &quot;exchange&quot; ist nicht &quot;kind&quot;</translation>
+    </message>
+    <message>
+        <source>start the list with what the hand holds at the start</source>
+        <translation>beginnen Sie die Liste mit dem, was die Hand am Anfang hält</translation>
+    </message>
+    <message>
+        <source>the box has an edge of 0 or above 0.6 m</source>
+        <translation>der Kasten hat eine Kante von 0 oder über 0.6 m</translation>
+    </message>
+    <message>
+        <source>give three half edges in metres, each above 0</source>
+        <translation>geben Sie drei halbe Kantenlängen in Metern an, jede über 0</translation>
+    </message>
+    <message>
+        <source>the box has no room for this many targets at this distance</source>
+        <translation>im Kasten ist bei diesem Abstand kein Platz für so viele Ziele</translation>
+    </message>
+    <message>
+        <source>give fewer targets, a smaller minimum_distance or a larger half_extent</source>
+        <translation>geben Sie weniger Ziele, eine kleinere minimum_distance oder eine größere half_extent an</translation>
+    </message>
+    <message>
+        <source>tethers need a bowel</source>
+        <translation>Haltebänder brauchen einen Darm</translation>
+    </message>
+    <message>
+        <source>add a &quot;bowel&quot; or remove &quot;tethers&quot;</source>
+        <translation>fügen Sie &quot;bowel&quot; hinzu, oder entfernen Sie &quot;tethers&quot;</translation>
+    </message>
+    <message>
+        <source>first must be below last</source>
+        <translation>first muss kleiner sein als last</translation>
+    </message>
+    <message>
+        <source>give first &lt; last, fractions of the bowel&apos;s length</source>
+        <translation>geben Sie first &lt; last an, als Anteile der Darmlänge</translation>
+    </message>
+    <message>
+        <source>a membrane needs a bowel and a cavity to attach to</source>
+        <translation>eine Membran braucht einen Darm und einen Hohlraum, an denen sie ansetzt</translation>
+    </message>
+    <message>
+        <source>add &quot;bowel&quot; and &quot;cavity&quot; or remove &quot;membranes&quot;</source>
+        <translation>fügen Sie &quot;bowel&quot; und &quot;cavity&quot; hinzu, oder entfernen Sie &quot;membranes&quot;</translation>
+    </message>
+    <message>
+        <source>give a vector in the sheet&apos;s plane</source>
+        <translation>geben Sie einen Vektor in der Ebene der Gewebeplatte an</translation>
+    </message>
+    <message>
+        <source>across is parallel to the marked line</source>
+        <translation>across ist parallel zur markierten Linie</translation>
+    </message>
+    <message>
+        <source>give a direction at right angles to &quot;along&quot;</source>
+        <translation>geben Sie eine Richtung im rechten Winkel zu &quot;along&quot; an</translation>
+    </message>
+    <message>
+        <source>the marked line is longer than the sheet</source>
+        <translation>die markierte Linie ist länger als die Gewebeplatte</translation>
+    </message>
+    <message>
+        <source>give at most length</source>
+        <translation>geben Sie höchstens length an</translation>
+    </message>
+    <message>
+        <source>the sheet would have fewer than five vertices along an edge, or more than 20000 in total</source>
+        <translation>die Gewebeplatte hätte weniger als fünf Punkte je Kante oder mehr als 20000 insgesamt</translation>
+    </message>
+    <message>
+        <source>give a spacing that suits length and width</source>
+        <translation>geben Sie einen Abstand an, der zu Länge und Breite passt</translation>
+    </message>
+    <message>
+        <source>a presacral wall needs a rectum</source>
+        <translation>eine präsakrale Wand braucht ein Rektum</translation>
+    </message>
+    <message>
+        <source>add a bowel of layout &quot;rectum&quot;</source>
+        <translation>fügen Sie einen Darm mit dem Verlauf &quot;rectum&quot; hinzu</translation>
+    </message>
+    <message>
+        <source>a rectum and a presacral wall need each other</source>
+        <translation>Rektum und präsakrale Wand gehören zusammen</translation>
+    </message>
+    <message>
+        <source>give the bowel the layout &quot;rectum&quot; and the scene &quot;presacral&quot;, or neither</source>
+        <translation>geben Sie dem Darm den Verlauf &quot;rectum&quot; und der Szene &quot;presacral&quot;, oder keines von beiden</translation>
+    </message>
+    <message>
+        <source>a scene with a presacral wall cannot have a cavity, tethers, membranes or targets</source>
+        <translation>eine Szene mit präsakraler Wand kann weder Hohlraum noch Haltebänder, Membranen oder Ziele haben</translation>
+    </message>
+    <message>
+        <source>remove cavity, tethers, membranes and targets</source>
+        <translation>entfernen Sie cavity, tethers, membranes und targets</translation>
+    </message>
+    <message>
+        <source>septa need a rectum and a presacral wall, and exclude a sheet</source>
+        <translation>Septen brauchen ein Rektum und eine präsakrale Wand und schließen eine Gewebeplatte aus</translation>
+    </message>
+    <message>
+        <source>add &quot;presacral&quot; and a bowel of layout &quot;rectum&quot;, and remove &quot;sheet&quot;</source>
+        <translation>fügen Sie &quot;presacral&quot; und einen Darm mit dem Verlauf &quot;rectum&quot; hinzu, und entfernen Sie &quot;sheet&quot;</translation>
+    </message>
+    <message>
+        <source>bands cannot be combined with a bowel, cavity, sheet or targets</source>
+        <translation>Stränge lassen sich nicht mit Darm, Hohlraum, Gewebeplatte oder Zielen verbinden</translation>
+    </message>
+    <message>
+        <source>remove those parts or &quot;bands&quot;</source>
+        <translation>entfernen Sie diese Teile oder &quot;bands&quot;</translation>
+    </message>
+    <message>
+        <source>structures need a presacral wall</source>
+        <translation>Strukturen brauchen eine präsakrale Wand</translation>
+    </message>
+    <message>
+        <source>add &quot;presacral&quot; or remove &quot;structures&quot;</source>
+        <translation>fügen Sie &quot;presacral&quot; hinzu, oder entfernen Sie &quot;structures&quot;</translation>
+    </message>
+    <message>
+        <source>bands and structures cannot be combined</source>
+        <translation>Stränge und Strukturen lassen sich nicht verbinden</translation>
+    </message>
+    <message>
+        <source>remove &quot;bands&quot; or &quot;structures&quot;</source>
+        <translation>entfernen Sie &quot;bands&quot; oder &quot;structures&quot;</translation>
+    </message>
+    <message>
+        <source>objects on a tray cannot be combined with tissue, cavity or targets</source>
+        <translation>Objekte auf einem Tablett lassen sich nicht mit Gewebe, Hohlraum oder Zielen verbinden</translation>
+    </message>
+    <message>
+        <source>remove those parts or &quot;objects&quot;</source>
+        <translation>entfernen Sie diese Teile oder &quot;objects&quot;</translation>
+    </message>
+    <message>
+        <source>the tissue &quot;%1&quot; is not in the list of tissues</source>
+        <translation>das Gewebe „%1“ steht nicht in der Liste der Gewebe</translation>
+    </message>
+    <message>
+        <source>use one of: %1, or add it to &quot;tissues&quot;</source>
+        <translation>verwenden Sie eines von: %1, oder fügen Sie es zu &quot;tissues&quot; hinzu</translation>
+    </message>
+    <message>
+        <source>the promontory is beyond an end of the rectum</source>
+        <translation>das Promontorium liegt jenseits eines Endes des Rektums</translation>
+    </message>
+    <message>
+        <source>give an angle between the rectum&apos;s ends</source>
+        <translation>geben Sie einen Winkel zwischen den Enden des Rektums an</translation>
+    </message>
+    <message>
+        <source>the intended plane is outside the areolar zone</source>
+        <translation>die vorgesehene Schicht liegt außerhalb der areolären Zone</translation>
+    </message>
+    <message>
+        <source>give less than areolar_height</source>
+        <translation>geben Sie weniger als areolar_height an</translation>
+    </message>
+    <message>
+        <source>the areolar zone leaves no room for the mesorectal fat</source>
+        <translation>die areoläre Zone lässt keinen Platz für das mesorektale Fett</translation>
+    </message>
+    <message>
+        <source>give less than 0.8 of presacral.gap</source>
+        <translation>geben Sie weniger als 0.8 von presacral.gap an</translation>
+    </message>
+    <message>
+        <source>the septa would extend around the rectum</source>
+        <translation>die Septen würden um das Rektum herumreichen</translation>
+    </message>
+    <message>
+        <source>give less, or a wider presacral.gap or rectum</source>
+        <translation>geben Sie weniger an, oder ein größeres presacral.gap oder Rektum</translation>
+    </message>
+    <message>
+        <source>a septum would have fewer than five vertices along it, or more than 200</source>
+        <translation>ein Septum hätte der Länge nach weniger als fünf oder mehr als 200 Punkte</translation>
+    </message>
+    <message>
+        <source>give a spacing that suits the width</source>
+        <translation>geben Sie einen Abstand an, der zur Breite passt</translation>
+    </message>
+    <message>
+        <source>a septum is above the promontory or below the rectum</source>
+        <translation>ein Septum liegt oberhalb des Promontoriums oder unterhalb des Rektums</translation>
+    </message>
+    <message>
+        <source>give fewer or closer septa, another first angle or a longer rectum</source>
+        <translation>geben Sie weniger oder engere Septen, einen anderen ersten Winkel oder ein längeres Rektum an</translation>
+    </message>
+    <message>
+        <source>a rung is wider than the veins it joins</source>
+        <translation>eine Quervene ist weiter als die Venen, die sie verbindet</translation>
+    </message>
+    <message>
+        <source>give at most &quot;vessel_radius&quot;</source>
+        <translation>geben Sie höchstens &quot;vessel_radius&quot; an</translation>
+    </message>
+    <message>
+        <source>the nerves would be inside the fascia</source>
+        <translation>die Nerven lägen in der Faszie</translation>
+    </message>
+    <message>
+        <source>give at least &quot;nerve_radius&quot;</source>
+        <translation>geben Sie mindestens &quot;nerve_radius&quot; an</translation>
+    </message>
+    <message>
+        <source>veins that wander this far would intersect</source>
+        <translation>Venen, die so weit abweichen, würden sich schneiden</translation>
+    </message>
+    <message>
+        <source>give at most half of &quot;vein_lateral&quot;</source>
+        <translation>geben Sie höchstens die Hälfte von &quot;vein_lateral&quot; an</translation>
+    </message>
+    <message>
+        <source>the membrane is too stiff or heavy for the bowel&apos;s mass at this step</source>
+        <translation>die Membran ist bei dieser Schrittweite zu steif oder zu schwer für die Masse des Darms</translation>
+    </message>
+    <message>
+        <source>lower its stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step</source>
+        <translation>senken Sie ihre stiffness, stiffness_damping oder surface_density, oder nehmen Sie weniger ticks_per_step</translation>
+    </message>
+    <message>
+        <source>the septa are too stiff or heavy for the bowel&apos;s mass at this step</source>
+        <translation>die Septen sind bei dieser Schrittweite zu steif oder zu schwer für die Masse des Darms</translation>
+    </message>
+    <message>
+        <source>lower their stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step</source>
+        <translation>senken Sie ihre stiffness, stiffness_damping oder surface_density, oder nehmen Sie weniger ticks_per_step</translation>
+    </message>
+    <message>
+        <source>needs a cavity to lie in</source>
+        <translation>braucht einen Hohlraum, in dem er liegt</translation>
+    </message>
+    <message>
+        <source>add a cavity to the scene</source>
+        <translation>fügen Sie der Szene einen Hohlraum hinzu</translation>
+    </message>
+    <message>
+        <source>only %1 cups have room where the scope can see them</source>
+        <translation>nur %1 Becher haben dort Platz, wo die Optik sie sehen kann</translation>
+    </message>
+    <message>
+        <source>ask for fewer cups, less spacing or more swing of the scope</source>
+        <translation>verlangen Sie weniger Becher, kleinere Abstände oder mehr Schwenk der Optik</translation>
+    </message>
+    <message>
+        <source>the sheet is too stiff for its mass at this step</source>
+        <translation>die Gewebeplatte ist bei dieser Schrittweite zu steif für ihre Masse</translation>
+    </message>
+    <message>
+        <source>lower its stiffness, raise surface_density or take fewer ticks_per_step</source>
+        <translation>senken Sie ihre stiffness, erhöhen Sie surface_density, oder nehmen Sie weniger ticks_per_step</translation>
+    </message>
+    <message>
+        <source>more targets than the local model holds</source>
+        <translation>mehr Ziele, als das lokale Modell fasst</translation>
+    </message>
+    <message>
+        <source>use at most %1</source>
+        <translation>verwenden Sie höchstens %1</translation>
+    </message>
+    <message>
+        <source>set FULCRUM_ASSETS to the assets folder</source>
+        <translation>setzen Sie FULCRUM_ASSETS auf den Ordner assets</translation>
+    </message>
+    <message>
+        <source>assets</source>
+        <translation>Mitgeliefertes</translation>
+    </message>
+    <message>
+        <source>no task &apos;%1&apos;</source>
+        <translation>es gibt keine Aufgabe „%1“</translation>
+    </message>
+    <message>
+        <source>name one of %1</source>
+        <translation>nennen Sie eine von %1</translation>
+    </message>
+    <message>
+        <source>begin at an earlier goal</source>
+        <translation>beginnen Sie bei einem früheren Schritt</translation>
+    </message>
+    <message>
+        <source>stage %1 is listed twice</source>
+        <translation>die Stufe %1 ist doppelt aufgeführt</translation>
+    </message>
+    <message>
+        <source>give every stage its own id</source>
+        <translation>geben Sie jeder Stufe eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>%1 is not a task of this curriculum</source>
+        <translation>%1 ist keine Aufgabe dieses Curriculums</translation>
+    </message>
+    <message>
+        <source>add it to /tasks, or remove it here</source>
+        <translation>fügen Sie sie zu /tasks hinzu, oder entfernen Sie sie hier</translation>
+    </message>
+    <message>
+        <source>%1 belongs to a later stage than %2</source>
+        <translation>%1 gehört zu einer späteren Stufe als %2</translation>
+    </message>
+    <message>
+        <source>name tasks of the same or an earlier stage</source>
+        <translation>nennen Sie Aufgaben derselben oder einer früheren Stufe</translation>
+    </message>
+    <message>
+        <source>%1 would unlock only after itself</source>
+        <translation>%1 würde erst nach sich selbst frei</translation>
+    </message>
+    <message>
+        <source>remove one of the prerequisites on the way back to %1</source>
+        <translation>entfernen Sie eine der Voraussetzungen auf dem Weg zurück zu %1</translation>
+    </message>
+    <message>
+        <source>no task %1 is installed</source>
+        <translation>die Aufgabe %1 ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>name a file of assets/tasks</source>
+        <translation>nennen Sie eine Datei aus assets/tasks</translation>
+    </message>
+    <message>
+        <source>%1 is listed twice</source>
+        <translation>%1 ist doppelt aufgeführt</translation>
+    </message>
+    <message>
+        <source>list every task once</source>
+        <translation>führen Sie jede Aufgabe einmal auf</translation>
+    </message>
+    <message>
+        <source>there is no stage %1</source>
+        <translation>es gibt keine Stufe %1</translation>
+    </message>
+    <message>
+        <source>name one of /stages, or add it there</source>
+        <translation>nennen Sie eine aus /stages, oder fügen Sie sie dort hinzu</translation>
+    </message>
+    <message>
+        <source>install the program&apos;s assets again</source>
+        <translation>installieren Sie die mitgelieferten Dateien der Software neu</translation>
+    </message>
+    <message>
+        <source>a version in use is never edited: raise the version of the changed file</source>
+        <translation>eine verwendete Version wird nie bearbeitet: Erhöhen Sie die Version der geänderten Datei</translation>
+    </message>
+    <message>
+        <source>curriculum %1</source>
+        <translation>Curriculum %1</translation>
+    </message>
+    <message>
+        <source>was not read from a file</source>
+        <translation>wurde nicht aus einer Datei gelesen</translation>
+    </message>
+    <message>
+        <source>choose an installed curriculum</source>
+        <translation>wählen Sie ein installiertes Curriculum</translation>
+    </message>
+    <message>
+        <source>has no task %1</source>
+        <translation>hat keine Aufgabe %1</translation>
+    </message>
+    <message>
+        <source>name one of its tasks</source>
+        <translation>nennen Sie eine seiner Aufgaben</translation>
+    </message>
+    <message>
+        <source>is outside the scale of the item (is %1)</source>
+        <translation>liegt außerhalb der Skala des Punktes (ist %1)</translation>
+    </message>
+    <message>
+        <source>use a rating from %1 to %2</source>
+        <translation>verwenden Sie eine Bewertung von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>does not follow the anchor before it (is %1)</source>
+        <translation>folgt nicht auf den Anker davor (ist %1)</translation>
+    </message>
+    <message>
+        <source>list the anchors by rising rating, each rating once</source>
+        <translation>ordnen Sie die Anker nach steigender Bewertung, jede Bewertung einmal</translation>
+    </message>
+    <message>
+        <source>leaves an end of the scale without words</source>
+        <translation>lässt ein Ende der Skala ohne Worte</translation>
+    </message>
+    <message>
+        <source>describe the ratings %1 and %2</source>
+        <translation>beschreiben Sie die Bewertungen %1 und %2</translation>
+    </message>
+    <message>
+        <source>must be above /lowest (is %1)</source>
+        <translation>muss über /lowest liegen (ist %1)</translation>
+    </message>
+    <message>
+        <source>give the scale at least two ratings</source>
+        <translation>geben Sie der Skala mindestens zwei Bewertungen</translation>
+    </message>
+    <message>
+        <source>give every item its own id</source>
+        <translation>geben Sie jedem Punkt eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>raise the version of the changed file, or give it an id of its own</source>
+        <translation>erhöhen Sie die Version der geänderten Datei, oder geben Sie ihr eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>pass rule &apos;%1&apos;</source>
+        <translation>Bestehensregel „%1“</translation>
+    </message>
+    <message>
+        <source>write row:K, of:K,N or lc-cusum:P0,P1,H, such as lc-cusum:0.1,0.3,2.5</source>
+        <translation>schreiben Sie row:K, of:K,N oder lc-cusum:P0,P1,H, zum Beispiel lc-cusum:0.1,0.3,2.5</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>has %1 numbers where %2 are needed</source>
+        <translation>hat %1 Zahlen, nötig sind %2</translation>
+    </message>
+    <message>
+        <source>K and N must be whole numbers from 1 to %1</source>
+        <translation>K und N müssen ganze Zahlen von 1 bis %1 sein</translation>
+    </message>
+    <message>
+        <source>N must be at most %1</source>
+        <translation>N darf höchstens %1 sein</translation>
+    </message>
+    <message>
+        <source>K is larger than N</source>
+        <translation>K ist größer als N</translation>
+    </message>
+    <message>
+        <source>needs 0 &lt; P0 &lt; P1 &lt; 1</source>
+        <translation>nötig ist 0 &lt; P0 &lt; P1 &lt; 1</translation>
+    </message>
+    <message>
+        <source>H must be above 0 and at most 100</source>
+        <translation>H muss über 0 und höchstens 100 sein</translation>
+    </message>
+    <message>
+        <source>is not a rule</source>
+        <translation>ist keine Regel</translation>
+    </message>
+    <message>
+        <source>unknown name &quot;%1&quot;</source>
+        <translation>unbekannter Name „%1“</translation>
+    </message>
+    <message>
+        <source>not a list</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>give the metrics array of an attempt</source>
+        <translation>geben Sie die Liste metrics eines Versuchs an</translation>
+    </message>
+    <message>
+        <source>give every key of a metric row</source>
+        <translation>geben Sie jeden Schlüssel einer Kennzahlzeile an</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Operateur</translation>
+    </message>
+    <message>
+        <source>there is no model of this class of devices</source>
+        <translation>für diese Geräteklasse gibt es kein Modell</translation>
+    </message>
+    <message>
+        <source>use haptic, synthetic, tracked, controller or mouse-keyboard</source>
+        <translation>verwenden Sie haptic, synthetic, tracked, controller oder mouse-keyboard</translation>
+    </message>
+    <message>
+        <source>an operator does not perform goals of different parts of a scene in one task</source>
+        <translation>ein simulierter Operateur führt nicht Schritte an verschiedenen Teilen einer Szene in einer Aufgabe durch</translation>
+    </message>
+    <message>
+        <source>choose a task whose goals are all of one site</source>
+        <translation>wählen Sie eine Aufgabe, deren Schritte alle am selben Ort liegen</translation>
+    </message>
+    <message>
+        <source>no operator of this name</source>
+        <translation>es gibt keinen Operateur dieses Namens</translation>
+    </message>
+    <message>
+        <source>a sheet is divided with a grasper and a blade</source>
+        <translation>eine Gewebeplatte wird mit einer Fasszange und einer Klinge durchtrennt</translation>
+    </message>
+    <message>
+        <source>give one hand a grasper and the other scissors or a hook</source>
+        <translation>geben Sie einer Hand eine Fasszange und der anderen eine Schere oder einen Haken</translation>
+    </message>
+    <message>
+        <source>an operator does not hold the scope and instruments at once</source>
+        <translation>ein simulierter Operateur hält nicht zugleich Optik und Instrumente</translation>
+    </message>
+    <message>
+        <source>choose a task without instruments</source>
+        <translation>wählen Sie eine Aufgabe ohne Instrumente</translation>
+    </message>
+    <message>
+        <source>the scene gives the %1 hand no instrument</source>
+        <translation>die %1 Hand hat in der Szene kein Instrument</translation>
+    </message>
+    <message>
+        <source>add a grasper to the scene</source>
+        <translation>fügen Sie der Szene eine Fasszange hinzu</translation>
+    </message>
+    <message>
+        <source>give a pathology report as the program writes it</source>
+        <translation>geben Sie einen Pathologiebericht an, wie die Software ihn schreibt</translation>
+    </message>
+    <message>
+        <source>unknown metric &apos;%1&apos;</source>
+        <translation>unbekannte Kennzahl „%1“</translation>
+    </message>
+    <message>
+        <source>give the id of a metric</source>
+        <translation>geben Sie die Kennung einer Kennzahl an</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos; of a metric in &apos;%2&apos;</source>
+        <translation>Einheit „%1“ bei einer Kennzahl in „%2“</translation>
+    </message>
+    <message>
+        <source>build the set again</source>
+        <translation>erstellen Sie den Satz neu</translation>
+    </message>
+    <message>
+        <source>version %1 where the program computes version %2</source>
+        <translation>Version %1, die Software berechnet Version %2</translation>
+    </message>
+    <message>
+        <source>not the scale of the metric</source>
+        <translation>ist nicht die Skala der Kennzahl</translation>
+    </message>
+    <message>
+        <source>neither a deviation above 0 nor an absolute limit</source>
+        <translation>weder eine Abweichung über 0 noch eine absolute Grenze</translation>
+    </message>
+    <message>
+        <source>give the deviation, or the worst expert value as absolute_limit</source>
+        <translation>geben Sie die Abweichung an, oder den schlechtesten Expertenwert als absolute_limit</translation>
+    </message>
+    <message>
+        <source>the level of &apos;%1&apos; is given twice</source>
+        <translation>der Wert für „%1“ ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>remove one</source>
+        <translation>entfernen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is context only</source>
+        <translation>„%1“ dient nur der Einordnung</translation>
+    </message>
+    <message>
+        <source>gate a metric that is better in one direction</source>
+        <translation>machen Sie eine Kennzahl zum Kriterium, die in einer Richtung besser ist</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is context in this task</source>
+        <translation>„%1“ dient in dieser Aufgabe nur der Einordnung</translation>
+    </message>
+    <message>
+        <source>remove it from context, or remove the gate</source>
+        <translation>entfernen Sie sie aus context, oder entfernen Sie das Kriterium</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is measured for each hand</source>
+        <translation>„%1“ wird je Hand gemessen</translation>
+    </message>
+    <message>
+        <source>give hand left or right</source>
+        <translation>geben Sie hand left oder right an</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to no single hand</source>
+        <translation>„%1“ gehört zu keiner einzelnen Hand</translation>
+    </message>
+    <message>
+        <source>remove hand</source>
+        <translation>entfernen Sie hand</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no rows by tissue</source>
+        <translation>„%1“ hat keine Zeilen je Gewebe</translation>
+    </message>
+    <message>
+        <source>remove tissue</source>
+        <translation>entfernen Sie tissue</translation>
+    </message>
+    <message>
+        <source>more than %1 benchmark gates</source>
+        <translation>mehr als %1 Kriterien mit Richtwert</translation>
+    </message>
+    <message>
+        <source>show the others without a gate</source>
+        <translation>zeigen Sie die übrigen ohne Kriterium</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no targets to touch</source>
+        <translation>die Szene „%1“ hat keine Ziele zum Berühren</translation>
+    </message>
+    <message>
+        <source>add &quot;targets&quot; to the scene or name another scene</source>
+        <translation>fügen Sie der Szene &quot;targets&quot; hinzu, oder nennen Sie eine andere Szene</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no bowel</source>
+        <translation>die Szene „%1“ hat keinen Darm</translation>
+    </message>
+    <message>
+        <source>add &quot;bowel&quot; to the scene or name another scene</source>
+        <translation>fügen Sie der Szene &quot;bowel&quot; hinzu, oder nennen Sie eine andere Szene</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no sheet to divide</source>
+        <translation>die Szene „%1“ hat keine Gewebeplatte zum Durchtrennen</translation>
+    </message>
+    <message>
+        <source>add &quot;sheet&quot; or &quot;septa&quot; to the scene or name another scene</source>
+        <translation>fügen Sie der Szene &quot;sheet&quot; oder &quot;septa&quot; hinzu, oder nennen Sie eine andere Szene</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no bands</source>
+        <translation>die Szene „%1“ hat keine Stränge</translation>
+    </message>
+    <message>
+        <source>add &quot;bands&quot; to the scene or name another scene</source>
+        <translation>fügen Sie der Szene &quot;bands&quot; hinzu, oder nennen Sie eine andere Szene</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no objects to hand over</source>
+        <translation>die Szene „%1“ hat keine Objekte zum Übergeben</translation>
+    </message>
+    <message>
+        <source>add &quot;objects&quot; to the scene or name another scene</source>
+        <translation>fügen Sie der Szene &quot;objects&quot; hinzu, oder nennen Sie eine andere Szene</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no targets for the camera</source>
+        <translation>die Szene „%1“ hat keine Ziele für die Kamera</translation>
+    </message>
+    <message>
+        <source>add &quot;camera_targets&quot; to the scene or name another scene</source>
+        <translation>fügen Sie der Szene &quot;camera_targets&quot; hinzu, oder nennen Sie eine andere Szene</translation>
+    </message>
+    <message>
+        <source>the goal asks for more bands or vessels than the scene has</source>
+        <translation>der Schritt verlangt mehr Stränge oder Gefäße, als die Szene hat</translation>
+    </message>
+    <message>
+        <source>lower &quot;count&quot; or raise the scene&apos;s</source>
+        <translation>senken Sie &quot;count&quot;, oder erhöhen Sie den Wert der Szene</translation>
+    </message>
+    <message>
+        <source>give less than 1, such as 0.2</source>
+        <translation>geben Sie weniger als 1 an, zum Beispiel 0.2</translation>
+    </message>
+    <message>
+        <source>the goal asks for more targets than the scene has</source>
+        <translation>der Schritt verlangt mehr Ziele, als die Szene hat</translation>
+    </message>
+    <message>
+        <source>lower &quot;count&quot; or raise &quot;count&quot; of the scene&apos;s camera_targets</source>
+        <translation>senken Sie &quot;count&quot;, oder erhöhen Sie &quot;count&quot; der camera_targets der Szene</translation>
+    </message>
+    <message>
+        <source>the stretch of bowel has no length</source>
+        <translation>der Darmabschnitt hat keine Länge</translation>
+    </message>
+    <message>
+        <source>give from_m below to_m</source>
+        <translation>geben Sie from_m kleiner als to_m an</translation>
+    </message>
+    <message>
+        <source>minimum_step_m is not below maximum_step_m</source>
+        <translation>minimum_step_m ist nicht kleiner als maximum_step_m</translation>
+    </message>
+    <message>
+        <source>give the shortest step first</source>
+        <translation>geben Sie zuerst den kürzesten Griff an</translation>
+    </message>
+    <message>
+        <source>there are only %1 m between from_m and to_m</source>
+        <translation>zwischen from_m und to_m liegen nur %1 m</translation>
+    </message>
+    <message>
+        <source>ask for less, or move from_m and to_m apart</source>
+        <translation>verlangen Sie weniger, oder legen Sie from_m und to_m weiter auseinander</translation>
+    </message>
+    <message>
+        <source>the goal reaches beyond the bowel&apos;s end</source>
+        <translation>der Schritt reicht über das Ende des Darms hinaus</translation>
+    </message>
+    <message>
+        <source>keep from_m and to_m below the bowel&apos;s length</source>
+        <translation>halten Sie from_m und to_m unter der Länge des Darms</translation>
+    </message>
+    <message>
+        <source>traction_low_n_m is not below traction_high_n_m</source>
+        <translation>traction_low_n_m ist nicht kleiner als traction_high_n_m</translation>
+    </message>
+    <message>
+        <source>give the least traction first</source>
+        <translation>geben Sie zuerst den kleinsten Zug an</translation>
+    </message>
+    <message>
+        <source>tolerance_m is above corridor_m</source>
+        <translation>tolerance_m liegt über corridor_m</translation>
+    </message>
+    <message>
+        <source>give the smaller distance as tolerance_m</source>
+        <translation>geben Sie den kleineren Abstand als tolerance_m an</translation>
+    </message>
+    <message>
+        <source>the goal asks for more than the marked line&apos;s length</source>
+        <translation>der Schritt verlangt mehr als die Länge der markierten Linie</translation>
+    </message>
+    <message>
+        <source>lower &quot;length_m&quot; or raise &quot;line_length&quot; of the scene</source>
+        <translation>senken Sie &quot;length_m&quot;, oder erhöhen Sie &quot;line_length&quot; der Szene</translation>
+    </message>
+    <message>
+        <source>add one to the scene</source>
+        <translation>fügen Sie der Szene eines hinzu</translation>
+    </message>
+    <message>
+        <source>the goal asks for more targets than the scene has for a hand</source>
+        <translation>der Schritt verlangt mehr Ziele, als die Szene für eine Hand hat</translation>
+    </message>
+    <message>
+        <source>lower &quot;count&quot; or raise &quot;per_hand&quot; of the scene</source>
+        <translation>senken Sie &quot;count&quot;, oder erhöhen Sie &quot;per_hand&quot; der Szene</translation>
+    </message>
+    <message>
+        <source>a ring at this height still touches the tray</source>
+        <translation>ein Ring berührt in dieser Höhe noch das Tablett</translation>
+    </message>
+    <message>
+        <source>give at least 0.005, the height from which a fall counts as a drop</source>
+        <translation>geben Sie mindestens 0.005 an, die Höhe, ab der ein Fall als Fallenlassen zählt</translation>
+    </message>
+    <message>
+        <source>the goal asks for more rings than the scene has</source>
+        <translation>der Schritt verlangt mehr Ringe, als die Szene hat</translation>
+    </message>
+    <message>
+        <source>lower &quot;count&quot; or raise &quot;count&quot; of the scene&apos;s objects</source>
+        <translation>senken Sie &quot;count&quot;, oder erhöhen Sie &quot;count&quot; der objects der Szene</translation>
+    </message>
+    <message>
+        <source>the %1 hand cannot grasp a ring</source>
+        <translation>die %1 Hand kann keinen Ring greifen</translation>
+    </message>
+    <message>
+        <source>give both hands of the scene a grasper</source>
+        <translation>geben Sie beiden Händen der Szene eine Fasszange</translation>
+    </message>
+    <message>
+        <source>the scene &quot;%1&quot; has no septa to make a specimen of</source>
+        <translation>die Szene „%1“ hat keine Septen, aus denen ein Präparat entsteht</translation>
+    </message>
+    <message>
+        <source>add &quot;septa&quot; to the scene or remove &quot;pathology&quot;</source>
+        <translation>fügen Sie der Szene &quot;septa&quot; hinzu, oder entfernen Sie &quot;pathology&quot;</translation>
+    </message>
+    <message>
+        <source>the task divides no line</source>
+        <translation>die Aufgabe durchtrennt keine Linie</translation>
+    </message>
+    <message>
+        <source>add a goal of kind divide_line or remove it</source>
+        <translation>fügen Sie einen Schritt der Art divide_line hinzu, oder entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>the scene has only %1 septa, counted from 0</source>
+        <translation>die Szene hat nur %1 Septen, gezählt ab 0</translation>
+    </message>
+    <message>
+        <source>give a lower level</source>
+        <translation>geben Sie eine niedrigere Höhe an</translation>
+    </message>
+    <message>
+        <source>the tumour grows through the whole mesorectum</source>
+        <translation>der Tumor wächst durch das ganze Mesorektum</translation>
+    </message>
+    <message>
+        <source>keep depth_m below the height of the fat</source>
+        <translation>halten Sie depth_m unter der Höhe des Fetts</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the name of a scene file</source>
+        <translation>„%1“ ist nicht der Name einer Szenendatei</translation>
+    </message>
+    <message>
+        <source>give a file name of assets/scenes, such as a2_targets.json</source>
+        <translation>geben Sie einen Dateinamen aus assets/scenes an, zum Beispiel a2_targets.json</translation>
+    </message>
+    <message>
+        <source>the variant &quot;%1&quot; or its scene is given twice</source>
+        <translation>die Variante „%1“ oder ihre Szene ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>give every variant an id and a scene of its own</source>
+        <translation>geben Sie jeder Variante eine eigene Kennung und eine eigene Szene</translation>
+    </message>
+    <message>
+        <source>is not the standard variant</source>
+        <translation>ist nicht die Standardvariante</translation>
+    </message>
+    <message>
+        <source>list &quot;%1&quot; with the task&apos;s own scene first</source>
+        <translation>führen Sie „%1“ mit der eigenen Szene der Aufgabe zuerst auf</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a variant with sets of its own</source>
+        <translation>„%1“ ist keine Variante mit eigenen Richtwertsätzen</translation>
+    </message>
+    <message>
+        <source>name a variant of this task that has no other family, or remove the key</source>
+        <translation>nennen Sie eine Variante dieser Aufgabe ohne andere Familie, oder entfernen Sie den Schlüssel</translation>
+    </message>
+    <message>
+        <source>the metric &quot;%1&quot; is given twice</source>
+        <translation>die Kennzahl „%1“ ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not among the metrics</source>
+        <translation>„%1“ gehört nicht zu den Kennzahlen</translation>
+    </message>
+    <message>
+        <source>name a metric of this task, alone or with .left or .right</source>
+        <translation>nennen Sie eine Kennzahl dieser Aufgabe, allein oder mit .left oder .right</translation>
+    </message>
+    <message>
+        <source>the goal &quot;%1&quot; is given twice</source>
+        <translation>der Schritt „%1“ ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>give every goal its own id</source>
+        <translation>geben Sie jedem Schritt eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>a goal of kind %1 needs &quot;%2&quot;</source>
+        <translation>ein Schritt der Art %1 braucht &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>add it: %1</source>
+        <translation>fügen Sie es hinzu: %1</translation>
+    </message>
+    <message>
+        <source>show the metric without gating it, or make the gate absolute</source>
+        <translation>zeigen Sie die Kennzahl ohne Kriterium, oder machen Sie das Kriterium absolut</translation>
+    </message>
+    <message>
+        <source>the gate&apos;s metric &quot;%1&quot; is not among the task&apos;s metrics</source>
+        <translation>die Kennzahl „%1“ des Kriteriums gehört nicht zu den Kennzahlen der Aufgabe</translation>
+    </message>
+    <message>
+        <source>add it to &quot;metrics&quot; or correct its id</source>
+        <translation>fügen Sie sie zu &quot;metrics&quot; hinzu, oder berichtigen Sie ihre Kennung</translation>
+    </message>
+    <message>
+        <source>the gate on &quot;%1&quot; is given twice</source>
+        <translation>das Kriterium zu „%1“ ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>remove one, or give it another hand or tissue</source>
+        <translation>entfernen Sie eines, oder geben Sie ihm eine andere Hand oder ein anderes Gewebe</translation>
+    </message>
+    <message>
+        <source>an absolute gate without limit and limit_source</source>
+        <translation>ein absolutes Kriterium ohne limit und limit_source</translation>
+    </message>
+    <message>
+        <source>add both: the value and where it comes from</source>
+        <translation>fügen Sie beides hinzu: den Wert und woher er kommt</translation>
+    </message>
+    <message>
+        <source>a benchmark gate with a limit of its own</source>
+        <translation>ein Kriterium mit Richtwert, das eine eigene Grenze hat</translation>
+    </message>
+    <message>
+        <source>remove it (the benchmark set gives it) or make the gate absolute</source>
+        <translation>entfernen Sie sie (der Richtwertsatz liefert sie), oder machen Sie das Kriterium absolut</translation>
+    </message>
+    <message>
+        <source>task %1</source>
+        <translation>Aufgabe %1</translation>
+    </message>
+    <message>
+        <source>attempts with %1 are not assessed, they are practice only</source>
+        <translation>Versuche mit %1 werden nicht bewertet, sie sind nur Übung</translation>
+    </message>
+    <message>
+        <source>practise, or use one of: %1</source>
+        <translation>üben Sie, oder verwenden Sie eines von: %1</translation>
+    </message>
+    <message>
+        <source>has no variant &quot;%1&quot;</source>
+        <translation>hat keine Variante „%1“</translation>
+    </message>
+    <message>
+        <source>choose one of these: %1</source>
+        <translation>wählen Sie eine von diesen: %1</translation>
+    </message>
+    <message>
+        <source>longer than %1 bytes</source>
+        <translation>ist länger als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>the row of %1 is missing</source>
+        <translation>die Zeile mit %1 fehlt</translation>
+    </message>
+    <message>
+        <source>write t,event,hand,tissue,value,detail, then s,-,-,-,event,event</source>
+        <translation>schreiben Sie t,event,hand,tissue,value,detail, dann s,-,-,-,event,event</translation>
+    </message>
+    <message>
+        <source>these are not the %1 of an events file</source>
+        <translation>das sind nicht die %1 einer Ereignisdatei</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>schreiben Sie eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>schreiben Sie eine Zahl</translation>
+    </message>
+    <message>
+        <source>write a number from %1 to %2</source>
+        <translation>schreiben Sie eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a hand</source>
+        <translation>%1 ist keine Hand</translation>
+    </message>
+    <message>
+        <source>write left, right or nothing</source>
+        <translation>schreiben Sie left, right oder nichts</translation>
+    </message>
+    <message>
+        <source>%1 is not a tissue of this task</source>
+        <translation>%1 ist kein Gewebe dieser Aufgabe</translation>
+    </message>
+    <message>
+        <source>write a label of the task&apos;s scene or of the trace, or nothing</source>
+        <translation>schreiben Sie einen Gewebenamen aus der Szene der Aufgabe oder der Aufzeichnung, oder nichts</translation>
+    </message>
+    <message>
+        <source>%1 is not an event</source>
+        <translation>%1 ist kein Ereignis</translation>
+    </message>
+    <message>
+        <source>write a name from docs/FORMATS.md, such as grasp</source>
+        <translation>schreiben Sie einen Namen aus docs/FORMATS.md, zum Beispiel grasp</translation>
+    </message>
+    <message>
+        <source>%1 cells where there are %2</source>
+        <translation>%1 Zellen, wo %2 stehen müssen</translation>
+    </message>
+    <message>
+        <source>write t,event,hand,tissue,value,detail</source>
+        <translation>schreiben Sie t,event,hand,tissue,value,detail</translation>
+    </message>
+    <message>
+        <source>more than %1 events</source>
+        <translation>mehr als %1 Ereignisse</translation>
+    </message>
+    <message>
+        <source>sort the rows by time</source>
+        <translation>ordnen Sie die Zeilen nach der Zeit</translation>
+    </message>
+    <message>
+        <source>check the path and its permissions</source>
+        <translation>prüfen Sie den Pfad und die Rechte daran</translation>
+    </message>
+    <message>
+        <source>the cell is empty</source>
+        <translation>die Zelle ist leer</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>leave the sample out or give the value</source>
+        <translation>lassen Sie den Messwert weg, oder geben Sie den Wert an</translation>
+    </message>
+    <message>
+        <source>not of length one (%1)</source>
+        <translation>hat nicht die Länge eins (%1)</translation>
+    </message>
+    <message>
+        <source>normalise it</source>
+        <translation>normieren Sie ihn</translation>
+    </message>
+    <message>
+        <source>give t in seconds since the attempt began, at most 2 h</source>
+        <translation>geben Sie t in Sekunden seit dem Beginn des Versuchs an, höchstens 2 h</translation>
+    </message>
+    <message>
+        <source>give positions in metres</source>
+        <translation>geben Sie Positionen in Metern an</translation>
+    </message>
+    <message>
+        <source>give components of a unit vector or quaternion</source>
+        <translation>geben Sie Komponenten eines Einheitsvektors oder einer Quaternion an</translation>
+    </message>
+    <message>
+        <source>give angles in radians</source>
+        <translation>geben Sie Winkel in Radiant an</translation>
+    </message>
+    <message>
+        <source>give forces in newtons</source>
+        <translation>geben Sie Kräfte in Newton an</translation>
+    </message>
+    <message>
+        <source>give torques in newton metres</source>
+        <translation>geben Sie Drehmomente in Newtonmetern an</translation>
+    </message>
+    <message>
+        <source>give areas in square metres</source>
+        <translation>geben Sie Flächen in Quadratmetern an</translation>
+    </message>
+    <message>
+        <source>write 1 or 0</source>
+        <translation>schreiben Sie 1 oder 0</translation>
+    </message>
+    <message>
+        <source>write a label or leave the cell empty</source>
+        <translation>schreiben Sie einen Namen, oder lassen Sie die Zelle leer</translation>
+    </message>
+    <message>
+        <source>write a whole number from -1 to 32767</source>
+        <translation>schreiben Sie eine ganze Zahl von -1 bis 32767</translation>
+    </message>
+    <message>
+        <source>%1 is not a tissue label</source>
+        <translation>%1 ist kein Name eines Gewebes</translation>
+    </message>
+    <message>
+        <source>use UTF-8 text of at most %1 bytes</source>
+        <translation>verwenden Sie UTF-8-Text von höchstens %1 Bytes</translation>
+    </message>
+    <message>
+        <source>more than %1 different labels</source>
+        <translation>mehr als %1 verschiedene Namen</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>write a row of names, a row of units, then the samples</source>
+        <translation>schreiben Sie eine Zeile mit Namen, eine Zeile mit Einheiten, dann die Messwerte</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>%1 Spalten</translation>
+    </message>
+    <message>
+        <source>write at most %1</source>
+        <translation>schreiben Sie höchstens %1</translation>
+    </message>
+    <message>
+        <source>the column is missing</source>
+        <translation>die Spalte fehlt</translation>
+    </message>
+    <message>
+        <source>add t, the time in seconds</source>
+        <translation>fügen Sie t hinzu, die Zeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>the row of units is missing</source>
+        <translation>die Zeile mit den Einheiten fehlt</translation>
+    </message>
+    <message>
+        <source>write the units in row 2 (s, m, N, rad, m2, -)</source>
+        <translation>schreiben Sie die Einheiten in Zeile 2 (s, m, N, rad, m2, -)</translation>
+    </message>
+    <message>
+        <source>%1 cells where the header has %2</source>
+        <translation>%1 Zellen, die Kopfzeile hat %2</translation>
+    </message>
+    <message>
+        <source>give every column its unit</source>
+        <translation>geben Sie jeder Spalte ihre Einheit</translation>
+    </message>
+    <message>
+        <source>unit %1 where &apos;%2&apos; is needed</source>
+        <translation>Einheit %1, nötig ist „%2“</translation>
+    </message>
+    <message>
+        <source>convert the column to %1 and write the unit in row 2</source>
+        <translation>rechnen Sie die Spalte in %1 um, und schreiben Sie die Einheit in Zeile 2</translation>
+    </message>
+    <message>
+        <source>there is a blank line before it</source>
+        <translation>davor steht eine leere Zeile</translation>
+    </message>
+    <message>
+        <source>more than %1 samples</source>
+        <translation>mehr als %1 Messwerte</translation>
+    </message>
+    <message>
+        <source>split the trace</source>
+        <translation>teilen Sie die Aufzeichnung auf</translation>
+    </message>
+    <message>
+        <source>no sample follows the units</source>
+        <translation>nach den Einheiten folgt kein Messwert</translation>
+    </message>
+    <message>
+        <source>unit &quot;%1&quot; where one of %2 is needed</source>
+        <translation>Einheit „%1“, nötig ist eine von %2</translation>
+    </message>
+    <message>
+        <source>give the unit that the file has</source>
+        <translation>geben Sie die Einheit an, die in der Datei steht</translation>
+    </message>
+    <message>
+        <source>is not a column of a trace</source>
+        <translation>ist keine Spalte einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>see the table of columns in docs/FORMATS.md</source>
+        <translation>siehe die Spaltentabelle in docs/FORMATS.md</translation>
+    </message>
+    <message>
+        <source>is a name, but the file has no row of names</source>
+        <translation>ist ein Name, aber die Datei hat keine Zeile mit Namen</translation>
+    </message>
+    <message>
+        <source>give the number of the column, from 1, or raise header_rows</source>
+        <translation>geben Sie die Nummer der Spalte an, ab 1, oder erhöhen Sie header_rows</translation>
+    </message>
+    <message>
+        <source>has no meaning for this column</source>
+        <translation>hat bei dieser Spalte keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>the columns have a time already</source>
+        <translation>die Spalten haben schon eine Zeit</translation>
+    </message>
+    <message>
+        <source>remove rate_hz or the column t</source>
+        <translation>entfernen Sie rate_hz oder die Spalte t</translation>
+    </message>
+    <message>
+        <source>there is no time</source>
+        <translation>es gibt keine Zeit</translation>
+    </message>
+    <message>
+        <source>map the column t or give rate_hz</source>
+        <translation>ordnen Sie die Spalte t zu, oder geben Sie rate_hz an</translation>
+    </message>
+    <message>
+        <source>%1 cells, but column %2 is mapped</source>
+        <translation>%1 Zellen, zugeordnet ist aber die Spalte %2</translation>
+    </message>
+    <message>
+        <source>check separator and columns of the mapping</source>
+        <translation>prüfen Sie separator und columns der Zuordnung</translation>
+    </message>
+    <message>
+        <source>the file has no sample</source>
+        <translation>die Datei enthält keinen Messwert</translation>
+    </message>
+    <message>
+        <source>check header_rows and missing of the mapping</source>
+        <translation>prüfen Sie header_rows und missing der Zuordnung</translation>
+    </message>
+    <message>
+        <source>the file ends in its header</source>
+        <translation>die Datei endet in ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>check header_rows of the mapping</source>
+        <translation>prüfen Sie header_rows der Zuordnung</translation>
+    </message>
+    <message>
+        <source>the column is not in the file</source>
+        <translation>die Spalte ist nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>correct its name in the mapping</source>
+        <translation>berichtigen Sie ihren Namen in der Zuordnung</translation>
+    </message>
+    <message>
+        <source>more than 2 h after the first sample</source>
+        <translation>mehr als 2 h nach dem ersten Messwert</translation>
+    </message>
+    <message>
+        <source>the attempt is still running</source>
+        <translation>der Versuch läuft noch</translation>
+    </message>
+    <message>
+        <source>wait for its end</source>
+        <translation>warten Sie sein Ende ab</translation>
+    </message>
+    <message>
+        <source>the attempt is voided already</source>
+        <translation>der Versuch ist schon für ungültig erklärt</translation>
+    </message>
+    <message>
+        <source>the attempt continues another one and is never scored</source>
+        <translation>der Versuch setzt einen anderen fort und wird nie ausgewertet</translation>
+    </message>
+    <message>
+        <source>score an attempt from its beginning</source>
+        <translation>werten Sie einen Versuch von Anfang an aus</translation>
+    </message>
+    <message>
+        <source>name the person who performed it</source>
+        <translation>nennen Sie die Person, die ihn durchgeführt hat</translation>
+    </message>
+    <message>
+        <source>no attempt %1</source>
+        <translation>es gibt keinen Versuch %1</translation>
+    </message>
+    <message>
+        <source>list the attempts and name one of them</source>
+        <translation>lassen Sie sich die Versuche auflisten, und nennen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>%1: %2 chunk %3 of attempt %4: %5</source>
+        <translation>%1: Block %3 (%2) des Versuchs %4: %5</translation>
+    </message>
+    <message>
+        <source>%1: the record of attempt %2 has %3 of its %4 events: a part of it is missing</source>
+        <translation>%1: Die Aufzeichnung des Versuchs %2 hat %3 ihrer %4 Ereignisse: Ein Teil fehlt</translation>
+    </message>
+    <message>
+        <source>restore the newest backup</source>
+        <translation>stellen Sie die neueste Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>%1: the record of attempt %2 has %3 samples for %4 inputs: a part of it is missing</source>
+        <translation>%1: Die Aufzeichnung des Versuchs %2 hat %3 Messwerte für %4 Eingaben: Ein Teil fehlt</translation>
+    </message>
+    <message>
+        <source>%1: the state that attempt %2 began with does not match its checksum</source>
+        <translation>%1: Der Zustand, mit dem der Versuch %2 begann, passt nicht zu seiner Prüfsumme</translation>
+    </message>
+    <message>
+        <source>%1: the scene of attempt %2 is damaged</source>
+        <translation>%1: Die Szene des Versuchs %2 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: product %2 of attempt %3 is damaged</source>
+        <translation>%1: Das Ergebnis %2 des Versuchs %3 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 is not an educator</source>
+        <translation>%1 ist kein Ausbilder</translation>
+    </message>
+    <message>
+        <source>have an administrator give them the role first</source>
+        <translation>lassen Sie ihr zuerst von einem Administrator die Rolle geben</translation>
+    </message>
+    <message>
+        <source>no cohort %1</source>
+        <translation>es gibt keine Gruppe %1</translation>
+    </message>
+    <message>
+        <source>list the cohorts and name one of them</source>
+        <translation>lassen Sie sich die Gruppen auflisten, und nennen Sie eine davon</translation>
+    </message>
+    <message>
+        <source>a cohort &quot;%1&quot; exists</source>
+        <translation>es gibt schon eine Gruppe „%1“</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>no curriculum %1 is installed</source>
+        <translation>das Curriculum %1 ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>name one of these: %1</source>
+        <translation>nennen Sie eines von diesen: %1</translation>
+    </message>
+    <message>
+        <source>put its file back next to the newer one; people stay on their version until an educator moves them</source>
+        <translation>legen Sie seine Datei wieder neben die neuere; Personen bleiben auf ihrer Version, bis ein Ausbilder sie umstellt</translation>
+    </message>
+    <message>
+        <source>a version in use is never edited: restore this file, write the change to a new file with /version raised, and move people with fulcrum curriculum move</source>
+        <translation>eine verwendete Version wird nie bearbeitet: Stellen Sie diese Datei wieder her, schreiben Sie die Änderung in eine neue Datei mit höherer /version, und stellen Sie Personen mit fulcrum curriculum move um</translation>
+    </message>
+    <message>
+        <source>the login &quot;%1&quot; cannot be used</source>
+        <translation>der Anmeldename „%1“ kann nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>logins that begin with synthetic- or external- belong to simulated people</source>
+        <translation>Anmeldenamen, die mit synthetic- oder external- beginnen, gehören simulierten Personen</translation>
+    </message>
+    <message>
+        <source>use 1 to 64 letters, digits or . _ - @, and not &quot;station&quot;</source>
+        <translation>verwenden Sie 1 bis 64 Buchstaben, Ziffern oder . _ - @, und nicht &quot;station&quot;</translation>
+    </message>
+    <message>
+        <source>type it with letters, digits and punctuation only</source>
+        <translation>geben Sie nur Buchstaben, Ziffern und Satzzeichen ein</translation>
+    </message>
+    <message>
+        <source>use 1 to 120 characters</source>
+        <translation>verwenden Sie 1 bis 120 Zeichen</translation>
+    </message>
+    <message>
+        <source>the password is too short (or beyond 1,024 bytes)</source>
+        <translation>das Passwort ist zu kurz (oder länger als 1024 Bytes)</translation>
+    </message>
+    <message>
+        <source>use at least %1 characters</source>
+        <translation>verwenden Sie mindestens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>station is not the role of a person</source>
+        <translation>station ist keine Rolle einer Person</translation>
+    </message>
+    <message>
+        <source>choose trainee, educator, director or administrator</source>
+        <translation>wählen Sie trainee, educator, director oder administrator</translation>
+    </message>
+    <message>
+        <source>the login &quot;%1&quot; is taken</source>
+        <translation>der Anmeldename „%1“ ist vergeben</translation>
+    </message>
+    <message>
+        <source>no person %1</source>
+        <translation>es gibt keine Person %1</translation>
+    </message>
+    <message>
+        <source>list the people and name one of them</source>
+        <translation>lassen Sie sich die Personen auflisten, und nennen Sie eine davon</translation>
+    </message>
+    <message>
+        <source>by the program, in a demo store</source>
+        <translation>nur die Software, in einer Vorführung</translation>
+    </message>
+    <message>
+        <source>the demo takes practice attempts only</source>
+        <translation>in der Vorführung sind nur Übungen möglich</translation>
+    </message>
+    <message>
+        <source>delete the demo store to build it again</source>
+        <translation>löschen Sie den Datenbestand der Vorführung, um sie neu aufzubauen</translation>
+    </message>
+    <message>
+        <source>make someone else administrator first</source>
+        <translation>machen Sie zuerst eine andere Person zum Administrator</translation>
+    </message>
+    <message>
+        <source>make an account for a person</source>
+        <translation>legen Sie ein Konto für eine Person an</translation>
+    </message>
+    <message>
+        <source>the login &quot;%1&quot; is not one of a simulated person</source>
+        <translation>der Anmeldename „%1“ gehört keiner simulierten Person</translation>
+    </message>
+    <message>
+        <source>name a synthetic or external person of this store, or a new one whose login begins with synthetic- or external-; operators and traces may not perform for others</source>
+        <translation>nennen Sie eine synthetische oder externe Person dieses Datenbestands, oder eine neue, deren Anmeldename mit synthetic- oder external- beginnt; simulierte Operateure und Aufzeichnungen dürfen nicht für andere eintreten</translation>
+    </message>
+    <message>
+        <source>rating %1 has more answers than its form</source>
+        <translation>die Beurteilung %1 hat mehr Antworten als ihr Bogen</translation>
+    </message>
+    <message>
+        <source>no rating %1</source>
+        <translation>es gibt keine Beurteilung %1</translation>
+    </message>
+    <message>
+        <source>open the attempt again</source>
+        <translation>öffnen Sie den Versuch noch einmal</translation>
+    </message>
+    <message>
+        <source>someone else&apos;s form</source>
+        <translation>der Bogen gehört einer anderen Person</translation>
+    </message>
+    <message>
+        <source>the form was handed in already</source>
+        <translation>der Bogen ist schon abgegeben</translation>
+    </message>
+    <message>
+        <source>what was handed in is never changed</source>
+        <translation>was abgegeben ist, wird nie geändert</translation>
+    </message>
+    <message>
+        <source>the attempt is voided</source>
+        <translation>der Versuch ist für ungültig erklärt</translation>
+    </message>
+    <message>
+        <source>the attempt has not ended</source>
+        <translation>der Versuch ist noch nicht beendet</translation>
+    </message>
+    <message>
+        <source>rate an attempt that has ended and counts</source>
+        <translation>beurteilen Sie einen Versuch, der beendet ist und zählt</translation>
+    </message>
+    <message>
+        <source>the form %1 has another number of items</source>
+        <translation>der Bogen %1 hat eine andere Zahl von Punkten</translation>
+    </message>
+    <message>
+        <source>%1: %2 is outside the scale</source>
+        <translation>%1: %2 liegt außerhalb der Skala</translation>
+    </message>
+    <message>
+        <source>rate from %1 to %2</source>
+        <translation>bewerten Sie von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 must be rated</source>
+        <translation>%1 muss bewertet werden</translation>
+    </message>
+    <message>
+        <source>only optional items can be left as not seen</source>
+        <translation>nur freiwillige Punkte dürfen als „nicht gesehen“ offen bleiben</translation>
+    </message>
+    <message>
+        <source>a remark has at most 4,000 characters</source>
+        <translation>eine Bemerkung hat höchstens 4000 Zeichen</translation>
+    </message>
+    <message>
+        <source>shorten it</source>
+        <translation>kürzen Sie sie</translation>
+    </message>
+    <message>
+        <source>you handed in this form for this attempt already</source>
+        <translation>Sie haben diesen Bogen für diesen Versuch schon abgegeben</translation>
+    </message>
+    <message>
+        <source>complete that one, or choose another form</source>
+        <translation>füllen Sie jenen fertig aus, oder wählen Sie einen anderen Bogen</translation>
+    </message>
+    <message>
+        <source>%1 is not rated yet</source>
+        <translation>%1 ist noch nicht bewertet</translation>
+    </message>
+    <message>
+        <source>rate every item of the form</source>
+        <translation>bewerten Sie jeden Punkt des Bogens</translation>
+    </message>
+    <message>
+        <source>the attempt names no task</source>
+        <translation>der Versuch nennt keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>give the task&apos;s id</source>
+        <translation>geben Sie die Kennung der Aufgabe an</translation>
+    </message>
+    <message>
+        <source>an attempt by %1 never belongs to a real person</source>
+        <translation>ein Versuch durch %1 gehört nie einer echten Person</translation>
+    </message>
+    <message>
+        <source>record it for a synthetic or external person</source>
+        <translation>zeichnen Sie ihn für eine synthetische oder externe Person auf</translation>
+    </message>
+    <message>
+        <source>choose practice, or make a programme</source>
+        <translation>wählen Sie Übung, oder legen Sie ein Programm an</translation>
+    </message>
+    <message>
+        <source>an attempt that continues another one is practice</source>
+        <translation>ein Versuch, der einen anderen fortsetzt, ist eine Übung</translation>
+    </message>
+    <message>
+        <source>choose practice</source>
+        <translation>wählen Sie Übung</translation>
+    </message>
+    <message>
+        <source>perform it as practice</source>
+        <translation>führen Sie ihn als Übung durch</translation>
+    </message>
+    <message>
+        <source>product %1 is larger than 64 MiB</source>
+        <translation>das Ergebnis %1 ist größer als 64 MiB</translation>
+    </message>
+    <message>
+        <source>store it coarser</source>
+        <translation>speichern Sie es gröber</translation>
+    </message>
+    <message>
+        <source>an attempt ends neither running nor voided</source>
+        <translation>ein Versuch endet weder laufend noch ungültig</translation>
+    </message>
+    <message>
+        <source>give the state in which it ended</source>
+        <translation>geben Sie den Zustand an, in dem er endete</translation>
+    </message>
+    <message>
+        <source>an attempt that continues another one is never scored</source>
+        <translation>ein Versuch, der einen anderen fortsetzt, wird nie ausgewertet</translation>
+    </message>
+    <message>
+        <source>finish it without a score</source>
+        <translation>beenden Sie ihn ohne Bewertung</translation>
+    </message>
+    <message>
+        <source>no comment %1</source>
+        <translation>es gibt keinen Kommentar %1</translation>
+    </message>
+    <message>
+        <source>a comment has 1 to 4,000 characters</source>
+        <translation>ein Kommentar hat 1 bis 4000 Zeichen</translation>
+    </message>
+    <message>
+        <source>write or shorten it</source>
+        <translation>schreiben oder kürzen Sie ihn</translation>
+    </message>
+    <message>
+        <source>a comment&apos;s time is not within the attempt</source>
+        <translation>der Zeitpunkt eines Kommentars liegt nicht im Versuch</translation>
+    </message>
+    <message>
+        <source>choose a time from 0 s on</source>
+        <translation>wählen Sie einen Zeitpunkt ab 0 s</translation>
+    </message>
+    <message>
+        <source>someone else&apos;s comment</source>
+        <translation>der Kommentar gehört einer anderen Person</translation>
+    </message>
+    <message>
+        <source>the comment was sent already</source>
+        <translation>der Kommentar ist schon gesendet</translation>
+    </message>
+    <message>
+        <source>too many wrong tries with this login; wait %1 s</source>
+        <translation>zu viele Fehlversuche mit diesem Anmeldenamen; warten Sie %1 s</translation>
+    </message>
+    <message>
+        <source>%1; you can try again in %2 s</source>
+        <translation>%1; in %2 s können Sie es noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>login or password wrong</source>
+        <translation>Anmeldename oder Passwort falsch</translation>
+    </message>
+    <message>
+        <source>this one-time password has expired (24 h); ask an administrator for another</source>
+        <translation>dieses Einmalpasswort ist abgelaufen (24 h); bitten Sie einen Administrator um ein neues</translation>
+    </message>
+    <message>
+        <source>a demo store holds no programme</source>
+        <translation>eine Vorführung enthält kein Programm</translation>
+    </message>
+    <message>
+        <source>make a store of your own</source>
+        <translation>legen Sie einen eigenen Datenbestand an</translation>
+    </message>
+    <message>
+        <source>this store has a programme and its administrator already</source>
+        <translation>dieser Datenbestand hat schon ein Programm und einen Administrator</translation>
+    </message>
+    <message>
+        <source>sign in</source>
+        <translation>melden Sie sich an</translation>
+    </message>
+    <message>
+        <source>this account holds no role; ask an administrator for one</source>
+        <translation>dieses Konto hat keine Rolle; bitten Sie einen Administrator um eine</translation>
+    </message>
+    <message>
+        <source>this account does not hold the role %1</source>
+        <translation>dieses Konto hat die Rolle %1 nicht</translation>
+    </message>
+    <message>
+        <source>demo people exist in the demo store only</source>
+        <translation>Vorführkonten gibt es nur in der Vorführung</translation>
+    </message>
+    <message>
+        <source>the role is not held</source>
+        <translation>das Konto hat diese Rolle nicht</translation>
+    </message>
+    <message>
+        <source>someone else&apos;s login</source>
+        <translation>der Anmeldename gehört einer anderen Person</translation>
+    </message>
+    <message>
+        <source>the new password is the old one</source>
+        <translation>das neue Passwort ist das alte</translation>
+    </message>
+    <message>
+        <source>synthetic and external people do not sign in</source>
+        <translation>synthetische und externe Personen melden sich nicht an</translation>
+    </message>
+    <message>
+        <source>name a person</source>
+        <translation>nennen Sie eine Person</translation>
+    </message>
+    <message>
+        <source>your own password is changed, not issued</source>
+        <translation>das eigene Passwort wird geändert, nicht ausgegeben</translation>
+    </message>
+    <message>
+        <source>login or recovery code wrong (the code is for the last administrator only)</source>
+        <translation>Anmeldename oder Wiederherstellungscode falsch (der Code gilt nur für den letzten Administrator)</translation>
+    </message>
+    <message>
+        <source>no task was named</source>
+        <translation>es wurde keine Aufgabe genannt</translation>
+    </message>
+    <message>
+        <source>name a task of the curriculum</source>
+        <translation>nennen Sie eine Aufgabe des Curriculums</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>es wurde kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>say in a few words why the values change</source>
+        <translation>sagen Sie in wenigen Worten, warum sich die Werte ändern</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number</source>
+        <translation>%1: %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>geben Sie eine Zahl an</translation>
+    </message>
+    <message>
+        <source>version %1 by %2 came into force in the meantime</source>
+        <translation>inzwischen gilt die Version %1 von %2</translation>
+    </message>
+    <message>
+        <source>look at its values and set yours again</source>
+        <translation>sehen Sie sich deren Werte an, und setzen Sie Ihre noch einmal</translation>
+    </message>
+    <message>
+        <source>these values are in force already</source>
+        <translation>diese Werte gelten schon</translation>
+    </message>
+    <message>
+        <source>change one of them</source>
+        <translation>ändern Sie einen davon</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>name a file that exists and may be read</source>
+        <translation>nennen Sie eine Datei, die es gibt und die Sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>is larger than 16 MiB</source>
+        <translation>ist größer als 16 MiB</translation>
+    </message>
+    <message>
+        <source>is not UTF-8</source>
+        <translation>ist nicht UTF-8</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>name each column once</source>
+        <translation>nennen Sie jede Spalte einmal</translation>
+    </message>
+    <message>
+        <source>has %1 cells where the first row has %2</source>
+        <translation>hat %1 Zellen, die erste Zeile hat %2</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>begin with a row of column names</source>
+        <translation>beginnen Sie mit einer Zeile der Spaltennamen</translation>
+    </message>
+    <message>
+        <source>has no column %1</source>
+        <translation>hat keine Spalte %1</translation>
+    </message>
+    <message>
+        <source>add it to the first row</source>
+        <translation>fügen Sie sie der ersten Zeile hinzu</translation>
+    </message>
+    <message>
+        <source>login %1 has another name here than in %2</source>
+        <translation>der Anmeldename %1 hat hier einen anderen Namen als in %2</translation>
+    </message>
+    <message>
+        <source>give every person a login of their own</source>
+        <translation>geben Sie jeder Person einen eigenen Anmeldenamen</translation>
+    </message>
+    <message>
+        <source>has no users.csv</source>
+        <translation>enthält keine users.csv</translation>
+    </message>
+    <message>
+        <source>name the folder with the unpacked OneRoster files</source>
+        <translation>nennen Sie den Ordner mit den entpackten OneRoster-Dateien</translation>
+    </message>
+    <message>
+        <source>give every row an id of its own</source>
+        <translation>geben Sie jeder Zeile eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>the SQLite driver of Qt is missing</source>
+        <translation>der SQLite-Treiber von Qt fehlt</translation>
+    </message>
+    <message>
+        <source>install libqt5sql5-sqlite (and start within a Qt application)</source>
+        <translation>installieren Sie libqt5sql5-sqlite (und starten Sie in einer Qt-Anwendung)</translation>
+    </message>
+    <message>
+        <source>%1: another program is writing to the store</source>
+        <translation>%1: Ein anderes Programm schreibt gerade in den Datenbestand</translation>
+    </message>
+    <message>
+        <source>wait for it or close it, then try again; nothing was lost</source>
+        <translation>warten Sie, bis es fertig ist, oder schließen Sie es, und versuchen Sie es noch einmal; verloren ist nichts</translation>
+    </message>
+    <message>
+        <source>%1: the store cannot be written</source>
+        <translation>%1: In den Datenbestand kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>make the file and its folder writable for this user, or open it read-only</source>
+        <translation>machen Sie die Datei und ihren Ordner für dieses Benutzerkonto beschreibbar, oder öffnen Sie sie nur zum Lesen</translation>
+    </message>
+    <message>
+        <source>%1: the store cannot be opened (%2)</source>
+        <translation>%1: Der Datenbestand kann nicht geöffnet werden (%2)</translation>
+    </message>
+    <message>
+        <source>check that the path is right and that this user may read and write the file and its folder</source>
+        <translation>prüfen Sie, ob der Pfad stimmt und ob dieses Benutzerkonto die Datei und ihren Ordner lesen und beschreiben darf</translation>
+    </message>
+    <message>
+        <source>%1: not a Fulcrum store</source>
+        <translation>%1: ist kein Datenbestand von Fulcrum</translation>
+    </message>
+    <message>
+        <source>name the right file with --db</source>
+        <translation>nennen Sie die richtige Datei mit --db</translation>
+    </message>
+    <message>
+        <source>%1: the store is damaged (%2)</source>
+        <translation>%1: Der Datenbestand ist beschädigt (%2)</translation>
+    </message>
+    <message>
+        <source>run `fulcrum db check`, copy the file away, and restore the newest backup</source>
+        <translation>führen Sie `fulcrum db check` aus, kopieren Sie die Datei an einen anderen Ort, und stellen Sie die neueste Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>%1: no room left on the disk</source>
+        <translation>%1: Auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>free some space and try again; what was stored before is intact</source>
+        <translation>schaffen Sie Platz, und versuchen Sie es noch einmal; was vorher gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>check the disk&apos;s space and health and try again; what was stored before is intact</source>
+        <translation>prüfen Sie Platz und Zustand des Datenträgers, und versuchen Sie es noch einmal; was vorher gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>%1: refused by a rule of the store (%2)</source>
+        <translation>%1: Eine Regel des Datenbestands lehnt das ab (%2)</translation>
+    </message>
+    <message>
+        <source>correct the value and try again</source>
+        <translation>berichtigen Sie den Wert, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>run `fulcrum db check`</source>
+        <translation>führen Sie `fulcrum db check` aus</translation>
+    </message>
+    <message>
+        <source>a number that is not finite cannot be stored</source>
+        <translation>eine Zahl, die nicht endlich ist, kann nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>leave it out, with the reason</source>
+        <translation>lassen Sie sie weg, mit dem Grund</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is unknown; known are %3</source>
+        <translation>%1: „%2“ ist unbekannt; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>use the program version that wrote the store, or restore the newest backup</source>
+        <translation>verwenden Sie die Version der Software, die den Datenbestand geschrieben hat, oder stellen Sie die neueste Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>not allowed: %1 as %2%3; act in a role that may, or ask someone who holds it</source>
+        <translation>nicht erlaubt: %1 als %2%3; handeln Sie in einer Rolle, die es darf, oder fragen Sie jemanden, der sie hat</translation>
+    </message>
+    <message>
+        <source>the text is not a JSON object</source>
+        <translation>der Text ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a hand</source>
+        <translation>„%1“ ist keine Hand</translation>
+    </message>
+    <message>
+        <source>a value of the %1 hand is out of range</source>
+        <translation>ein Wert für die Hand „%1“ liegt außerhalb des erlaubten Bereichs</translation>
+    </message>
+    <message>
+        <source>a stored state is damaged: %1</source>
+        <translation>ein gespeicherter Zustand ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>close other programs: memory may be short</source>
+        <translation>schließen Sie andere Programme: Der Arbeitsspeicher ist vielleicht knapp</translation>
+    </message>
+    <message>
+        <source>it does not say its size</source>
+        <translation>er nennt seine Größe nicht</translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation>es endet zu früh</translation>
+    </message>
+    <message>
+        <source>the rest of the attempt can be read; restore the newest backup for this part</source>
+        <translation>der Rest des Versuchs ist lesbar; stellen Sie für diesen Teil die neueste Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>its layout</source>
+        <translation>sein Aufbau</translation>
+    </message>
+    <message>
+        <source>the inputs that it was made with are missing</source>
+        <translation>die Eingaben, aus denen er entstand, fehlen</translation>
+    </message>
+    <message>
+        <source>its ticks</source>
+        <translation>seine Zeitpunkte</translation>
+    </message>
+    <message>
+        <source>split it</source>
+        <translation>teilen Sie ihn auf</translation>
+    </message>
+    <message>
+        <source>free some memory</source>
+        <translation>geben Sie Arbeitsspeicher frei</translation>
+    </message>
+    <message>
+        <source>another stream</source>
+        <translation>ein anderer Datenstrom</translation>
+    </message>
+    <message>
+        <source>its size</source>
+        <translation>seine Größe</translation>
+    </message>
+    <message>
+        <source>its checksum</source>
+        <translation>seine Prüfsumme</translation>
+    </message>
+    <message>
+        <source>its length</source>
+        <translation>seine Länge</translation>
+    </message>
+    <message>
+        <source>its compression</source>
+        <translation>seine Komprimierung</translation>
+    </message>
+    <message>
+        <source>its header</source>
+        <translation>sein Kopf</translation>
+    </message>
+    <message>
+        <source>something follows its end</source>
+        <translation>nach seinem Ende folgt noch etwas</translation>
+    </message>
+    <message>
+        <source>a value out of range</source>
+        <translation>ein Wert außerhalb des erlaubten Bereichs</translation>
+    </message>
+    <message>
+        <source>install it again</source>
+        <translation>installieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>%1: rows of table %2 point nowhere after schema step %3</source>
+        <translation>%1: Zeilen der Tabelle %2 verweisen nach Schemaschritt %3 ins Leere</translation>
+    </message>
+    <message>
+        <source>the store was left as it was; restore a backup or report this</source>
+        <translation>der Datenbestand blieb, wie er war; stellen Sie eine Sicherung wieder her, oder melden Sie das</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, but task %2 lists it as &quot;%3&quot;</source>
+        <translation>ist „%1“, aber die Aufgabe %2 führt sie als „%3“ auf</translation>
+    </message>
+    <message>
+        <source>write the same id in both files</source>
+        <translation>schreiben Sie in beiden Dateien dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>holds the set %1, not %2</source>
+        <translation>enthält den Satz %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>name the file after its task, variant, device class and fidelity</source>
+        <translation>benennen Sie die Datei nach Aufgabe, Variante, Geräteklasse und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>%1: this file can be used in assessed attempts already</source>
+        <translation>%1: Diese Datei ist für bewertete Versuche schon zugelassen</translation>
+    </message>
+    <message>
+        <source>practice only: these files are neither part of this program nor accepted by the programme: %1; an educator accepts a file with `fulcrum assets accept FILE --reason TEXT`</source>
+        <translation>nur Übung: Diese Dateien gehören weder zu dieser Software, noch sind sie vom Programm zugelassen: %1; ein Ausbilder lässt eine Datei mit `fulcrum assets accept FILE --reason TEXT` zu</translation>
+    </message>
+    <message>
+        <source>a score is passed, failed, or not scored with a reason</source>
+        <translation>eine Bewertung lautet bestanden, nicht bestanden oder nicht bewertet mit einem Grund</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>geben Sie eines davon an</translation>
+    </message>
+    <message>
+        <source>%1: the key of this station: %2</source>
+        <translation>%1: der Schlüssel dieses Arbeitsplatzes: %2</translation>
+    </message>
+    <message>
+        <source>make its folder readable and writable for you, or name another folder in FULCRUM_STATION_KEYS</source>
+        <translation>machen Sie seinen Ordner für sich lesbar und beschreibbar, oder nennen Sie in FULCRUM_STATION_KEYS einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>%1: is not a key of a station</source>
+        <translation>%1: ist kein Schlüssel eines Arbeitsplatzes</translation>
+    </message>
+    <message>
+        <source>put its copy back; without one move the file away, and a new key is made</source>
+        <translation>legen Sie seine Kopie zurück; gibt es keine, verschieben Sie die Datei, und ein neuer Schlüssel wird angelegt</translation>
+    </message>
+    <message>
+        <source>cannot be written (its folder cannot be made)</source>
+        <translation>kann nicht geschrieben werden (sein Ordner lässt sich nicht anlegen)</translation>
+    </message>
+    <message>
+        <source>was removed while it was being made</source>
+        <translation>wurde entfernt, während er angelegt wurde</translation>
+    </message>
+    <message>
+        <source>%1: written by a newer program (schema %2, this program knows %3)</source>
+        <translation>%1: von einer neueren Software geschrieben (Schema %2, diese Software kennt %3)</translation>
+    </message>
+    <message>
+        <source>update Fulcrum; nothing was changed</source>
+        <translation>aktualisieren Sie Fulcrum; geändert wurde nichts</translation>
+    </message>
+    <message>
+        <source>open it once for writing (`fulcrum db migrate`)</source>
+        <translation>öffnen Sie ihn einmal zum Schreiben (`fulcrum db migrate`)</translation>
+    </message>
+    <message>
+        <source>%1: the store does not name its station</source>
+        <translation>%1: Der Datenbestand nennt seinen Arbeitsplatz nicht</translation>
+    </message>
+    <message>
+        <source>run `fulcrum db check`, or restore the newest backup</source>
+        <translation>führen Sie `fulcrum db check` aus, oder stellen Sie die neueste Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>demo stores only</source>
+        <translation>nur in der Vorführung</translation>
+    </message>
+    <message>
+        <source>signed in to another store</source>
+        <translation>bei einem anderen Datenbestand angemeldet</translation>
+    </message>
+    <message>
+        <source>the account is no longer active</source>
+        <translation>das Konto ist nicht mehr aktiv</translation>
+    </message>
+    <message>
+        <source>the role was withdrawn</source>
+        <translation>die Rolle wurde entzogen</translation>
+    </message>
+    <message>
+        <source>the one-time password must be changed first</source>
+        <translation>zuerst muss das Einmalpasswort geändert werden</translation>
+    </message>
+    <message>
+        <source>not in this role</source>
+        <translation>diese Rolle umfasst das nicht</translation>
+    </message>
+    <message>
+        <source>outside this role&apos;s people</source>
+        <translation>die Person ist dieser Rolle nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>not allowed on one&apos;s own attempt</source>
+        <translation>beim eigenen Versuch nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>%1: a file is already there</source>
+        <translation>%1: Dort gibt es schon eine Datei</translation>
+    </message>
+    <message>
+        <source>free some space and try again</source>
+        <translation>schaffen Sie Platz, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>choose a folder that this user can write</source>
+        <translation>wählen Sie einen Ordner, den dieses Benutzerkonto beschreiben darf</translation>
+    </message>
+    <message>
+        <source>make the file writable (chmod u+w), or open it read-only</source>
+        <translation>machen Sie die Datei beschreibbar (chmod u+w), oder öffnen Sie sie nur zum Lesen</translation>
+    </message>
+    <message>
+        <source>%1: an unfinished store, nothing was entered in it yet</source>
+        <translation>%1: ein unfertiger Datenbestand, in den noch nichts eingetragen wurde</translation>
+    </message>
+    <message>
+        <source>%1: the new store could not be completed</source>
+        <translation>%1: Der neue Datenbestand konnte nicht fertiggestellt werden</translation>
+    </message>
+    <message>
+        <source>check the disk&apos;s space and health and try again</source>
+        <translation>prüfen Sie Platz und Zustand des Datenträgers, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: a program has the store open, or writes to it</source>
+        <translation>%1: Ein Programm hat den Datenbestand geöffnet oder schreibt hinein</translation>
+    </message>
+    <message>
+        <source>name the right file with --db, or move this one away first</source>
+        <translation>nennen Sie die richtige Datei mit --db, oder verschieben Sie diese zuerst</translation>
+    </message>
+    <message>
+        <source>use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)</source>
+        <translation>verwenden Sie eine andere Sicherung; geändert wurde nichts (`fulcrum db check --db FILE` führt alles auf)</translation>
+    </message>
+    <message>
+        <source>%1: the copy could not be completed</source>
+        <translation>%1: Die Kopie konnte nicht fertiggestellt werden</translation>
+    </message>
+    <message>
+        <source>check the disk&apos;s space and health and try again; nothing was changed</source>
+        <translation>prüfen Sie Platz und Zustand des Datenträgers, und versuchen Sie es noch einmal; geändert wurde nichts</translation>
+    </message>
+    <message>
+        <source>%1: this is the store itself</source>
+        <translation>%1: Das ist der Datenbestand selbst</translation>
+    </message>
+    <message>
+        <source>name the backup, and the store with --db</source>
+        <translation>nennen Sie die Sicherung, und den Datenbestand mit --db</translation>
+    </message>
+    <message>
+        <source>put the store back next to it, or move the log away, then try again</source>
+        <translation>legen Sie den Datenbestand wieder daneben, oder verschieben Sie das Protokoll, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: the store is damaged</source>
+        <translation>%1: Der Datenbestand ist beschädigt</translation>
+    </message>
+    <message>
+        <source>restore the newest backup (`fulcrum db restore`)</source>
+        <translation>stellen Sie die neueste Sicherung wieder her (`fulcrum db restore`)</translation>
+    </message>
+    <message>
+        <source>%1: the PDF cannot be written</source>
+        <translation>%1: Das PDF kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>choose another folder or free some space</source>
+        <translation>wählen Sie einen anderen Ordner, oder schaffen Sie Platz</translation>
+    </message>
+    <message>
+        <source>%1: this file is the store itself</source>
+        <translation>%1: Diese Datei ist der Datenbestand selbst</translation>
+    </message>
+    <message>
+        <source>choose another name for the report</source>
+        <translation>wählen Sie einen anderen Namen für den Bericht</translation>
+    </message>
+    <message>
+        <source>%1: the report cannot be written (%2)</source>
+        <translation>%1: Der Bericht kann nicht geschrieben werden (%2)</translation>
+    </message>
+    <message>
+        <source>unknown report format &quot;%1&quot;</source>
+        <translation>unbekanntes Berichtsformat „%1“</translation>
+    </message>
+    <message>
+        <source>one attempt has no report in the format %1</source>
+        <translation>für einen einzelnen Versuch gibt es keinen Bericht im Format %1</translation>
+    </message>
+    <message>
+        <source>use pdf, csv or json, or name a person or a cohort</source>
+        <translation>verwenden Sie pdf, csv oder json, oder nennen Sie eine Person oder eine Gruppe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a web address</source>
+        <translation>„%1“ ist keine Webadresse</translation>
+    </message>
+    <message>
+        <source>name the address that the ids of your people belong to, such as https://training.example</source>
+        <translation>nennen Sie die Adresse, zu der die Kennungen Ihrer Personen gehören, zum Beispiel https://training.example</translation>
+    </message>
+    <message>
+        <source>the workbook cannot be made (%1)</source>
+        <translation>die Arbeitsmappe kann nicht erstellt werden (%1)</translation>
+    </message>
+    <message>
+        <source>free some space in the folder of temporary files, or choose CSV</source>
+        <translation>schaffen Sie Platz im Ordner für temporäre Dateien, oder wählen Sie CSV</translation>
+    </message>
+    <message>
+        <source>no OpenGL context can be made: run it on a display, or under xvfb-run</source>
+        <translation>es lässt sich kein OpenGL-Kontext anlegen: Starten Sie mit einem Bildschirm oder unter xvfb-run</translation>
+    </message>
+    <message>
+        <source>no offscreen OpenGL surface can be made: run it on a display, or under xvfb-run</source>
+        <translation>es lässt sich keine OpenGL-Fläche anlegen: Starten Sie mit einem Bildschirm oder unter xvfb-run</translation>
+    </message>
+    <message>
+        <source>the renderer cannot start: %1</source>
+        <translation>die Bilddarstellung kann nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>two mice</source>
+        <translation>zwei Mäuse</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no X server with XInput 2.1</source>
+        <translation>können nicht gelesen werden: Es gibt keinen X-Server mit XInput 2.1</translation>
+    </message>
+    <message>
+        <source>start Fulcrum in an X11 session, or use mouse and keyboard</source>
+        <translation>starten Sie Fulcrum in einer X11-Sitzung, oder verwenden Sie Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>connect a second mouse, or use mouse and keyboard</source>
+        <translation>schließen Sie eine zweite Maus an, oder verwenden Sie Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>see fulcrum %1 --help</source>
+        <translation>siehe fulcrum %1 --help</translation>
+    </message>
+    <message>
+        <source>unknown option of fulcrum %1</source>
+        <translation>unbekannte Option von fulcrum %1</translation>
+    </message>
+    <message>
+        <source>did you mean %1? %2</source>
+        <translation>meinten Sie %1? %2</translation>
+    </message>
+    <message>
+        <source>too few arguments</source>
+        <translation>zu wenige Argumente</translation>
+    </message>
+    <message>
+        <source>usage: %1</source>
+        <translation>Aufruf: %1</translation>
+    </message>
+    <message>
+        <source>unexpected argument</source>
+        <translation>unerwartetes Argument</translation>
+    </message>
+    <message>
+        <source>an argument is empty</source>
+        <translation>ein Argument ist leer</translation>
+    </message>
+    <message>
+        <source>given twice</source>
+        <translation>doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>give it once</source>
+        <translation>geben Sie es einmal an</translation>
+    </message>
+    <message>
+        <source>takes no argument</source>
+        <translation>nimmt kein Argument</translation>
+    </message>
+    <message>
+        <source>leave &apos;=%1&apos; out</source>
+        <translation>lassen Sie &apos;=%1&apos; weg</translation>
+    </message>
+    <message>
+        <source>write %1 %2; %3</source>
+        <translation>schreiben Sie %1 %2; %3</translation>
+    </message>
+    <message>
+        <source>its argument is missing</source>
+        <translation>das Argument fehlt</translation>
+    </message>
+    <message>
+        <source>its argument is empty</source>
+        <translation>das Argument ist leer</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a known %2</source>
+        <translation>„%1“ ist kein bekanntes %2</translation>
+    </message>
+    <message>
+        <source>did you mean %1? Use one of %2</source>
+        <translation>meinten Sie %1? Verwenden Sie eines von %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number in the range</source>
+        <translation>„%1“ ist keine ganze Zahl im erlaubten Bereich</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>geben Sie eine Zahl von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>cannot write to %1</source>
+        <translation>%1 kann nicht beschrieben werden</translation>
+    </message>
+    <message>
+        <source>name a writable folder</source>
+        <translation>nennen Sie einen beschreibbaren Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be combined with %1</source>
+        <translation>lässt sich nicht mit %1 verbinden</translation>
+    </message>
+    <message>
+        <source>use only one of them</source>
+        <translation>verwenden Sie nur eines davon</translation>
+    </message>
+    <message>
+        <source>argument %1</source>
+        <translation>Argument %1</translation>
+    </message>
+    <message>
+        <source>is not valid UTF-8</source>
+        <translation>ist kein gültiges UTF-8</translation>
+    </message>
+    <message>
+        <source>write it, and names of files, in UTF-8</source>
+        <translation>schreiben Sie es, und Dateinamen, in UTF-8</translation>
+    </message>
+    <message>
+        <source>needs the program &apos;%1&apos;, which is missing</source>
+        <translation>braucht das Programm „%1“, das fehlt</translation>
+    </message>
+    <message>
+        <source>build the laboratory: ./run laboratory</source>
+        <translation>bauen Sie das Labor: ./run laboratory</translation>
+    </message>
+    <message>
+        <source>the action is missing</source>
+        <translation>die Aktion fehlt</translation>
+    </message>
+    <message>
+        <source>unknown action</source>
+        <translation>unbekannte Aktion</translation>
+    </message>
+    <message>
+        <source>unknown option</source>
+        <translation>unbekannte Option</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>unbekannter Befehl</translation>
+    </message>
+    <message>
+        <source>no person &apos;%1&apos;</source>
+        <translation>es gibt keine Person „%1“</translation>
+    </message>
+    <message>
+        <source>name logins of this store, separated by commas</source>
+        <translation>nennen Sie Anmeldenamen dieses Datenbestands, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>is %1, whose attempts are compared with the sets of %2</source>
+        <translation>ist %1; Versuche damit werden mit den Sätzen von %2 verglichen</translation>
+    </message>
+    <message>
+        <source>name %1, or remove its family from the task</source>
+        <translation>nennen Sie %1, oder entfernen Sie die Familie aus der Aufgabe</translation>
+    </message>
+    <message>
+        <source>give logins separated by commas</source>
+        <translation>geben Sie Anmeldenamen an, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>needs either --operators or --experts</source>
+        <translation>braucht entweder --operators oder --experts</translation>
+    </message>
+    <message>
+        <source>--all builds the sets of all tasks</source>
+        <translation>--all erstellt die Sätze aller Aufgaben</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>entfernen Sie eines davon</translation>
+    </message>
+    <message>
+        <source>names no task</source>
+        <translation>nennt keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>give a task, or --all</source>
+        <translation>geben Sie eine Aufgabe an, oder --all</translation>
+    </message>
+    <message>
+        <source>needs exactly one of --person and --cohort</source>
+        <translation>braucht genau eines von --person und --cohort</translation>
+    </message>
+    <message>
+        <source>no cohort &apos;%1&apos; that you may read</source>
+        <translation>es gibt keine Gruppe „%1“, die Sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>name a cohort of this store</source>
+        <translation>nennen Sie eine Gruppe dieses Datenbestands</translation>
+    </message>
+    <message>
+        <source>name the version: --to rectal@2</source>
+        <translation>nennen Sie die Version: --to rectal@2</translation>
+    </message>
+    <message>
+        <source>say why, or look first with --dry-run</source>
+        <translation>nennen Sie den Grund, oder sehen Sie es sich zuerst mit --dry-run an</translation>
+    </message>
+    <message>
+        <source>give a CSV file with a header row</source>
+        <translation>geben Sie eine CSV-Datei mit einer Kopfzeile an</translation>
+    </message>
+    <message>
+        <source>write a finite number</source>
+        <translation>schreiben Sie eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>see fulcrum curriculum rule --help</source>
+        <translation>siehe fulcrum curriculum rule --help</translation>
+    </message>
+    <message>
+        <source>is not %1</source>
+        <translation>ist nicht %1</translation>
+    </message>
+    <message>
+        <source>number the attempts 1, 2, 3, ... in order</source>
+        <translation>nummerieren Sie die Versuche der Reihe nach 1, 2, 3, ...</translation>
+    </message>
+    <message>
+        <source>%1 attempts are too few for a curve</source>
+        <translation>%1 Versuche sind zu wenige für eine Kurve</translation>
+    </message>
+    <message>
+        <source>give at least %1</source>
+        <translation>geben Sie mindestens %1 an</translation>
+    </message>
+    <message>
+        <source>%1 has rated %2 twice</source>
+        <translation>%1 hat %2 doppelt beurteilt</translation>
+    </message>
+    <message>
+        <source>give one score for each target and rater</source>
+        <translation>geben Sie eine Bewertung je Ziel und Beurteiler an</translation>
+    </message>
+    <message>
+        <source>there is no score of %1 by %2</source>
+        <translation>es gibt keine Bewertung von %1 durch %2</translation>
+    </message>
+    <message>
+        <source>every rater must have rated every target</source>
+        <translation>jeder Beurteiler muss jedes Ziel beurteilt haben</translation>
+    </message>
+    <message>
+        <source>give scores of two or more raters on two or more targets</source>
+        <translation>geben Sie Bewertungen von mindestens zwei Beurteilern zu mindestens zwei Zielen an</translation>
+    </message>
+    <message>
+        <source>has no logarithm</source>
+        <translation>hat keinen Logarithmus</translation>
+    </message>
+    <message>
+        <source>give values above 0, or --scale raw</source>
+        <translation>geben Sie Werte über 0 an, oder --scale raw</translation>
+    </message>
+    <message>
+        <source>fewer than 2 experts are left</source>
+        <translation>es bleiben weniger als 2 Experten</translation>
+    </message>
+    <message>
+        <source>give the values of more experts</source>
+        <translation>geben Sie die Werte von mehr Experten an</translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation>Standardeingabe</translation>
+    </message>
+    <message>
+        <source>is larger than 1 GiB</source>
+        <translation>ist größer als 1 GiB</translation>
+    </message>
+    <message>
+        <source>give a smaller input</source>
+        <translation>geben Sie eine kleinere Eingabe an</translation>
+    </message>
+    <message>
+        <source>needs the task that was performed</source>
+        <translation>braucht die Aufgabe, die durchgeführt wurde</translation>
+    </message>
+    <message>
+        <source>name it: --task TASK</source>
+        <translation>nennen Sie sie: --task TASK</translation>
+    </message>
+    <message>
+        <source>cannot be used with --events</source>
+        <translation>lässt sich nicht mit --events verwenden</translation>
+    </message>
+    <message>
+        <source>a verdict needs a trace in the documented format</source>
+        <translation>ein Ergebnis braucht eine Aufzeichnung im dokumentierten Format</translation>
+    </message>
+    <message>
+        <source>has no meaning without --events</source>
+        <translation>hat ohne --events keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>name the events: --events EVENTS.csv</source>
+        <translation>nennen Sie die Ereignisse: --events EVENTS.csv</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>give a scene, task or benchmark file</source>
+        <translation>geben Sie eine Szenen-, Aufgaben- oder Richtwertdatei an</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the head of an audit log</source>
+        <translation>„%1“ ist nicht der Kopf eines Protokolls</translation>
+    </message>
+    <message>
+        <source>give its first 16 to 64 hexadecimal digits, as reports and `db audit` print them</source>
+        <translation>geben Sie seine ersten 16 bis 64 Hexadezimalziffern an, wie Berichte und `db audit` sie nennen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the fingerprint of a station&apos;s key</source>
+        <translation>„%1“ ist nicht der Fingerabdruck eines Arbeitsplatzschlüssels</translation>
+    </message>
+    <message>
+        <source>give its first 16 to 32 hexadecimal digits, as reports and `db audit` print them</source>
+        <translation>geben Sie seine ersten 16 bis 32 Hexadezimalziffern an, wie Berichte und `db audit` sie nennen</translation>
+    </message>
+    <message>
+        <source>is missing; only an administrator of the backup restores it</source>
+        <translation>fehlt; nur ein Administrator der Sicherung stellt sie wieder her</translation>
+    </message>
+    <message>
+        <source>sign in with --as LOGIN, and --password-file FILE where there is no terminal</source>
+        <translation>melden Sie sich mit --as LOGIN an, und mit --password-file FILE, wo es kein Terminal gibt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>„%1“ ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>give a day (2026-11-21) or a time (2026-11-21T04:07:37Z), UTC</source>
+        <translation>geben Sie einen Tag (2026-11-21) oder eine Zeit (2026-11-21T04:07:37Z) an, UTC</translation>
+    </message>
+    <message>
+        <source>no entry of kind &apos;%1&apos;</source>
+        <translation>es gibt keinen Eintrag der Art „%1“</translation>
+    </message>
+    <message>
+        <source>name one of %1, or the part before a dot</source>
+        <translation>nennen Sie eine von %1, oder den Teil vor einem Punkt</translation>
+    </message>
+    <message>
+        <source>is not after --from</source>
+        <translation>liegt nicht nach --from</translation>
+    </message>
+    <message>
+        <source>give a later time</source>
+        <translation>geben Sie eine spätere Zeit an</translation>
+    </message>
+    <message>
+        <source>the numbers of inputs and samples differ</source>
+        <translation>Eingaben und Messwerte sind nicht gleich viele</translation>
+    </message>
+    <message>
+        <source>run fulcrum db check</source>
+        <translation>führen Sie fulcrum db check aus</translation>
+    </message>
+    <message>
+        <source>began with a state that &quot;%1&quot; wrote and this build (&quot;%2&quot;) cannot read</source>
+        <translation>begann mit einem Zustand, den „%1“ schrieb und diese Version („%2“) nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>replay it with that version of the program</source>
+        <translation>geben Sie ihn mit jener Version der Software wieder</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a value</source>
+        <translation>„%1“ ist kein Wert</translation>
+    </message>
+    <message>
+        <source>write TISSUE.KEY=NUMBER, for example areolar.penetrate_n=0.12</source>
+        <translation>schreiben Sie TISSUE.KEY=NUMBER, zum Beispiel areolar.penetrate_n=0.12</translation>
+    </message>
+    <message>
+        <source>there is no change to give a reason for</source>
+        <translation>es gibt keine Änderung, die einen Grund braucht</translation>
+    </message>
+    <message>
+        <source>add --set or --scene-values</source>
+        <translation>fügen Sie --set oder --scene-values hinzu</translation>
+    </message>
+    <message>
+        <source>has no meaning without --as</source>
+        <translation>hat ohne --as keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>name the person who signs in: --as LOGIN</source>
+        <translation>nennen Sie die Person, die sich anmeldet: --as LOGIN</translation>
+    </message>
+    <message>
+        <source>is missing; this command reads personal data</source>
+        <translation>fehlt; dieser Befehl liest personenbezogene Daten</translation>
+    </message>
+    <message>
+        <source>no person &apos;%1&apos; that you may read</source>
+        <translation>es gibt keine Person „%1“, die Sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>name a login of this store</source>
+        <translation>nennen Sie einen Anmeldenamen dieses Datenbestands</translation>
+    </message>
+    <message>
+        <source>see fulcrum --help</source>
+        <translation>siehe fulcrum --help</translation>
+    </message>
+    <message>
+        <source>did you mean %1? see fulcrum --help</source>
+        <translation>meinten Sie %1? siehe fulcrum --help</translation>
+    </message>
+    <message>
+        <source>no completion for this shell</source>
+        <translation>für diese Shell gibt es keine Vervollständigung</translation>
+    </message>
+    <message>
+        <source>use bash or zsh</source>
+        <translation>verwenden Sie bash oder zsh</translation>
+    </message>
+    <message>
+        <source>there is no terminal to ask for a password</source>
+        <translation>es gibt kein Terminal, um nach einem Passwort zu fragen</translation>
+    </message>
+    <message>
+        <source>give --password-file FILE</source>
+        <translation>geben Sie --password-file FILE an</translation>
+    </message>
+    <message>
+        <source>no password was entered</source>
+        <translation>es wurde kein Passwort eingegeben</translation>
+    </message>
+    <message>
+        <source>type it and press Enter</source>
+        <translation>geben Sie es ein, und drücken Sie die Eingabetaste</translation>
+    </message>
+    <message>
+        <source>give a file with the password on its first line</source>
+        <translation>geben Sie eine Datei an, in deren erster Zeile das Passwort steht</translation>
+    </message>
+    <message>
+        <source>its first line is empty</source>
+        <translation>die erste Zeile ist leer</translation>
+    </message>
+    <message>
+        <source>is not the file that attempt %1 began with (sha256 %2)</source>
+        <translation>ist nicht die Datei, mit der der Versuch %1 begann (sha256 %2)</translation>
+    </message>
+    <message>
+        <source>restore that file, then start the program again</source>
+        <translation>stellen Sie jene Datei wieder her, und starten Sie die Software neu</translation>
+    </message>
+    <message>
+        <source>The left hand&apos;s device</source>
+        <translation>Das Gerät der linken Hand</translation>
+    </message>
+    <message>
+        <source>The right hand&apos;s device</source>
+        <translation>Das Gerät der rechten Hand</translation>
+    </message>
+    <message>
+        <source>The scope&apos;s device</source>
+        <translation>Das Gerät der Optik</translation>
+    </message>
+    <message>
+        <source>the attempt had not begun; nothing was stored</source>
+        <translation>der Versuch hatte noch nicht begonnen; gespeichert wurde nichts</translation>
+    </message>
+    <message>
+        <source>the attempt could not be started: %1</source>
+        <translation>der Versuch konnte nicht beginnen: %1</translation>
+    </message>
+    <message>
+        <source>the attempt could not be stored completely: %1; the part that was stored is kept and listed as interrupted</source>
+        <translation>der Versuch konnte nicht vollständig gespeichert werden: %1; der gespeicherte Teil bleibt und ist als unterbrochen aufgeführt</translation>
+    </message>
+    <message>
+        <source>%1 gave an impossible reading (not a number, or a jump).</source>
+        <translation>%1 lieferte einen unmöglichen Messwert (keine Zahl, oder ein Sprung).</translation>
+    </message>
+    <message>
+        <source>%1 does not answer.</source>
+        <translation>%1 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>%1 The force was reduced to zero and the timer is stopped; the recording is kept. Reconnect the device: within one minute the attempt can resume as practice, after that it is closed as interrupted. An attempt that had already failed stays failed.</source>
+        <translation>%1 Die Kraft wurde auf null gesenkt, und die Uhr steht; die Aufzeichnung bleibt. Schließen Sie das Gerät wieder an: Innerhalb einer Minute kann der Versuch als Übung weitergehen, danach wird er als unterbrochen abgeschlossen. Ein Versuch, der schon nicht bestanden war, bleibt es.</translation>
+    </message>
+    <message>
+        <source>has fewer than two samples</source>
+        <translation>hat weniger als zwei Messwerte</translation>
+    </message>
+    <message>
+        <source>give a recorded trace</source>
+        <translation>geben Sie eine aufgezeichnete Spur an</translation>
+    </message>
+    <message>
+        <source>has no tip positions: columns left.px left.py left.pz (or right) are missing</source>
+        <translation>hat keine Positionen der Spitze: Die Spalten left.px left.py left.pz (oder right) fehlen</translation>
+    </message>
+    <message>
+        <source>add the tip positions of at least one hand</source>
+        <translation>fügen Sie die Positionen der Spitze mindestens einer Hand hinzu</translation>
+    </message>
+    <message>
+        <source>choose practice, or use another device</source>
+        <translation>wählen Sie Übung, oder verwenden Sie ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>perform it as practice until then</source>
+        <translation>führen Sie ihn bis dahin als Übung durch</translation>
+    </message>
+    <message>
+        <source>open the replay again</source>
+        <translation>öffnen Sie die Wiedergabe noch einmal</translation>
+    </message>
+    <message>
+        <source>has no goal %1</source>
+        <translation>hat keinen Schritt %1</translation>
+    </message>
+    <message>
+        <source>choose one of its goals</source>
+        <translation>wählen Sie einen ihrer Schritte</translation>
+    </message>
+    <message>
+        <source>name the stage: --stage A</source>
+        <translation>nennen Sie die Stufe: --stage A</translation>
+    </message>
+    <message>
+        <source>name the file to write: -o FILE</source>
+        <translation>nennen Sie die Datei, die geschrieben werden soll: -o FILE</translation>
+    </message>
+    <message>
+        <source>this person has not completed the stage</source>
+        <translation>diese Person hat die Stufe nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>a certificate needs proficiency in every task of the stage; provisional limits give none</source>
+        <translation>für ein Zertifikat muss jede Aufgabe der Stufe sicher beherrscht sein; vorläufige Grenzwerte genügen nicht</translation>
+    </message>
+    <message>
+        <source>needs exactly one of --verify and --person</source>
+        <translation>braucht genau eines von --verify und --person</translation>
+    </message>
+    <message>
+        <source>is not possible: this device renders no force</source>
+        <translation>ist nicht möglich: Dieses Gerät gibt keine Kraft wieder</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>has no meaning without --test</source>
+        <translation>hat ohne --test keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>name a device: --test DEVICE</source>
+        <translation>nennen Sie ein Gerät: --test DEVICE</translation>
+    </message>
+    <message>
+        <source>standard output: not everything could be written; check the pipe or free some space</source>
+        <translation>Standardausgabe: Nicht alles konnte geschrieben werden; prüfen Sie die Pipe, oder schaffen Sie Platz</translation>
+    </message>
+    <message>
+        <source>JSON: %1; correct the document</source>
+        <translation>JSON: %1; berichtigen Sie das Dokument</translation>
+    </message>
+    <message>
+        <source>not enough memory; close other programs or give smaller input</source>
+        <translation>nicht genug Arbeitsspeicher; schließen Sie andere Programme, oder geben Sie eine kleinere Eingabe an</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the name of a language</source>
+        <translation>„%1“ ist nicht der Name einer Sprache</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>verwenden Sie eine von: %1</translation>
+    </message>
+    <message>
+        <source>is for one attempt</source>
+        <translation>ist für einen einzelnen Versuch</translation>
+    </message>
+    <message>
+        <source>name it: --attempt ID</source>
+        <translation>nennen Sie ihn: --attempt ID</translation>
+    </message>
+    <message>
+        <source>needs exactly one of --person, --cohort and --attempt</source>
+        <translation>braucht genau eines von --person, --cohort und --attempt</translation>
+    </message>
+    <message>
+        <source>cannot be read, or is empty</source>
+        <translation>kann nicht gelesen werden, oder ist leer</translation>
+    </message>
+    <message>
+        <source>times must increase from 0</source>
+        <translation>Zeiten müssen ab 0 steigen</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>ein Ordner</translation>
+    </message>
+    <message>
+        <source>a pipe</source>
+        <translation>eine Pipe</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>ein Socket</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>ein Gerät</translation>
+    </message>
+    <message>
+        <source>a tip cannot move by less than 0</source>
+        <translation>eine Spitze kann sich nicht um weniger als 0 bewegen</translation>
+    </message>
+    <message>
+        <source>a scene needs instruments or targets for the camera</source>
+        <translation>eine Szene braucht Instrumente oder Ziele für die Kamera</translation>
+    </message>
+    <message>
+        <source>give a number above %1, at most %2</source>
+        <translation>geben Sie eine Zahl über %1 und höchstens %2 an</translation>
+    </message>
+    <message>
+        <source>use numbers between -1e308 and 1e308</source>
+        <translation>verwenden Sie Zahlen zwischen -1e308 und 1e308</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>linke</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechte</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>einen Text</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 above %2 to %3</source>
+        <translation>%1 über %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 above %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 ab %2</translation>
+    </message>
+    <message>
+        <source>%1 up to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>eines von: %1</translation>
+    </message>
+    <message>
+        <source>another value</source>
+        <translation>einen anderen Wert</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>geben Sie %1 an</translation>
+    </message>
+    <message>
+        <source>give %1 (%2)</source>
+        <translation>geben Sie %1 an (%2)</translation>
+    </message>
+    <message>
+        <source>the value has the wrong type</source>
+        <translation>der Wert hat den falschen Typ</translation>
+    </message>
+    <message>
+        <source>the number is too large</source>
+        <translation>die Zahl ist zu groß</translation>
+    </message>
+    <message>
+        <source>the number is too small</source>
+        <translation>die Zahl ist zu klein</translation>
+    </message>
+    <message>
+        <source>the value is not one of those allowed</source>
+        <translation>der Wert ist keiner der erlaubten</translation>
+    </message>
+    <message>
+        <source>the value is not the one allowed</source>
+        <translation>der Wert ist nicht der erlaubte</translation>
+    </message>
+    <message>
+        <source>the list is too long</source>
+        <translation>die Liste ist zu lang</translation>
+    </message>
+    <message>
+        <source>the list is too short</source>
+        <translation>die Liste ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the text is too long</source>
+        <translation>der Text ist zu lang</translation>
+    </message>
+    <message>
+        <source>the text is too short</source>
+        <translation>der Text ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the text has characters that are not allowed</source>
+        <translation>der Text enthält Zeichen, die nicht erlaubt sind</translation>
+    </message>
+    <message>
+        <source>the keys here are %1</source>
+        <translation>die Schlüssel hier sind %1</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>unbekannter Schlüssel &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>remove it; %1</source>
+        <translation>entfernen Sie ihn; %1</translation>
+    </message>
+    <message>
+        <source>did you mean &quot;%1&quot;? %2</source>
+        <translation>meinten Sie &quot;%1&quot;? %2</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation>der Schlüssel &quot;%1&quot; fehlt</translation>
+    </message>
+    <message>
+        <source>give each hand one instrument</source>
+        <translation>geben Sie jeder Hand ein Instrument</translation>
+    </message>
+    <message>
+        <source>contains no folder &quot;tasks&quot;</source>
+        <translation>enthält keinen Ordner &quot;tasks&quot;</translation>
+    </message>
+    <message>
+        <source>the folder was not found next to the program or above it</source>
+        <translation>der Ordner wurde weder neben der Software noch darüber gefunden</translation>
+    </message>
+    <message>
+        <source>the expert did not reach this goal</source>
+        <translation>der Experte hat diesen Schritt nicht erreicht</translation>
+    </message>
+    <message>
+        <source>contains no curriculum %1</source>
+        <translation>enthält kein Curriculum %1</translation>
+    </message>
+    <message>
+        <source>the file %1 has the same version</source>
+        <translation>die Datei %1 hat dieselbe Version</translation>
+    </message>
+    <message>
+        <source>another form has the same id and version: %1</source>
+        <translation>ein anderer Bogen hat dieselbe Kennung und Version: %1</translation>
+    </message>
+    <message>
+        <source>degrees from the middle of the image</source>
+        <translation>Grad von der Bildmitte</translation>
+    </message>
+    <message>
+        <source>degrees between the image&apos;s upright and the body&apos;s</source>
+        <translation>Grad zwischen der Senkrechten des Bildes und der des Körpers</translation>
+    </message>
+    <message>
+        <source>how far the size may be off the wanted one</source>
+        <translation>wie weit die Größe von der gewünschten abweichen darf</translation>
+    </message>
+    <message>
+        <source>the least traction across the line, N/m</source>
+        <translation>der kleinste Zug quer zur Linie, N/m</translation>
+    </message>
+    <message>
+        <source>the most traction across the line, N/m</source>
+        <translation>der größte Zug quer zur Linie, N/m</translation>
+    </message>
+    <message>
+        <source>left or right</source>
+        <translation>left oder right</translation>
+    </message>
+    <message>
+        <source>how many spheres</source>
+        <translation>wie viele Kugeln</translation>
+    </message>
+    <message>
+        <source>seconds to hold each</source>
+        <translation>Sekunden, die jede gehalten wird</translation>
+    </message>
+    <message>
+        <source>metres of bowel to run</source>
+        <translation>Meter Darm, die durchgemustert werden</translation>
+    </message>
+    <message>
+        <source>where to start</source>
+        <translation>wo es beginnt</translation>
+    </message>
+    <message>
+        <source>where the run leads</source>
+        <translation>wohin es führt</translation>
+    </message>
+    <message>
+        <source>shortest step that counts</source>
+        <translation>kürzester Griff, der zählt</translation>
+    </message>
+    <message>
+        <source>longest step that counts</source>
+        <translation>längster Griff, der zählt</translation>
+    </message>
+    <message>
+        <source>seconds to hold</source>
+        <translation>Sekunden, die gehalten wird</translation>
+    </message>
+    <message>
+        <source>where the stretch begins</source>
+        <translation>wo der Abschnitt beginnt</translation>
+    </message>
+    <message>
+        <source>where the stretch ends</source>
+        <translation>wo der Abschnitt endet</translation>
+    </message>
+    <message>
+        <source>metres above the resting height</source>
+        <translation>Meter über der Ruhehöhe</translation>
+    </message>
+    <message>
+        <source>seconds to keep the traction</source>
+        <translation>Sekunden, die der Zug gehalten wird</translation>
+    </message>
+    <message>
+        <source>metres of the marked line</source>
+        <translation>Meter der markierten Linie</translation>
+    </message>
+    <message>
+        <source>metres from the line that are too far</source>
+        <translation>Meter von der Linie, die zu weit sind</translation>
+    </message>
+    <message>
+        <source>metres from the line within which a cut divides it</source>
+        <translation>Meter von der Linie, innerhalb derer ein Schnitt sie durchtrennt</translation>
+    </message>
+    <message>
+        <source>seconds without a hold</source>
+        <translation>Sekunden ohne Halt</translation>
+    </message>
+    <message>
+        <source>how many bands</source>
+        <translation>wie viele Stränge</translation>
+    </message>
+    <message>
+        <source>how many vessels</source>
+        <translation>wie viele Gefäße</translation>
+    </message>
+    <message>
+        <source>seconds without bleeding</source>
+        <translation>Sekunden ohne Blutung</translation>
+    </message>
+    <message>
+        <source>seconds of contact</source>
+        <translation>Sekunden Kontakt</translation>
+    </message>
+    <message>
+        <source>the hand that lifts each ring: left or right</source>
+        <translation>die Hand, die jeden Ring hebt: left oder right</translation>
+    </message>
+    <message>
+        <source>how many rings</source>
+        <translation>wie viele Ringe</translation>
+    </message>
+    <message>
+        <source>seconds that both hands hold a ring in the air</source>
+        <translation>Sekunden, die beide Hände einen Ring in der Luft halten</translation>
+    </message>
+    <message>
+        <source>metres above the tray from where on a ring is in the air</source>
+        <translation>Meter über dem Tablett, ab denen ein Ring in der Luft ist</translation>
+    </message>
+    <message>
+        <source>how many targets</source>
+        <translation>wie viele Ziele</translation>
+    </message>
+    <message>
+        <source>seconds to keep each framed</source>
+        <translation>Sekunden, die jedes im Bild bleibt</translation>
+    </message>
+    <message>
+        <source>seconds in all that the tip is framed</source>
+        <translation>Sekunden insgesamt, die die Spitze im Bild ist</translation>
+    </message>
+    <message>
+        <source>the target has a size within this share at every distance</source>
+        <translation>bei jedem Abstand liegt die Größe des Ziels innerhalb dieses Anteils</translation>
+    </message>
+    <message>
+        <source>write one sample per row</source>
+        <translation>schreiben Sie einen Messwert je Zeile</translation>
+    </message>
+    <message>
+        <source>names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>give one attempt per file</source>
+        <translation>geben Sie einen Versuch je Datei an</translation>
+    </message>
+    <message>
+        <source>the time decreases</source>
+        <translation>die Zeit nimmt ab</translation>
+    </message>
+    <message>
+        <source>use one label per tissue</source>
+        <translation>verwenden Sie einen Namen je Gewebe</translation>
+    </message>
+    <message>
+        <source>the column occurs twice</source>
+        <translation>die Spalte kommt doppelt vor</translation>
+    </message>
+    <message>
+        <source>give every row one cell per column</source>
+        <translation>geben Sie jeder Zeile eine Zelle je Spalte</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>die Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>sort the rows and remove duplicates</source>
+        <translation>ordnen Sie die Zeilen, und entfernen Sie doppelte</translation>
+    </message>
+    <message>
+        <source>write one row per sample</source>
+        <translation>schreiben Sie eine Zeile je Messwert</translation>
+    </message>
+    <message>
+        <source>trainee</source>
+        <translation>Lernende(r)</translation>
+    </message>
+    <message>
+        <source>educator</source>
+        <translation>Ausbilder</translation>
+    </message>
+    <message>
+        <source>director</source>
+        <translation>Programmleitung</translation>
+    </message>
+    <message>
+        <source>administrator</source>
+        <translation>Administrator</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>a reason is missing or too long</source>
+        <translation>der Grund fehlt oder ist zu lang</translation>
+    </message>
+    <message>
+        <source>give a reason of 1 to 4,000 characters</source>
+        <translation>geben Sie einen Grund von 1 bis 4000 Zeichen an</translation>
+    </message>
+    <message>
+        <source>there is nothing left to do</source>
+        <translation>es ist nichts mehr zu tun</translation>
+    </message>
+    <message>
+        <source>the attempt belongs to that person already</source>
+        <translation>der Versuch gehört dieser Person schon</translation>
+    </message>
+    <message>
+        <source>the part before it is missing</source>
+        <translation>der Teil davor fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is not a real person (%2) and cannot be in a cohort</source>
+        <translation>%1 ist keine echte Person (%2) und kann in keiner Gruppe sein</translation>
+    </message>
+    <message>
+        <source>choose real people only</source>
+        <translation>wählen Sie nur echte Personen</translation>
+    </message>
+    <message>
+        <source>%1: it contains control or direction characters</source>
+        <translation>%1: enthält Steuer- oder Richtungszeichen</translation>
+    </message>
+    <message>
+        <source>%1: it is empty or too long</source>
+        <translation>%1: ist leer oder zu lang</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>the last administrator cannot be deactivated</source>
+        <translation>der letzte Administrator kann nicht deaktiviert werden</translation>
+    </message>
+    <message>
+        <source>synthetic and external people cannot have roles</source>
+        <translation>synthetische und externe Personen können keine Rollen haben</translation>
+    </message>
+    <message>
+        <source>the last administrator cannot give up the role</source>
+        <translation>der letzte Administrator kann die Rolle nicht abgeben</translation>
+    </message>
+    <message>
+        <source>only an administrator can make an account for a real person</source>
+        <translation>nur ein Administrator kann ein Konto für eine echte Person anlegen</translation>
+    </message>
+    <message>
+        <source>ask an administrator</source>
+        <translation>fragen Sie einen Administrator</translation>
+    </message>
+    <message>
+        <source>the form %1 of a rating is missing</source>
+        <translation>der Bogen %1 einer Beurteilung fehlt</translation>
+    </message>
+    <message>
+        <source>give one answer per item</source>
+        <translation>geben Sie eine Antwort je Punkt</translation>
+    </message>
+    <message>
+        <source>you have a form for this attempt that is not handed in yet</source>
+        <translation>Sie haben für diesen Versuch einen Bogen, der noch nicht abgegeben ist</translation>
+    </message>
+    <message>
+        <source>write another comment</source>
+        <translation>schreiben Sie einen anderen Kommentar</translation>
+    </message>
+    <message>
+        <source>use &quot;Change password&quot;</source>
+        <translation>verwenden Sie „Passwort ändern“</translation>
+    </message>
+    <message>
+        <source>a quotation mark opens here and is never closed</source>
+        <translation>hier öffnet ein Anführungszeichen, das nicht geschlossen wird</translation>
+    </message>
+    <message>
+        <source>close the cell with a quotation mark</source>
+        <translation>schließen Sie die Zelle mit einem Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>split it into smaller files</source>
+        <translation>teilen Sie sie in kleinere Dateien auf</translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; occurs twice</source>
+        <translation>die Spalte „%1“ kommt doppelt vor</translation>
+    </message>
+    <message>
+        <source>give every row the same number of cells; put a cell that contains a comma in quotes</source>
+        <translation>geben Sie jeder Zeile gleich viele Zellen; setzen Sie eine Zelle mit einem Komma in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>name of the cohort</source>
+        <translation>Name der Gruppe</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a role that can be imported</source>
+        <translation>„%1“ ist keine Rolle, die importiert werden kann</translation>
+    </message>
+    <message>
+        <source>write trainee or educator; give other roles on the page People</source>
+        <translation>schreiben Sie trainee oder educator; andere Rollen vergeben Sie auf der Seite „Personen“</translation>
+    </message>
+    <message>
+        <source>sourcedId &apos;%1&apos; occurs twice</source>
+        <translation>sourcedId „%1“ kommt doppelt vor</translation>
+    </message>
+    <message>
+        <source>login %1 is also used by %2</source>
+        <translation>der Anmeldename %1 gehört auch zu %2</translation>
+    </message>
+    <message>
+        <source>%1: there is no store</source>
+        <translation>%1: Dort ist kein Datenbestand</translation>
+    </message>
+    <message>
+        <source>create one with `fulcrum db create`, or name another one with --db</source>
+        <translation>legen Sie einen mit `fulcrum db create` an, oder nennen Sie einen anderen mit --db</translation>
+    </message>
+    <message>
+        <source>%1: the disk reported an error (%2)</source>
+        <translation>%1: Der Datenträger meldet einen Fehler (%2)</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to protect a password (64 MiB are needed); close other programs</source>
+        <translation>der Arbeitsspeicher reicht nicht, um ein Passwort zu schützen (64 MiB sind nötig); schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>a part of the recording is damaged (%1)</source>
+        <translation>ein Teil der Aufzeichnung ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>a part of a recording holds 1 to %1 records</source>
+        <translation>ein Teil einer Aufzeichnung enthält 1 bis %1 Einträge</translation>
+    </message>
+    <message>
+        <source>the program has no schema step %1</source>
+        <translation>der Software fehlt der Schemaschritt %1</translation>
+    </message>
+    <message>
+        <source>%1: cannot be created (%2)</source>
+        <translation>%1: kann nicht angelegt werden (%2)</translation>
+    </message>
+    <message>
+        <source>make the store&apos;s folder writable and free some space on the disk; nothing was recorded yet</source>
+        <translation>machen Sie den Ordner des Datenbestands beschreibbar, und schaffen Sie Platz auf dem Datenträger; aufgezeichnet wurde noch nichts</translation>
+    </message>
+    <message>
+        <source>%1: the store was written by an older program (schema %2, this program uses %3)</source>
+        <translation>%1: Der Datenbestand wurde von einer älteren Software geschrieben (Schema %2, diese Software verwendet %3)</translation>
+    </message>
+    <message>
+        <source>choose another name, or open that file</source>
+        <translation>wählen Sie einen anderen Namen, oder öffnen Sie jene Datei</translation>
+    </message>
+    <message>
+        <source>%1: you may not read this file</source>
+        <translation>%1: Sie dürfen diese Datei nicht lesen</translation>
+    </message>
+    <message>
+        <source>log in to the computer as the file&apos;s owner, or ask them for read permission</source>
+        <translation>melden Sie sich am Computer als Eigentümer der Datei an, oder lassen Sie sich das Leserecht geben</translation>
+    </message>
+    <message>
+        <source>create it again with `fulcrum db create`, or start the window and create a programme</source>
+        <translation>legen Sie ihn mit `fulcrum db create` neu an, oder starten Sie das Fenster und legen Sie ein Programm an</translation>
+    </message>
+    <message>
+        <source>close every Fulcrum program that uses this store, then try again; nothing was changed</source>
+        <translation>schließen Sie jedes Fulcrum, das diesen Datenbestand verwendet, und versuchen Sie es noch einmal; geändert wurde nichts</translation>
+    </message>
+    <message>
+        <source>%1-wal: this is the log of a store that is missing</source>
+        <translation>%1-wal: das Protokoll eines Datenbestands, der fehlt</translation>
+    </message>
+    <message>
+        <source>%1 connected; two are needed</source>
+        <translation>%1 angeschlossen; nötig sind zwei</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a probability</source>
+        <translation>„%1“ ist keine Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to 1</source>
+        <translation>geben Sie eine Zahl von 0 bis 1 an</translation>
+    </message>
+    <message>
+        <source>this device is for practice only</source>
+        <translation>dieses Gerät dient nur zum Üben</translation>
+    </message>
+    <message>
+        <source>an attempt with a ghost is for practice only</source>
+        <translation>ein Versuch mit Schattenbild dient nur zum Üben</translation>
+    </message>
+    <message>
+        <source>an attempt that begins in the middle is for practice only</source>
+        <translation>ein Versuch, der mittendrin beginnt, dient nur zum Üben</translation>
+    </message>
+    <message>
+        <source>this moment does not belong to a replay that is open</source>
+        <translation>dieser Zeitpunkt gehört zu keiner geöffneten Wiedergabe</translation>
+    </message>
+    <message>
+        <source>the attempt cannot be continued from this moment: the simulation differs from the recording here</source>
+        <translation>von diesem Zeitpunkt an kann der Versuch nicht fortgesetzt werden: Die Simulation weicht hier von der Aufzeichnung ab</translation>
+    </message>
+    <message>
+        <source>it was recorded with another version of the program; practise from the beginning</source>
+        <translation>er wurde mit einer anderen Version der Software aufgezeichnet; üben Sie von Anfang an</translation>
+    </message>
+    <message>
+        <source>audit row %1</source>
+        <translation>Protokollzeile %1</translation>
+    </message>
+    <message>
+        <source>%1: not signed</source>
+        <translation>%1: nicht signiert</translation>
+    </message>
+    <message>
+        <source>%1: its signature does not fit</source>
+        <translation>%1: Die Signatur passt nicht</translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, not by this station&apos;s, %3</source>
+        <translation>%1: mit dem Schlüssel %2 signiert, nicht mit dem dieses Arbeitsplatzes, %3</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 are missing</source>
+        <translation>die Protokollzeilen %1 bis %2 fehlen</translation>
+    </message>
+    <message>
+        <source>%1: not bound to the row before it</source>
+        <translation>%1: nicht mit der Zeile davor verknüpft</translation>
+    </message>
+    <message>
+        <source>%1: changed after it was written</source>
+        <translation>%1: nach dem Schreiben geändert</translation>
+    </message>
+    <message>
+        <source>%1: its payload was changed</source>
+        <translation>%1: Der Inhalt wurde geändert</translation>
+    </message>
+    <message>
+        <source>audit row %1: only its payload is left</source>
+        <translation>Protokollzeile %1: Nur ihr Inhalt ist noch da</translation>
+    </message>
+    <message>
+        <source>audit row %1: enters all records again, although earlier rows have their digests</source>
+        <translation>Protokollzeile %1: trägt alle Datensätze neu ein, obwohl frühere Zeilen ihre Prüfsummen enthalten</translation>
+    </message>
+    <message>
+        <source> of attempt %1</source>
+        <translation> des Versuchs %1</translation>
+    </message>
+    <message>
+        <source>the audit log has no digests of the records: open the store once for writing, or restore the newest backup</source>
+        <translation>das Protokoll enthält keine Prüfsummen der Datensätze: Öffnen Sie den Datenbestand einmal zum Schreiben, oder stellen Sie die neueste Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>%1: the audit log has no row for it</source>
+        <translation>%1: Das Protokoll hat dafür keine Zeile</translation>
+    </message>
+    <message>
+        <source>%1%2: changed since audit row %3</source>
+        <translation>%1%2: geändert seit Protokollzeile %3</translation>
+    </message>
+    <message>
+        <source>%1: chunk %2 is missing</source>
+        <translation>%1: Block %2 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: chunk %2 is out of order</source>
+        <translation>%1: Block %2 ist nicht an seiner Stelle</translation>
+    </message>
+    <message>
+        <source>attempt %1, stream %2</source>
+        <translation>Versuch %1, Datenstrom %2</translation>
+    </message>
+    <message>
+        <source>%1: chunk %2 is damaged (%3)</source>
+        <translation>%1: Block %2 ist beschädigt (%3)</translation>
+    </message>
+    <message>
+        <source>attempt %1: no stream has the number %2</source>
+        <translation>Versuch %1: Es gibt keinen Datenstrom mit der Nummer %2</translation>
+    </message>
+    <message>
+        <source>attempt %1: %2 of its %3 events are there, a part of the record is missing</source>
+        <translation>Versuch %1: %2 von %3 Ereignissen sind da, ein Teil der Aufzeichnung fehlt</translation>
+    </message>
+    <message>
+        <source>attempt %1: %2 samples for %3 inputs are there, a part of the record is missing</source>
+        <translation>Versuch %1: %2 Messwerte für %3 Eingaben sind da, ein Teil der Aufzeichnung fehlt</translation>
+    </message>
+    <message>
+        <source>attempt %1: product %2 is damaged</source>
+        <translation>Versuch %1: Das Ergebnis %2 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>attempt %1: the state that it began with is damaged</source>
+        <translation>Versuch %1: Der Zustand, mit dem er begann, ist beschädigt</translation>
+    </message>
+    <message>
+        <source>table %1: a row points to nothing in %2</source>
+        <translation>Tabelle %1: Eine Zeile verweist auf nichts in %2</translation>
+    </message>
+    <message>
+        <source>score of attempt %1</source>
+        <translation>Bewertung des Versuchs %1</translation>
+    </message>
+    <message>
+        <source>%1: not in the audit chain</source>
+        <translation>%1: nicht im Protokoll</translation>
+    </message>
+    <message>
+        <source>scene %1: changed after it was written</source>
+        <translation>Szene %1: nach dem Schreiben geändert</translation>
+    </message>
+    <message>
+        <source>attempt %1: its scene is missing</source>
+        <translation>Versuch %1: Seine Szene fehlt</translation>
+    </message>
+    <message>
+        <source>decision %1 on %2: not as the audit log has it</source>
+        <translation>Entscheidung %1 zu %2: nicht so, wie das Protokoll sie enthält</translation>
+    </message>
+    <message>
+        <source>%1: other users of this machine may open it (run `chmod 600` on it)</source>
+        <translation>%1: Andere Benutzer dieses Rechners können sie öffnen (führen Sie `chmod 600` darauf aus)</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>integrity</source>
+        <translation>Unversehrtheit</translation>
+    </message>
+    <message>
+        <source>foreign keys</source>
+        <translation>Verweise</translation>
+    </message>
+    <message>
+        <source>audit chain</source>
+        <translation>Kette des Protokolls</translation>
+    </message>
+    <message>
+        <source>signatures</source>
+        <translation>Signaturen</translation>
+    </message>
+    <message>
+        <source>trace checksums</source>
+        <translation>Prüfsummen der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>records</source>
+        <translation>Datensätze</translation>
+    </message>
+    <message>
+        <source>score digests</source>
+        <translation>Prüfsummen der Bewertungen</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>decisions</source>
+        <translation>Entscheidungen</translation>
+    </message>
+    <message>
+        <source>permissions</source>
+        <translation>Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>copying the store</source>
+        <translation>Datenbestand wird kopiert</translation>
+    </message>
+    <message>
+        <source>known head</source>
+        <translation>bekannter Kopf</translation>
+    </message>
+    <message>
+        <source>no audit row has the head %1: the store was rewritten, or an older copy is in its place</source>
+        <translation>keine Protokollzeile hat den Kopf %1: Der Datenbestand wurde neu geschrieben, oder eine ältere Kopie liegt an seiner Stelle</translation>
+    </message>
+    <message>
+        <source>known key</source>
+        <translation>bekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>the newest audit row is not signed (it should be, by %1): the log was written by somebody else, or the station has a new key</source>
+        <translation>die neueste Protokollzeile ist nicht signiert (nötig wäre %1): Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
+    </message>
+    <message>
+        <source>the newest audit row is signed by the key %1, not by %2: the log was written by somebody else, or the station has a new key</source>
+        <translation>die neueste Protokollzeile ist mit dem Schlüssel %1 signiert, nicht mit %2: Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
+    </message>
+    <message>
+        <source>the stored state was written by another version of the program, or for another scene</source>
+        <translation>der gespeicherte Zustand stammt von einer anderen Version der Software oder gehört zu einer anderen Szene</translation>
+    </message>
+    <message>
+        <source>the stored state ends too early: it does not belong to this scene in this version of the program</source>
+        <translation>der gespeicherte Zustand endet zu früh: Er gehört nicht zu dieser Szene in dieser Version der Software</translation>
+    </message>
+    <message>
+        <source>the stored state belongs to another attempt</source>
+        <translation>der gespeicherte Zustand gehört zu einem anderen Versuch</translation>
+    </message>
+    <message>
+        <source>needs at least two targets and two raters</source>
+        <translation>braucht mindestens zwei Ziele und zwei Beurteiler</translation>
+    </message>
+    <message>
+        <source>a rating is missing</source>
+        <translation>eine Beurteilung fehlt</translation>
+    </message>
+    <message>
+        <source>a rating is not a number</source>
+        <translation>eine Beurteilung ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>all ratings are equal</source>
+        <translation>alle Beurteilungen sind gleich</translation>
+    </message>
+    <message>
+        <source>all targets have the same sum</source>
+        <translation>alle Ziele haben dieselbe Summe</translation>
+    </message>
+    <message>
+        <source>name of the programme</source>
+        <translation>Name des Programms</translation>
+    </message>
+    <message>
+        <source>%1%2: gone since audit row %3</source>
+        <translation>%1%2: fehlt seit Protokollzeile %3</translation>
+    </message>
+    <message>
+        <source>the device reports forces that are not possible</source>
+        <translation>das Gerät meldet Kräfte, die nicht möglich sind</translation>
+    </message>
+    <message>
+        <source>the device reports a rate that is not possible</source>
+        <translation>das Gerät meldet eine Taktrate, die nicht möglich ist</translation>
+    </message>
+    <message>
+        <source>fulcrum-hapticd is of another version than fulcrum</source>
+        <translation>fulcrum-hapticd hat eine andere Version als fulcrum</translation>
+    </message>
+    <message>
+        <source>the curriculum %2 is not installed, but people follow it (how many: %1)</source>
+        <translation>das Curriculum %2 ist nicht installiert, aber Personen folgen ihm (Anzahl: %1)</translation>
+    </message>
+    <message>
+        <source>this file says it is %1, but the %1 that people follow (how many: %2) has different content</source>
+        <translation>diese Datei nennt sich %1, aber das %1, dem Personen folgen (Anzahl: %2), hat einen anderen Inhalt</translation>
+    </message>
+    <message>
+        <source>the role %1 is not held</source>
+        <translation>das Konto hat die Rolle %1 nicht</translation>
+    </message>
+    <message>
+        <source>status %1: an import deletes and deactivates nobody</source>
+        <translation>Status %1: Ein Import löscht und deaktiviert niemanden</translation>
+    </message>
+    <message>
+        <source>%1 is not enabled</source>
+        <translation>%1 ist nicht freigeschaltet</translation>
+    </message>
+    <message>
+        <source>there is no such user</source>
+        <translation>diesen Benutzer gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such class</source>
+        <translation>diese Klasse gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the role %1 is not imported</source>
+        <translation>die Rolle %1 wird nicht importiert</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no role</source>
+        <translation>%1: %2 hat keine Rolle</translation>
+    </message>
+    <message>
+        <source>%1: %2 has the role %3, which is not imported</source>
+        <translation>%1: %2 hat die Rolle %3, die nicht importiert wird</translation>
+    </message>
+    <message>
+        <source>begin with a row of names</source>
+        <translation>beginnen Sie mit einer Zeile der Namen</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>write %1 cells, as in the first row</source>
+        <translation>schreiben Sie %1 Zellen, wie in der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>give at most 100,000</source>
+        <translation>geben Sie höchstens 100000 an</translation>
+    </message>
+    <message>
+        <source>the trace of attempt %1 is not in this store: it was recorded at the station %2</source>
+        <translation>die Aufzeichnung des Versuchs %1 ist nicht in diesem Speicher: Sie wurde an der Station %2 gemacht</translation>
+    </message>
+    <message>
+        <source>open it there</source>
+        <translation>öffnen Sie ihn dort</translation>
+    </message>
+    <message>
+        <source>the PostgreSQL driver of Qt is missing</source>
+        <translation>der PostgreSQL-Treiber von Qt fehlt</translation>
+    </message>
+    <message>
+        <source>install libqt5sql5-psql</source>
+        <translation>installieren Sie libqt5sql5-psql</translation>
+    </message>
+    <message>
+        <source>the address of the server %1</source>
+        <translation>die Adresse des Servers %1</translation>
+    </message>
+    <message>
+        <source>write it as postgresql://USER@HOST:PORT/DATABASE</source>
+        <translation>schreiben Sie sie als postgresql://USER@HOST:PORT/DATABASE</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read</source>
+        <translation>&apos;%1&apos; kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>contains a password, which other users of this machine could read</source>
+        <translation>enthält ein Passwort, das andere Benutzer dieses Rechners lesen könnten</translation>
+    </message>
+    <message>
+        <source>leave it out; put it into the file ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a file in PGPASSFILE</source>
+        <translation>lassen Sie es weg; schreiben Sie es in die Datei ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, Rechte 0600), oder nennen Sie eine solche Datei in PGPASSFILE</translation>
+    </message>
+    <message>
+        <source>has the parameter &apos;%1&apos;, which is not known</source>
+        <translation>hat den Parameter &apos;%1&apos;, der nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>host, port and service are; for others use the environment variables of libpq</source>
+        <translation>bekannt sind host, port und service; für andere gibt es die Umgebungsvariablen von libpq</translation>
+    </message>
+    <message>
+        <source>contains a quote, a space, a backslash or a semicolon</source>
+        <translation>enthält ein Anführungszeichen, ein Leerzeichen, einen Rückstrich oder ein Semikolon</translation>
+    </message>
+    <message>
+        <source>names no database</source>
+        <translation>nennt keine Datenbank</translation>
+    </message>
+    <message>
+        <source>check the address, the network, and that the server runs; nothing is lost, and the next sync transfers what this one could not</source>
+        <translation>prüfen Sie die Adresse, das Netz und ob der Server läuft; nichts ist verloren, und der nächste Abgleich überträgt, was dieser nicht konnte</translation>
+    </message>
+    <message>
+        <source>put the right password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a file in PGPASSFILE</source>
+        <translation>schreiben Sie das richtige Passwort in ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, Rechte 0600), oder nennen Sie eine solche Datei in PGPASSFILE</translation>
+    </message>
+    <message>
+        <source>have the administrator of the server make it: createdb, then `fulcrum server create`</source>
+        <translation>lassen Sie sie vom Administrator des Servers anlegen: createdb, dann `fulcrum server create`</translation>
+    </message>
+    <message>
+        <source>name the account that the administrator of the server made for this station</source>
+        <translation>nennen Sie das Konto, das der Administrator des Servers für diese Station angelegt hat</translation>
+    </message>
+    <message>
+        <source>the connection must be encrypted: have the server&apos;s administrator turn ssl on</source>
+        <translation>die Verbindung muss verschlüsselt sein: Lassen Sie den Administrator des Servers ssl einschalten</translation>
+    </message>
+    <message>
+        <source>%1: cannot connect (%2)</source>
+        <translation>%1: keine Verbindung (%2)</translation>
+    </message>
+    <message>
+        <source>the connection was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>nothing is lost; sync again when the server can be reached</source>
+        <translation>nichts ist verloren; gleichen Sie wieder ab, sobald der Server erreichbar ist</translation>
+    </message>
+    <message>
+        <source>this account of the server may not do that</source>
+        <translation>dieses Konto des Servers darf das nicht</translation>
+    </message>
+    <message>
+        <source>a station&apos;s account has to be a member of fulcrum_station; create and erase need the database&apos;s owner</source>
+        <translation>das Konto einer Station muss zu fulcrum_station gehören; zum Anlegen und Löschen ist der Eigentümer der Datenbank nötig</translation>
+    </message>
+    <message>
+        <source>refused by a rule of the server</source>
+        <translation>von einer Regel des Servers abgelehnt</translation>
+    </message>
+    <message>
+        <source>sync again; if it is refused again, `fulcrum db check` looks at this store</source>
+        <translation>gleichen Sie wieder ab; wird es erneut abgelehnt, prüft `fulcrum db check` diesen Speicher</translation>
+    </message>
+    <message>
+        <source>another station is writing the same rows</source>
+        <translation>eine andere Station schreibt dieselben Zeilen</translation>
+    </message>
+    <message>
+        <source>sync again</source>
+        <translation>gleichen Sie wieder ab</translation>
+    </message>
+    <message>
+        <source>the server has no room or no connection left</source>
+        <translation>der Server hat keinen Platz oder keine freie Verbindung mehr</translation>
+    </message>
+    <message>
+        <source>tell its administrator, then sync again; what was stored before is intact</source>
+        <translation>sagen Sie es seinem Administrator und gleichen Sie dann wieder ab; was zuvor gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>%1: the server refused (%2)</source>
+        <translation>%1: vom Server abgelehnt (%2)</translation>
+    </message>
+    <message>
+        <source>tell its administrator</source>
+        <translation>sagen Sie es seinem Administrator</translation>
+    </message>
+    <message>
+        <source>station %1, audit row %2</source>
+        <translation>Station %1, Protokollzeile %2</translation>
+    </message>
+    <message>
+        <source>%1: its payload is gone, and no erasure is in the audit log</source>
+        <translation>%1: ihr Inhalt fehlt, und im Protokoll steht keine Löschung</translation>
+    </message>
+    <message>
+        <source>%1: has no person %2</source>
+        <translation>%1: hat keine Person %2</translation>
+    </message>
+    <message>
+        <source>give the id (UUID) that `fulcrum report --format json` and exports print</source>
+        <translation>geben Sie die Kennung (UUID) an, die `fulcrum report --format json` und Exporte ausgeben</translation>
+    </message>
+    <message>
+        <source>a person who was erased on the server is performing at this station</source>
+        <translation>eine Person, die auf dem Server gelöscht wurde, führt an dieser Station gerade einen Versuch durch</translation>
+    </message>
+    <message>
+        <source>sync again when the attempt has ended</source>
+        <translation>gleichen Sie wieder ab, wenn der Versuch beendet ist</translation>
+    </message>
+    <message>
+        <source>neither this store nor the server has a programme</source>
+        <translation>weder dieser Speicher noch der Server hat ein Programm</translation>
+    </message>
+    <message>
+        <source>make the programme at one station (start `fulcrum`, Create programme) and sync that one first</source>
+        <translation>legen Sie das Programm an einer Station an (`fulcrum` starten, Programm anlegen) und gleichen Sie diese zuerst ab</translation>
+    </message>
+    <message>
+        <source>this store belongs to another programme than the server</source>
+        <translation>dieser Speicher gehört zu einem anderen Programm als der Server</translation>
+    </message>
+    <message>
+        <source>name the right server; a further station begins with an empty store (`fulcrum db create`) and gets its people by sync</source>
+        <translation>nennen Sie den richtigen Server; eine weitere Station beginnt mit einem leeren Speicher (`fulcrum db create`) und erhält ihre Personen durch den Abgleich</translation>
+    </message>
+    <message>
+        <source>the audit log of this store is not the one that the server knows (row %1): an older copy is in its place, or it was rewritten</source>
+        <translation>das Protokoll dieses Speichers ist nicht das, das der Server kennt (Zeile %1): An seiner Stelle liegt eine ältere Kopie, oder es wurde umgeschrieben</translation>
+    </message>
+    <message>
+        <source>restore the newest backup; nothing was transferred</source>
+        <translation>stellen Sie die neueste Sicherung wieder her; es wurde nichts übertragen</translation>
+    </message>
+    <message>
+        <source>the demonstration is never synchronised</source>
+        <translation>die Vorführung wird nie abgeglichen</translation>
+    </message>
+    <message>
+        <source>name the store of the programme with --db</source>
+        <translation>nennen Sie mit --db den Speicher des Programms</translation>
+    </message>
+    <message>
+        <source>%1: there without an audit row (if a sync was cut off, the station&apos;s next one brings it)</source>
+        <translation>%1: vorhanden ohne Protokollzeile (wurde ein Abgleich unterbrochen, bringt sie der nächste dieser Station)</translation>
+    </message>
+    <message>
+        <source>%1: not as the station that made it has signed it</source>
+        <translation>%1: nicht so, wie die Station es unterschrieben hat</translation>
+    </message>
+    <message>
+        <source>%1: PostgreSQL %2 is too old</source>
+        <translation>%1: PostgreSQL %2 ist zu alt</translation>
+    </message>
+    <message>
+        <source>upgrade the server to PostgreSQL 12 or newer</source>
+        <translation>bringen Sie den Server auf PostgreSQL 12 oder neuer</translation>
+    </message>
+    <message>
+        <source>%1: made by a newer program (schema %2, this program knows %3)</source>
+        <translation>%1: von einem neueren Programm angelegt (Schema %2, dieses Programm kennt %3)</translation>
+    </message>
+    <message>
+        <source>update Fulcrum on this station, then sync again; nothing is lost</source>
+        <translation>bringen Sie Fulcrum an dieser Station auf den neuesten Stand und gleichen Sie dann wieder ab; nichts ist verloren</translation>
+    </message>
+    <message>
+        <source>a trigger of the schema has no form for a server</source>
+        <translation>ein Trigger des Schemas hat keine Form für einen Server</translation>
+    </message>
+    <message>
+        <source>report this: the program is incomplete</source>
+        <translation>melden Sie das: Das Programm ist unvollständig</translation>
+    </message>
+    <message>
+        <source>%1: has tables of another program</source>
+        <translation>%1: enthält Tabellen eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>make a database of its own (createdb) and name that</source>
+        <translation>legen Sie eine eigene Datenbank an (createdb) und nennen Sie diese</translation>
+    </message>
+    <message>
+        <source>%1: is not a programme server</source>
+        <translation>%1: ist kein Programmserver</translation>
+    </message>
+    <message>
+        <source>have its administrator run `fulcrum server create --to %1`</source>
+        <translation>lassen Sie seinen Administrator `fulcrum server create --to %1` ausführen</translation>
+    </message>
+    <message>
+        <source>%1: schema %2 is older than this program&apos;s %3</source>
+        <translation>%1: Schema %2 ist älter als das dieses Programms, %3</translation>
+    </message>
+    <message>
+        <source>have its administrator run `fulcrum server create --to %1` with this program; nothing is lost</source>
+        <translation>lassen Sie seinen Administrator `fulcrum server create --to %1` mit diesem Programm ausführen; nichts ist verloren</translation>
+    </message>
+    <message>
+        <source>the store has no table %1</source>
+        <translation>der Speicher hat keine Tabelle %1</translation>
+    </message>
+    <message>
+        <source>name the server: --to postgresql://USER@HOST:PORT/DATABASE</source>
+        <translation>nennen Sie den Server: --to postgresql://USER@HOST:PORT/DATABASE</translation>
+    </message>
+    <message>
+        <source>The device could not be opened again: %1; %2.</source>
+        <translation>Das Gerät konnte nicht wieder geöffnet werden: %1; %2.</translation>
+    </message>
+    <message>
+        <source>check its cable and power</source>
+        <translation>prüfen Sie Kabel und Stromversorgung</translation>
+    </message>
+    <message>
+        <source>%1 It is tried again.</source>
+        <translation>%1 Es wird wieder versucht.</translation>
+    </message>
+    <message>
+        <source>The device needs calibration. Put the stylus of a Touch into its inkwell and take it out after two seconds; move the handle of another device slowly to each end of its range. Where that does not help, calibrate it with the maker&apos;s program.</source>
+        <translation>Das Gerät muss kalibriert werden. Stecken Sie den Stift eines Touch in seine Halterung und nehmen Sie ihn nach zwei Sekunden heraus; bewegen Sie den Griff eines anderen Geräts langsam an jedes Ende seines Bereichs. Hilft das nicht, kalibrieren Sie es mit dem Programm des Herstellers.</translation>
+    </message>
+    <message>
         <source>The motors of the device are too warm. Let go of it for half a minute, then resume.</source>
         <translation>Die Motoren des Geräts sind zu warm. Lassen Sie es eine halbe Minute los und fahren Sie dann fort.</translation>
     </message>
@@ -56,6 +4624,22 @@
         <translation>schreiben Sie die Zeile SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;2988&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; in /etc/udev/rules.d/70-fulcrum-touch.rules, ziehen Sie dann das Gerät ab und schließen Sie es wieder an</translation>
     </message>
     <message>
+        <source>Force Dimension, Novint Falcon</source>
+        <translation>Force Dimension, Novint Falcon</translation>
+    </message>
+    <message>
+        <source>install the Force Dimension SDK and name its folder in FDSDK, or copy its libdrd.so to /usr/local/lib and run `sudo ldconfig`</source>
+        <translation>installieren Sie das SDK von Force Dimension und nennen Sie seinen Ordner in FDSDK, oder kopieren Sie seine libdrd.so nach /usr/local/lib und führen Sie `sudo ldconfig` aus</translation>
+    </message>
+    <message>
+        <source>install that library: libusb-1.0.so.0 comes with the package libusb-1.0-0</source>
+        <translation>installieren Sie diese Bibliothek: libusb-1.0.so.0 gehört zum Paket libusb-1.0-0</translation>
+    </message>
+    <message>
+        <source>write the lines SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;1451&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; and SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;0403&quot;, ATTRS{idProduct}==&quot;cb48&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; to /etc/udev/rules.d/70-fulcrum-force-dimension.rules, then unplug the device and connect it again</source>
+        <translation>schreiben Sie die Zeilen SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;1451&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; und SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;0403&quot;, ATTRS{idProduct}==&quot;cb48&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; in /etc/udev/rules.d/70-fulcrum-force-dimension.rules, ziehen Sie dann das Gerät ab und schließen Sie es wieder an</translation>
+    </message>
+    <message>
         <source>the maker&apos;s library is not installed</source>
         <translation>die Bibliothek des Herstellers ist nicht installiert</translation>
     </message>
@@ -76,24 +4660,128 @@
         <translation>installieren Sie die neueste Version des Treibers des Herstellers</translation>
     </message>
     <message>
-        <source>The device needs calibration. Put the stylus of a Touch into its inkwell and take it out after two seconds; move the handle of another device slowly to each end of its range. Where that does not help, calibrate it with the maker&apos;s program.</source>
-        <translation>Das Gerät muss kalibriert werden. Stecken Sie den Stift eines Touch in seine Halterung und nehmen Sie ihn nach zwei Sekunden heraus; bewegen Sie den Griff eines anderen Geräts langsam an jedes Ende seines Bereichs. Hilft das nicht, kalibrieren Sie es mit dem Programm des Herstellers.</translation>
+        <source>use touch, force-dimension or virtual:SCRIPT.json; `fulcrum devices` lists the devices</source>
+        <translation>verwenden Sie touch, force-dimension oder virtual:SKRIPT.json; `fulcrum devices` zeigt die Geräte</translation>
     </message>
     <message>
-        <source>Force Dimension, Novint Falcon</source>
-        <translation>Force Dimension, Novint Falcon</translation>
+        <source>&apos;%1&apos; does not number the devices</source>
+        <translation>„%1“ nummeriert die Geräte nicht</translation>
     </message>
     <message>
-        <source>install the Force Dimension SDK and name its folder in FDSDK, or copy its libdrd.so to /usr/local/lib and run `sudo ldconfig`</source>
-        <translation>installieren Sie das SDK von Force Dimension und nennen Sie seinen Ordner in FDSDK, oder kopieren Sie seine libdrd.so nach /usr/local/lib und führen Sie `sudo ldconfig` aus</translation>
+        <source>write force-dimension:LEFT,RIGHT with numbers from 0 on, for example force-dimension:1,0</source>
+        <translation>schreiben Sie force-dimension:LINKS,RECHTS mit Nummern ab 0, zum Beispiel force-dimension:1,0</translation>
     </message>
     <message>
-        <source>install that library: libusb-1.0.so.0 comes with the package libusb-1.0-0</source>
-        <translation>installieren Sie diese Bibliothek: libusb-1.0.so.0 gehört zum Paket libusb-1.0-0</translation>
+        <source>&apos;%1&apos; does not give each hand a device of its own</source>
+        <translation>„%1“ gibt nicht jeder Hand ein eigenes Gerät</translation>
     </message>
     <message>
-        <source>write the lines SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;1451&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; and SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;0403&quot;, ATTRS{idProduct}==&quot;cb48&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; to /etc/udev/rules.d/70-fulcrum-force-dimension.rules, then unplug the device and connect it again</source>
-        <translation>schreiben Sie die Zeilen SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;1451&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; und SUBSYSTEMS==&quot;usb&quot;, ATTRS{idVendor}==&quot;0403&quot;, ATTRS{idProduct}==&quot;cb48&quot;, MODE=&quot;0660&quot;, TAG+=&quot;uaccess&quot; in /etc/udev/rules.d/70-fulcrum-force-dimension.rules, ziehen Sie dann das Gerät ab und schließen Sie es wieder an</translation>
+        <source>write force-dimension:LEFT,RIGHT, for example force-dimension:1,0</source>
+        <translation>schreiben Sie force-dimension:LINKS,RECHTS, zum Beispiel force-dimension:1,0</translation>
+    </message>
+    <message>
+        <source>the device does not open: %1</source>
+        <translation>das Gerät lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>check its cable and power, and end other programs that use it</source>
+        <translation>prüfen Sie Kabel und Stromversorgung, und beenden Sie andere Programme, die es verwenden</translation>
+    </message>
+    <message>
+        <source>force cannot be switched on: %1</source>
+        <translation>die Kraft lässt sich nicht einschalten: %1</translation>
+    </message>
+    <message>
+        <source>test the device with a program of the maker&apos;s SDK</source>
+        <translation>prüfen Sie das Gerät mit einem Programm aus dem SDK des Herstellers</translation>
+    </message>
+    <message>
+        <source>no device was found</source>
+        <translation>es wurde kein Gerät gefunden</translation>
+    </message>
+    <message>
+        <source>connect it and its power supply</source>
+        <translation>schließen Sie es und seine Stromversorgung an</translation>
+    </message>
+    <message>
+        <source>no new process can be started</source>
+        <translation>es kann kein neuer Prozess gestartet werden</translation>
+    </message>
+    <message>
+        <source>close other programs</source>
+        <translation>schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>the program that opens the device ended</source>
+        <translation>das Programm, das das Gerät öffnet, wurde beendet</translation>
+    </message>
+    <message>
+        <source>the device did not open within 5 s</source>
+        <translation>das Gerät öffnete sich nicht innerhalb von 5 s</translation>
+    </message>
+    <message>
+        <source>unplug it, connect it again</source>
+        <translation>ziehen Sie es ab und schließen Sie es wieder an</translation>
+    </message>
+    <message>
+        <source>lost the device</source>
+        <translation>hat das Gerät verloren</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not name the devices</source>
+        <translation>„%1“ nennt die Geräte nicht</translation>
+    </message>
+    <message>
+        <source>write touch:LEFT,RIGHT with the names that the maker&apos;s setup program shows</source>
+        <translation>schreiben Sie touch:LINKS,RECHTS mit den Namen, die das Einrichtungsprogramm des Herstellers zeigt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names one device for both hands</source>
+        <translation>„%1“ nennt für beide Hände dasselbe Gerät</translation>
+    </message>
+    <message>
+        <source>give each hand a device of its own</source>
+        <translation>geben Sie jeder Hand ein eigenes Gerät</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s driver reports %1</source>
+        <translation>der Treiber des Herstellers meldet %1</translation>
+    </message>
+    <message>
+        <source>install the licence of OpenHaptics</source>
+        <translation>installieren Sie die Lizenz von OpenHaptics</translation>
+    </message>
+    <message>
+        <source>end the other program that uses the device</source>
+        <translation>beenden Sie das andere Programm, das das Gerät verwendet</translation>
+    </message>
+    <message>
+        <source>the device does not answer: %1</source>
+        <translation>das Gerät antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>check its cable and power, then test it with the maker&apos;s Touch Diagnostic</source>
+        <translation>prüfen Sie Kabel und Stromversorgung, dann das Gerät mit Touch Diagnostic des Herstellers</translation>
+    </message>
+    <message>
+        <source>check the device&apos;s name in the maker&apos;s Touch Setup; touch:LEFT,RIGHT names devices</source>
+        <translation>prüfen Sie den Namen des Geräts in Touch Setup des Herstellers; touch:LINKS,RECHTS nennt Geräte</translation>
+    </message>
+    <message>
+        <source>test the device with the maker&apos;s Touch Diagnostic</source>
+        <translation>prüfen Sie das Gerät mit Touch Diagnostic des Herstellers</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s driver does not start: %1</source>
+        <translation>der Treiber des Herstellers startet nicht: %1</translation>
+    </message>
+    <message>
+        <source>unplug the device, connect it again and test it with Touch Diagnostic</source>
+        <translation>ziehen Sie das Gerät ab, schließen Sie es wieder an und prüfen Sie es mit Touch Diagnostic</translation>
+    </message>
+    <message>
+        <source>%1; %2 may not be opened: %3</source>
+        <translation>%1; %2 darf nicht geöffnet werden: %3</translation>
     </message>
 </context>
 <context>
@@ -4112,6 +8800,160 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::LimitsChart</name>
+    <message>
+        <source>Limits of each set, gate by gate</source>
+        <translation>Grenzwerte jedes Satzes, Kriterium für Kriterium</translation>
+    </message>
+    <message>
+        <source>at least; %1 to %2</source>
+        <translation>mindestens; %1 bis %2</translation>
+    </message>
+    <message>
+        <source>at most; %1 to %2</source>
+        <translation>höchstens; %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Experts and trainees, and the mark between them</source>
+        <translation>Experten und Lernende und die Grenze dazwischen</translation>
+    </message>
+    <message>
+        <source>experts of the set</source>
+        <translation>Experten des Satzes</translation>
+    </message>
+    <message>
+        <source>attempts here</source>
+        <translation>Versuche hier</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::LimitsPage</name>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzwerte</translation>
+    </message>
+    <message>
+        <source>What attempts are held against, and who would pass under other limits. Nothing is changed here.</source>
+        <translation>Woran Versuche gemessen werden und wer mit anderen Grenzwerten bestehen würde. Hier wird nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Limits of each set; a dot is an attempt</source>
+        <translation>Grenzwerte jedes Satzes; ein Punkt ist ein Versuch</translation>
+    </message>
+    <message>
+        <source>Who would pass under each</source>
+        <translation>Wer mit welchem Satz bestehen würde</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Satz</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>Grundlage</translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation>Experten</translation>
+    </message>
+    <message>
+        <source>Experts pass</source>
+        <translation>Experten bestehen</translation>
+    </message>
+    <message>
+        <source>Would pass</source>
+        <translation>Würden bestehen</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Set in force</source>
+        <translation>Geltender Satz</translation>
+    </message>
+    <message>
+        <source>Compare with a set in a file</source>
+        <translation>Mit einem Satz aus einer Datei vergleichen</translation>
+    </message>
+    <message>
+        <source>File of a benchmark set</source>
+        <translation>Datei eines Vergleichssatzes</translation>
+    </message>
+    <message>
+        <source>made by fulcrum benchmark build</source>
+        <translation>erstellt mit fulcrum benchmark build</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Pass mark between two groups</source>
+        <translation>Bestehensgrenze zwischen zwei Gruppen</translation>
+    </message>
+    <message>
+        <source>Where an attempt is as likely one of the set&apos;s experts as one of those stored here, if both are spread normally: the method of contrasting groups.</source>
+        <translation>Wo ein Versuch ebenso wahrscheinlich von den Experten des Satzes stammt wie von den hier gespeicherten, wenn beide normalverteilt sind: das Verfahren der kontrastierenden Gruppen.</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>%1 holds the set %2; this page compares sets of %3. Choose its task and devices above first.</source>
+        <translation>%1 enthält den Satz %2; diese Seite vergleicht Sätze von %3. Wählen Sie zuerst oben dessen Aufgabe und Geräte.</translation>
+    </message>
+    <message>
+        <source>There is no set of limits for this task.</source>
+        <translation>Für diese Aufgabe gibt es keinen Satz von Grenzwerten.</translation>
+    </message>
+    <message>
+        <source>No attempt stored here counts under these limits yet.</source>
+        <translation>Noch zählt kein hier gespeicherter Versuch unter diesen Grenzwerten.</translation>
+    </message>
+    <message>
+        <source>Attempts that count: %1, by people: %2. The newest %3 are looked at.</source>
+        <translation>Versuche, die zählen: %1, von Personen: %2. Betrachtet werden die neuesten %3.</translation>
+    </message>
+    <message>
+        <source>, not judged: %1</source>
+        <translation>, nicht beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>in force (%1)</source>
+        <translation>geltend (%1)</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>A pass mark needs at least %1 attempts with this value; there are %2.</source>
+        <translation>Eine Bestehensgrenze braucht mindestens %1 Versuche mit diesem Wert; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>All attempts have the same value.</source>
+        <translation>Alle Versuche haben denselben Wert.</translation>
+    </message>
+    <message>
+        <source>No pass mark: the groups overlap.</source>
+        <translation>Keine Bestehensgrenze: Die Gruppen überdecken sich.</translation>
+    </message>
+    <message>
+        <source>Pass mark %1. On the passing side of it are %2 % of the attempts here, on the failing side %3 % of the experts&apos;. The limit in force is %4.</source>
+        <translation>Bestehensgrenze %1. Auf der bestandenen Seite liegen %2 % der Versuche hier, auf der anderen %3 % der Versuche der Experten. Der geltende Grenzwert ist %4.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::LockPage</name>
     <message>
         <source>Locked</source>
@@ -4993,10 +9835,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>VORFÜHRUNG</translation>
     </message>
     <message>
-        <source>attempt report</source>
-        <translation>Versuchsbericht</translation>
-    </message>
-    <message>
         <source>Performed by a simulated operator, not by a person.</source>
         <translation>Von einem simulierten Operateur durchgeführt, nicht von einer Person.</translation>
     </message>
@@ -5385,14 +10223,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Fortschrittsbericht</translation>
     </message>
     <message>
-        <source>login %1</source>
-        <translation>Anmeldename %1</translation>
-    </message>
-    <message>
-        <source>as of %1</source>
-        <translation>Stand %1</translation>
-    </message>
-    <message>
         <source>task</source>
         <translation>Aufgabe</translation>
     </message>
@@ -5492,6 +10322,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Ratings with observer forms</source>
         <translation>Beurteilungen mit Beurteilungsbögen</translation>
     </message>
+    <message>
+        <source>report on one attempt</source>
+        <translation>Bericht zu einem Versuch</translation>
+    </message>
+    <message>
+        <source>account %1</source>
+        <translation>Anmeldename %1</translation>
+    </message>
+    <message>
+        <source>data up to %1</source>
+        <translation>Stand %1</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ScenePicture</name>
@@ -5537,10 +10379,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Messages about errors are still in English.</source>
-        <translation>Fehlermeldungen sind noch auf Englisch.</translation>
     </message>
     <message>
         <source>The environment variable FULCRUM_LANGUAGE chooses the language of this station. Start Fulcrum without it to choose here.</source>
@@ -6331,6 +11169,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Datenbestand angelegt</translation>
     </message>
     <message>
+        <source>Synchronised with the programme server</source>
+        <translation>Mit dem Programmserver abgeglichen</translation>
+    </message>
+    <message>
+        <source>Received from the programme server</source>
+        <translation>Vom Programmserver empfangen</translation>
+    </message>
+    <message>
+        <source>Programme server: all</source>
+        <translation>Programmserver: alle</translation>
+    </message>
+    <message>
         <source>Tissue values set</source>
         <translation>Gewebewerte festgelegt</translation>
     </message>
@@ -6652,6 +11502,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>show the ratings of this attempt to the trainee</source>
         <translation>die Beurteilungen dieses Versuchs freigeben</translation>
     </message>
+    <message>
+        <source>The form belongs to another person.</source>
+        <translation>Der Bogen gehört einer anderen Person.</translation>
+    </message>
+    <message>
+        <source>Only the program does this, in the demonstration.</source>
+        <translation>Das tut nur die Software, in der Vorführung.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::learning_curve</name>
@@ -6792,6 +11650,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzwerte</translation>
     </message>
 </context>
 <context>

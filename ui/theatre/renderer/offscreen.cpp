@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <stdexcept>
 
+#include "sim_core/numerics/worded_error.h"
 #include "ui/theatre/renderer/scope_picture.h"
 
 namespace fulcrum::ui {
@@ -23,12 +24,13 @@ OffscreenStage::OffscreenStage() : impl_(std::make_unique<Impl>()) {
     format.setDepthBufferSize(24);
     impl_->context.setFormat(format);
     if (!impl_->context.create())
-        throw std::runtime_error("no OpenGL context can be made: run it on a display, or under xvfb-run");
+        throw WordedError(QT_TRANSLATE_NOOP(
+            "errors", "no OpenGL context can be made: run it on a display, or under xvfb-run"));
     impl_->surface.setFormat(impl_->context.format());
     impl_->surface.create();
     if (!impl_->surface.isValid() || !impl_->context.makeCurrent(&impl_->surface))
-        throw std::runtime_error(
-            "no offscreen OpenGL surface can be made: run it on a display, or under xvfb-run");
+        throw WordedError(QT_TRANSLATE_NOOP(
+            "errors", "no offscreen OpenGL surface can be made: run it on a display, or under xvfb-run"));
 }
 
 OffscreenStage::~OffscreenStage() = default;
@@ -40,7 +42,8 @@ void OffscreenStage::make_current() {
 const QImage& OffscreenStage::draw(SceneRenderer& renderer, const SceneFrame& frame, QSize size) {
     make_current();
     if (!renderer.initialise())
-        throw std::runtime_error("the renderer cannot start: " + renderer.error().toStdString());
+        throw WordedError(
+            {QT_TRANSLATE_NOOP("errors", "the renderer cannot start: %1"), renderer.error().toStdString()});
     return renderer.draw(frame, size);
 }
 

@@ -42,7 +42,8 @@ BowelAnatomy bowel_anatomy(const Scene& scene) {
         return anatomy;
     }
     if (!scene.bowel || !scene.cavity)
-        throw InputError(scene.id, "/bowel", "needs a cavity to lie in", "add a cavity to the scene");
+        throw InputError(scene.id, "/bowel", QT_TRANSLATE_NOOP("errors", "needs a cavity to lie in"),
+                         QT_TRANSLATE_NOOP("errors", "add a cavity to the scene"));
     BowelShape shape = make_bowel(bowel_parameters(*scene.bowel), pelvis_parameters(*scene.cavity));
     BowelAnatomy anatomy;
     anatomy.surface = std::move(shape.surface);

@@ -138,8 +138,8 @@ std::vector<CameraTarget> place_camera_targets(const Scene& scene, std::uint64_t
         if (draws == most_draws) {
             throw InputError(
                 scene.id, "/camera_targets/count",
-                "only " + std::to_string(placed) + " cups have room where the scope can see them",
-                "ask for fewer cups, less spacing or more swing of the scope");
+                {QT_TRANSLATE_NOOP("errors", "only %1 cups have room where the scope can see them"), placed},
+                QT_TRANSLATE_NOOP("errors", "ask for fewer cups, less spacing or more swing of the scope"));
         }
         if (placer.add()) ++placed;
     }

@@ -49,9 +49,11 @@ SheetPart::SheetPart(const Scene& scene, double dt)
                 surface_.capacity().fragments),
       scratch_(membrane_.make_scratch()) {
     if (!(dt <= 1000 * membrane_.safe_time_step())) {
-        throw InputError(scene.id, septa_ ? "/septa" : "/sheet",
-                         "the sheet is too stiff for its mass at this step",
-                         "lower its stiffness, raise surface_density or take fewer ticks_per_step");
+        throw InputError(
+            scene.id, septa_ ? "/septa" : "/sheet",
+            QT_TRANSLATE_NOOP("errors", "the sheet is too stiff for its mass at this step"),
+            QT_TRANSLATE_NOOP("errors",
+                              "lower its stiffness, raise surface_density or take fewer ticks_per_step"));
     }
     line_start_ = spec_.centre - 0.5 * spec_.line_length * spec_.along +
                   (spec_.line_at - 0.5) * spec_.width * spec_.across;

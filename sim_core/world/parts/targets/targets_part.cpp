@@ -23,8 +23,9 @@ TargetsPart::TargetsPart(const Scene& scene, std::uint64_t seed)
         models_.push_back(target);
     }
     if (models_.size() > target_capacity) {
-        throw InputError(scene.id, "/targets/per_hand", "more targets than the local model holds",
-                         "use at most " + std::to_string(target_capacity / 2));
+        throw InputError(scene.id, "/targets/per_hand",
+                         QT_TRANSLATE_NOOP("errors", "more targets than the local model holds"),
+                         {QT_TRANSLATE_NOOP("errors", "use at most %1"), target_capacity / 2});
     }
 }
 

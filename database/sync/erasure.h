@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Erasing a person: name, login, verifier, roles, memberships, attempts with all that belongs to them,
+// comments about and by them, and what audit rows say of them. The rows of the audit log stay, and a row
+// "Erased person" stays where others' records name the person (who voided an attempt, who rated it).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/rows/connection.h"
+#include "database/store/store.h"
+#include "database/sync/programme_server.h"
+
+namespace fulcrum::database {
+
+/// What an erasure would delete on this side, by table, without the empty ones. Throws
+/// StoreError not_found.
+std::vector<ErasedRows> rows_to_erase(Connection& connection, const std::string& person_id);
+/// At the server: enters the person into the list of erasures and deletes.
+void erase_on_server(Connection& server, const std::string& person_id, std::int64_t time);
+/// At a station, audited. False if there is nothing to erase. Throws StoreError locked while the person
+/// performs.
+bool erase_at_station(const Store& store, const std::string& person_id);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sync/exchange.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "database/records/people_rows.h"
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+#include "database/store/store_state.h"
+#include "database/sync/erasure.h"
+#include "database/sync/server_schema.h"
+
+namespace fulcrum::database {
+namespace {
+
+std::string one_text(Connection& connection, const char* sql) {
+    Query row(connection, sql);
+    return row.next() && !row.is_null(0) ? row.text(0) : std::string();
+}
+
+/// Batches of at most `size`.
+template <typename Act>
+void in_batches(const std::vector<std::string>& keys, int size, Act&& act) {
+    for (std::size_t first = 0; first < keys.size(); first += static_cast<std::size_t>(size)) {
+        const std::size_t end = std::min(keys.size(), first + static_cast<std::size_t>(size));
+        act(std::vector<std::string>(keys.begin() + static_cast<std::ptrdiff_t>(first),
+                                     keys.begin() + static_cast<std::ptrdiff_t>(end)),
+            end);
+    }
+}
+
+std::vector<std::string> missing(const std::set<std::string>& all, const std::set<std::string>& there) {
+    std::vector<std::string> keys;
+    std::set_difference(all.begin(), all.end(), there.begin(), there.end(), std::back_inserter(keys));
+    return keys;
+}
+
+}  // namespace
+
+Exchange::Exchange(const Store& store, Connection& server, const SyncOptions& options)
+    : store_(store), station_(store.connection()), server_(server), options_(options) {}
+
+SyncCount& Exchange::count(const Units& units) {
+    for (SyncCount& one : result.counts)
+        if (one.title == units.table().title) return one;
+    result.counts.push_back({units.table().title});
+    return result.counts.back();
+}
+
+void Exchange::progress(const std::string& title, Way way, std::size_t done, std::size_t all) {
+    if (!options_.progress) return;
+    const double share = all == 0 ? 1 : static_cast<double>(done) / static_cast<double>(all);
+    options_.progress((static_cast<double>(step_) + share) / static_cast<double>(steps_),
+                      (way == Way::up ? "sent " : "received ") + title + ": " + std::to_string(done) +
+                          " of " + std::to_string(all));
+}
+
+void Exchange::require_one_programme() {
+    const char* const sql = "SELECT id FROM programme";
+    const std::string here = one_text(station_, sql), there = one_text(server_, sql);
+    if (here.empty() && there.empty())
+        throw StoreError(StoreErrorKind::conflict,
+                         QT_TRANSLATE_NOOP("errors", "neither this store nor the server has a programme"),
+                         QT_TRANSLATE_NOOP("errors",
+                                           "make the programme at one station (start `fulcrum`, Create "
+                                           "programme) and sync that one first"));
+    if (!here.empty() && !there.empty() && here != there)
+        throw StoreError(
+            StoreErrorKind::conflict,
+            QT_TRANSLATE_NOOP("errors", "this store belongs to another programme than the server"),
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "name the right server; a further station begins with an empty store (`fulcrum db create`) "
+                "and gets its people by sync"));
+}
+
+void Exchange::require_known_log() {
+    Query newest(
+        server_,
+        "SELECT sequence, hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
+    newest.bind(store_.station_id());
+    if (!newest.next()) return;
+    Query own(station_, "SELECT hash FROM audit_entry WHERE station_id = ? AND sequence = ?");
+    own.bind(store_.station_id()).bind(newest.integer(0));
+    if (!own.next() || own.bytes(0) != newest.bytes(1))
+        throw StoreError(
+            StoreErrorKind::conflict,
+            {QT_TRANSLATE_NOOP("errors",
+                               "the audit log of this store is not the one that the server knows (row %1): "
+                               "an older copy is in its place, or it was rewritten"),
+             newest.text(0)},
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup; nothing was transferred"));
+}
+
+void Exchange::look_at_clock() {
+    Query row(server_, "SELECT (extract(epoch FROM clock_timestamp()) * 1000)::bigint");
+    if (row.next()) result.clock_ahead_s = static_cast<double>(store_.now() - row.integer(0)) * 1e-3;
+}
+
+void Exchange::apply_erasures() {
+    Query rows(server_, "SELECT person_id FROM erasure ORDER BY person_id");
+    while (rows.next())
+        if (erase_at_station(store_, rows.text(0))) ++result.erased;
+}
+
+const std::set<std::string>& Exchange::known(const std::string& table, Way way) {
+    auto& known = known_[way == Way::up ? 0 : 1];
+    const auto found = known.find(table);
+    if (found != known.end()) return found->second;
+    for (const SyncTable& one : sync_tables())
+        if (table == one.table)
+            return known[table] = Units(one, station_).keys(way == Way::up ? server_ : station_, false);
+    throw std::logic_error("no unit " + table);
+}
+
+std::vector<Unit> Exchange::transferable(const Units& units, std::vector<Unit> read, Way way) {
+    const auto waits = [&](const Unit& unit) {
+        for (const Reference& reference : units.table().references) {
+            const std::set<std::string>& there = known(reference.target, way);
+            for (const std::string& value : units.values(unit, reference))
+                if (there.count(value) == 0) return true;
+        }
+        return false;
+    };
+    const auto rest =
+        std::stable_partition(read.begin(), read.end(), [&](const Unit& unit) { return !waits(unit); });
+    if (rest != read.end())
+        waiting_[std::string(units.table().title) +
+                 (way == Way::up ? " of this station" : " of the server")] +=
+            static_cast<std::int64_t>(read.end() - rest);
+    read.erase(rest, read.end());
+    auto& keys = known_[way == Way::up ? 0 : 1];
+    const auto own = keys.find(units.table().table);
+    if (own != keys.end())
+        for (const Unit& unit : read) own->second.insert(unit.key);
+    return read;
+}
+
+void Exchange::push(const Units& units, const Keys& keys) {
+    const bool versioned = units.table().rule == SyncRule::versioned;
+    in_batches(keys, units.table().batch, [&](const Keys& batch, std::size_t done) {
+        const std::vector<Unit> read = transferable(units, units.read(station_, batch, true), Way::up);
+        if (!read.empty()) {
+            Transaction transaction(server_);
+            server_.execute("SET CONSTRAINTS ALL DEFERRED");
+            int written = static_cast<int>(read.size());
+            if (versioned) {
+                written = units.replace(server_, read, true);
+            } else {
+                units.add(server_, read);
+            }
+            transaction.commit();
+            count(units).pushed += written;
+        }
+        progress(units.table().title, Way::up, done, keys.size());
+    });
+}
+
+void Exchange::pull(const Units& units, const Keys& keys) {
+    in_batches(keys, units.table().batch, [&](const Keys& batch, std::size_t done) {
+        const std::vector<Unit> read = transferable(units, units.read(server_, batch, false), Way::down);
+        if (!read.empty()) {
+            Transaction transaction(station_);
+            station_.execute("PRAGMA defer_foreign_keys = ON");
+            std::vector<RecordName> records;
+            if (units.table().rule == SyncRule::versioned) {
+                units.replace(station_, read, false);
+            } else {
+                units.add(station_, read);
+            }
+            for (const Unit& unit : read) {
+                if (units.table().record) records.push_back({*units.table().record, unit.key});
+                for (const Reference& reference : units.table().references)
+                    if (std::string(reference.target) == "form_text")
+                        records.push_back({RecordKind::form, *units.values(unit, reference).begin()});
+            }
+            Audit(store_).append(store_.station_session(), store_.station_id(), "sync.receive",
+                                 json_object({{"server", server_id_},
+                                              {"what", units.table().title},
+                                              {"count", std::to_string(read.size())}}),
+                                 records);
+            transaction.commit();
+            count(units).pulled += static_cast<std::int64_t>(read.size());
+        }
+        progress(units.table().title, Way::down, done, keys.size());
+    });
+}
+
+bool Exchange::is_changed_here(const std::string& key) {
+    Query row(
+        station_,
+        "SELECT 1 FROM audit_entry WHERE station_id = ? AND object_id = ? AND (operation LIKE 'person.%' OR "
+        "operation LIKE 'password.%' OR operation LIKE 'cohort.%') AND sequence > COALESCE((SELECT "
+        "MAX(sequence) FROM audit_entry WHERE station_id = ? AND operation = ?), 0)");
+    row.bind(store_.station_id()).bind(key).bind(store_.station_id()).bind("sync.finish");
+    return row.next();
+}
+
+void Exchange::exchange_versioned(const Units& units) {
+    const std::map<std::string, UnitState> here = units.states(station_), there = units.states(server_);
+    const auto owners = [](const std::map<std::string, UnitState>& states) {
+        std::map<std::string, std::string> owner;
+        for (const auto& [key, state] : states) owner[state.unique] = key;
+        return owner;
+    };
+    const auto owners_here = owners(here), owners_there = owners(there);
+    Keys up, down;
+    // Another unit of the receiving side has this login or name already.
+    const auto taken = [&](const std::string& key, const UnitState& state,
+                           const std::map<std::string, std::string>& owner) {
+        if (units.table().unique == nullptr) return false;
+        const auto found = owner.find(state.unique);
+        if (found == owner.end() || found->second == key) return false;
+        const std::string conflict =
+            std::string(units.table().title) + ": \"" + state.unique +
+            "\" is the name of one at this station and of another one on the server; neither "
+            "is transferred until one of them is renamed";
+        if (std::find(result.conflicts.begin(), result.conflicts.end(), conflict) == result.conflicts.end())
+            result.conflicts.push_back(conflict);
+        return true;
+    };
+    for (const auto& [key, state] : here) {
+        const auto other = there.find(key);
+        if (other != there.end() && other->second.content == state.content) continue;
+        if (other == there.end() || state.version > other->second.version) {
+            if (!taken(key, state, owners_there)) up.push_back(key);
+            continue;
+        }
+        if (taken(key, other->second, owners_here)) continue;
+        down.push_back(key);
+        if (is_changed_here(key))
+            result.conflicts.push_back(
+                std::string(units.table().title) + ": \"" + (state.unique.empty() ? key : state.unique) +
+                "\" was changed here and on the server; the server's is kept, and the audit log "
+                "has both");
+    }
+    for (const auto& [key, state] : there)
+        if (here.count(key) == 0 && !taken(key, state, owners_here)) down.push_back(key);
+    if (std::string(units.table().table) == "person" && !down.empty()) {
+        Transaction transaction(station_);
+        for (const std::string& key : down)
+            make_room_for(store_, store_.station_session(), there.at(key).unique);
+        transaction.commit();
+    }
+    push(units, up);
+    pull(units, down);
+}
+
+void Exchange::add_missing(const Units& units, Way way) {
+    Connection& from = way == Way::up ? station_ : server_;
+    Connection& to = way == Way::up ? server_ : station_;
+    const Keys keys = missing(units.keys(from, true), units.keys(to, false));
+    if (way == Way::up) {
+        push(units, keys);
+    } else {
+        pull(units, keys);
+    }
+}
+
+void Exchange::push_audit() {
+    Query known(server_, "SELECT COALESCE(MAX(sequence), 0) FROM audit_entry WHERE station_id = ?");
+    known.bind(store_.station_id());
+    std::int64_t done = known.next() ? known.integer(0) : 0;
+    const std::int64_t first = done;
+    Query own(station_, "SELECT COALESCE(MAX(sequence), 0) FROM audit_entry WHERE station_id = ?");
+    own.bind(store_.station_id());
+    const std::int64_t last = own.next() ? own.integer(0) : 0;
+    constexpr std::int64_t batch = 500;
+    const QVariant station = QString::fromStdString(store_.station_id());
+    while (done < last) {
+        const std::int64_t end = std::min(last, done + batch);
+        Transaction transaction(server_);
+        copy_rows(station_, server_, "station_key", "station_id = ?", {station});
+        // In the order in which they refer to each other.
+        for (const char* table : {"audit_entry", "audit_payload", "audit_signature"})
+            copy_rows(station_, server_, table, "station_id = ? AND sequence > ? AND sequence <= ?",
+                      {station, static_cast<qlonglong>(done), static_cast<qlonglong>(end)});
+        transaction.commit();
+        result.audit_rows += end - done;
+        done = end;
+        progress("audit rows", Way::up, static_cast<std::size_t>(done - first),
+                 static_cast<std::size_t>(last - first));
+    }
+}
+
+void Exchange::finish() {
+    for (const auto& [title, number] : waiting_)
+        result.conflicts.push_back(title + ": " + std::to_string(number) +
+                                   " wait until what they belong to can be transferred");
+    if (result.transferred() == 0 && result.erased == 0) return;
+    std::int64_t pushed = 0, pulled = 0;
+    for (const SyncCount& one : result.counts) {
+        pushed += one.pushed;
+        pulled += one.pulled;
+    }
+    std::string conflicts;
+    for (const std::string& one : result.conflicts) conflicts += (conflicts.empty() ? "" : "; ") + one;
+    Audit(store_).append(store_.station_session(), store_.station_id(), "sync.finish",
+                         json_object({{"server", server_id_},
+                                      {"sent", std::to_string(pushed)},
+                                      {"received", std::to_string(pulled)},
+                                      {"erased", std::to_string(result.erased)},
+                                      {"clock_ahead_s", std::to_string(std::llround(result.clock_ahead_s))},
+                                      {"conflicts", conflicts}}));
+}
+
+void Exchange::run() {
+    server_id_ = require_server(server_);
+    require_one_programme();
+    require_known_log();
+    look_at_clock();
+    apply_erasures();
+    std::vector<Units> all;
+    for (const SyncTable& table : sync_tables()) all.emplace_back(table, station_);
+    steps_ = 2 * all.size() + 2;
+    for (const Units& units : all) {
+        if (units.table().rule == SyncRule::versioned) {
+            exchange_versioned(units);
+        } else {
+            add_missing(units, Way::up);
+        }
+        ++step_;
+    }
+    push_audit();
+    ++step_;
+    for (const Units& units : all) {
+        if (units.table().rule == SyncRule::added) add_missing(units, Way::down);
+        ++step_;
+    }
+    finish();
+    push_audit();
+}
+
+std::int64_t SyncResult::transferred() const {
+    std::int64_t sum = 0;
+    for (const SyncCount& one : counts) sum += one.pushed + one.pulled;
+    return sum;
+}
+
+SyncResult sync_with_server(const Store& store, const Session& session, const ServerAddress& address,
+                            const SyncOptions& options) {
+    if (store.is_demo())
+        throw StoreError(StoreErrorKind::sealed_demo,
+                         QT_TRANSLATE_NOOP("errors", "the demonstration is never synchronised"),
+                         QT_TRANSLATE_NOOP("errors", "name the store of the programme with --db"));
+    // A store without people has nobody who could sign in: its first sync brings them.
+    if (!session.is_station() || store.has_administrator()) store.require(session, Operation::backup);
+    Connection server(address);
+    server.watch([&] {
+        if (options.stop && options.stop()) throw SyncStopped();
+    });
+    Exchange exchange(store, server, options);
+    try {
+        exchange.run();
+    } catch (const SyncStopped&) {
+        exchange.result.complete = false;
+    }
+    return exchange.result;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One run of the exchange. Internal to this room.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "database/sync/sync.h"
+#include "database/sync/units.h"
+
+namespace fulcrum::database {
+
+/// Thrown where SyncOptions::stop said so.
+struct SyncStopped {};
+
+class Exchange {
+  public:
+    Exchange(const Store& store, Connection& server, const SyncOptions& options);
+    void run();
+    SyncResult result;
+
+  private:
+    using Keys = std::vector<std::string>;
+    enum class Way { up, down };
+
+    void require_one_programme();
+    void require_known_log();
+    void look_at_clock();
+    void apply_erasures();
+    void exchange_versioned(const Units& units);
+    void add_missing(const Units& units, Way way);
+    void push(const Units& units, const Keys& keys);
+    void pull(const Units& units, const Keys& keys);
+    void push_audit();
+    bool is_changed_here(const std::string& key);
+    /// Leaves out the units that name others which the other side lacks.
+    std::vector<Unit> transferable(const Units& units, std::vector<Unit> read, Way way);
+    const std::set<std::string>& known(const std::string& table, Way way);
+    void finish();
+    void progress(const std::string& title, Way way, std::size_t done, std::size_t all);
+    SyncCount& count(const Units& units);
+
+    const Store& store_;
+    Connection& station_;
+    Connection& server_;
+    const SyncOptions& options_;
+    std::string server_id_;
+    std::map<std::string, std::set<std::string>> known_[2];  ///< by table: keys that the receiving side has
+    std::map<std::string, std::int64_t> waiting_;            ///< by what they are
+    std::size_t step_ = 0, steps_ = 1;
+};
+
+}  // namespace fulcrum::database

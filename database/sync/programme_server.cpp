@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/sync/programme_server.h"
+
+#include <QDateTime>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <map>
+#include <set>
+
+#include "database/store/audit.h"
+#include "database/store/record_digests.h"
+#include "database/sync/erasure.h"
+#include "database/sync/server_schema.h"
+
+namespace fulcrum::database {
+namespace {
+
+/// What is written once: its digest is in the signed log of the station where it was made.
+constexpr RecordKind written_once[] = {
+    RecordKind::attempt,         RecordKind::trace,         RecordKind::score,
+    RecordKind::attempt_void,    RecordKind::comment,       RecordKind::correction,
+    RecordKind::decision,        RecordKind::rating,        RecordKind::reassignment,
+    RecordKind::curriculum_move, RecordKind::rating_release};
+
+/// Compares the rows of attempts, scores and reviews with the digests that the stations signed.
+void check_server_records(Connection& server, ServerCheck& check) {
+    std::map<std::string, std::set<std::string>> known;
+    {
+        std::map<std::string, std::string> newest;  // of one station
+        std::string station;
+        const auto take = [&] {
+            for (auto& [name, digest] : newest) known[name].insert(std::move(digest));
+            newest.clear();
+        };
+        Query rows(server,
+                   "SELECT e.station_id, p.payload FROM audit_entry e JOIN audit_payload p ON p.station_id = "
+                   "e.station_id AND p.sequence = e.sequence WHERE e.operation <> 'sync.receive' ORDER BY "
+                   "e.station_id, "
+                   "e.sequence");
+        while (rows.next()) {
+            if (rows.text(0) != station) take();
+            station = rows.text(0);
+            const QJsonObject said =
+                QJsonDocument::fromJson(QByteArray::fromStdString(rows.text(1))).object();
+            const QJsonObject records = said.value(QLatin1String(records_key)).toObject();
+            for (auto one = records.begin(); one != records.end(); ++one)
+                newest[one.key().toStdString()] = one.value().toString().toStdString();
+        }
+        take();
+    }
+    RecordDigests digests(server);
+    for (const RecordKind kind : written_once) {
+        for (std::string& id : digests.ids(kind)) {
+            const RecordName name{kind, std::move(id)};
+            ++check.records;
+            const auto found = known.find(name.text());
+            if (found == known.end())
+                check.problems.push_back({QT_TRANSLATE_NOOP("errors",
+                                                            "%1: there without an audit row (if a sync was "
+                                                            "cut off, the station's next one brings it)"),
+                                          name.text()});
+            else if (found->second.count(digests.of(name)) == 0)
+                check.problems.push_back(
+                    {QT_TRANSLATE_NOOP("errors", "%1: not as the station that made it has signed it"),
+                     name.text()});
+        }
+    }
+}
+
+}  // namespace
+
+ServerSchema create_programme_server(const ServerAddress& address) {
+    Connection server(address);
+    return create_server(server, QDateTime::currentMSecsSinceEpoch());
+}
+
+ServerCheck check_programme_server(const ServerAddress& address) {
+    Connection server(address);
+    require_server(server);
+    ServerCheck check;
+    Query counts(server, "SELECT COUNT(DISTINCT station_id), COUNT(*) FROM audit_entry");
+    if (counts.next()) {
+        check.stations = counts.integer(0);
+        check.audit_rows = counts.integer(1);
+    }
+    AuditRows erased;
+    Query rows(server, "SELECT station_id, sequence FROM erased_payload");
+    while (rows.next()) erased[rows.text(0)].insert(rows.integer(1));
+    check.problems = verify_audit_chains(server, erased);
+    for (Sentence& problem : verify_audit_signatures(server, {}, check.signatures))
+        check.problems.push_back(std::move(problem));
+    check_server_records(server, check);
+    return check;
+}
+
+std::vector<ErasedRows> erase_at_programme_server(const ServerAddress& address, const std::string& person_id,
+                                                  bool dry_run) {
+    Connection server(address);
+    require_server(server);
+    std::vector<ErasedRows> rows = rows_to_erase(server, person_id);
+    if (!dry_run) erase_on_server(server, person_id, QDateTime::currentMSecsSinceEpoch());
+    return rows;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/database/postgresql_server.h"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <pwd.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "database/rows/connection.h"
+#include "database/sync/programme_server.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+[[noreturn]] void give_up(const std::string& why) {
+    std::fprintf(stderr, "the tests' PostgreSQL does not start: %s\n", why.c_str());
+    std::exit(1);
+}
+
+/// The folder of initdb and postgres; the newest version of Debian's.
+std::string programs_folder() {
+    const QDir versions(QStringLiteral("/usr/lib/postgresql"));
+    QString newest;
+    for (const QString& version : versions.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+        if (QFile::exists(versions.filePath(version) + "/bin/initdb") &&
+            (newest.isEmpty() || version.toInt() > newest.toInt()))
+            newest = version;
+    if (!newest.isEmpty()) return (versions.filePath(newest) + "/bin").toStdString();
+    const QString found = QStandardPaths::findExecutable(QStringLiteral("initdb"));
+    return found.isEmpty() ? std::string() : QFileInfo(found).path().toStdString();
+}
+
+/// PostgreSQL does not run as root.
+const passwd* other_account() {
+    if (::geteuid() != 0) return nullptr;
+    for (const char* name : {"postgres", "nobody"})
+        if (const passwd* account = ::getpwnam(name)) return account;
+    give_up("no account but root");
+}
+
+/// Starts a program whose output goes to `log`; it ends with this process.
+pid_t start(const std::vector<std::string>& words, const passwd* account, const std::string& log) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
+    const pid_t child = ::fork();
+    if (child != 0) {
+        ::close(output);
+        return child;
+    }
+    ::dup2(output, STDOUT_FILENO);
+    ::dup2(output, STDERR_FILENO);
+    if (account != nullptr &&
+        (::setgroups(0, nullptr) != 0 || ::setgid(account->pw_gid) != 0 || ::setuid(account->pw_uid) != 0))
+        ::_exit(126);
+    ::prctl(PR_SET_PDEATHSIG, SIGQUIT);
+    if (::chdir("/") != 0) ::_exit(126);
+    ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct Running {
+    QTemporaryDir folder{QDir::tempPath() + "/fulcrum-pg-XXXXXX"};
+    pid_t process = -1;
+    ~Running() {
+        if (process <= 0) return;
+        ::kill(process, SIGQUIT);
+        ::waitpid(process, nullptr, 0);
+    }
+};
+
+void wait_until_ready(const Running& running, const std::string& data, const std::string& log) {
+    // Its own statement of how far it is, a word in a file.
+    for (int tries = 0; tries < 3000; ++tries) {
+        if (contents(data + "/postmaster.pid").find("ready") != std::string::npos) return;
+        if (::waitpid(running.process, nullptr, WNOHANG) != 0) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    give_up(contents(log));
+}
+
+}  // namespace
+
+PostgresqlServer* PostgresqlServer::of_this_process() {
+    static Running running;
+    static const std::unique_ptr<PostgresqlServer> server = []() -> std::unique_ptr<PostgresqlServer> {
+        const std::string programs = programs_folder();
+        if (programs.empty()) return nullptr;
+        const passwd* account = other_account();
+        const std::string folder = running.folder.path().toStdString(), data = folder + "/data",
+                          log = folder + "/log";
+        if (account != nullptr && ::chown(folder.c_str(), account->pw_uid, account->pw_gid) != 0)
+            give_up("its folder");
+        const pid_t initdb = start({programs + "/initdb", "--no-sync", "-U", "owner", "--auth=trust",
+                                    "--locale=C.UTF-8", "-D", data},
+                                   account, log);
+        int status = 0;
+        ::waitpid(initdb, &status, 0);
+        if (status != 0) give_up(contents(log));
+        std::ofstream(data + "/pg_hba.conf") << "local all station scram-sha-256\nlocal all all trust\n";
+        running.process =
+            start({programs + "/postgres", "-D", data, "-k", folder, "-c", "listen_addresses=", "-c",
+                   "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off"},
+                  account, log);
+        wait_until_ready(running, data, log);
+        auto made = std::unique_ptr<PostgresqlServer>(new PostgresqlServer());
+        made->socket_folder_ = folder;
+        ServerAddress first;
+        first.host = folder;
+        first.user = "owner";
+        first.database = "postgres";
+        made->execute(first,
+                      std::string("CREATE ROLE station LOGIN PASSWORD '") + "a station''s secret" + "'");
+        made->execute(first, "CREATE DATABASE with_tables");
+        first.database = "with_tables";
+        create_programme_server(first);
+        made->execute(first, "GRANT fulcrum_station TO station");
+        return made;
+    }();
+    return server.get();
+}
+
+ServerAddress PostgresqlServer::new_database(bool with_tables) {
+    ServerAddress address;
+    address.host = socket_folder_;
+    address.user = "owner";
+    address.database = "postgres";
+    const std::string name = "d" + std::to_string(++databases_);
+    execute(address, "CREATE DATABASE " + name + (with_tables ? " TEMPLATE with_tables" : ""));
+    address.database = name;
+    return address;
+}
+
+ServerAddress PostgresqlServer::as(ServerAddress address, const std::string& user) {
+    address.user = user;
+    return address;
+}
+
+void PostgresqlServer::execute(const ServerAddress& address, const std::string& sql) const {
+    Connection(address).execute(QString::fromStdString(sql));
+}
+
+}  // namespace fulcrum::database::test

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A PostgreSQL of the tests' own: in a temporary folder, on a socket in it, run by an account that is not
+// root, started once a process and gone with it.
+#pragma once
+
+#include <string>
+
+#include "database/rows/server_address.h"
+
+namespace fulcrum::database::test {
+
+class PostgresqlServer {
+  public:
+    /// Null where the programs of PostgreSQL are missing. Ends the program if they do not start.
+    static PostgresqlServer* of_this_process();
+    /// A new database with the tables of a programme server, or empty.
+    ServerAddress new_database(bool with_tables = true);
+    /// Account "station" has a password; "owner", who made the databases, needs none here.
+    static ServerAddress as(ServerAddress address, const std::string& user);
+    static constexpr const char* station_password = "a station's secret";
+    void execute(const ServerAddress& address, const std::string& sql) const;
+
+  private:
+    PostgresqlServer() = default;
+    std::string socket_folder_;
+    int databases_ = 0;
+};
+
+}  // namespace fulcrum::database::test
+
+#define FULCRUM_NEEDS_POSTGRESQL()                                                 \
+    if (::fulcrum::database::test::PostgresqlServer::of_this_process() == nullptr) \
+    GTEST_SKIP() << "the programs of PostgreSQL are missing: install the package postgresql"

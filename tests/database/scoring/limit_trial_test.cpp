@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stored values judged again by other sets: what changes, and what no set can take back.
+#include "database/scoring/limit_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
+#include "tests/support/support.h"
+
+namespace fulcrum {
+namespace {
+
+/// An attempt at A2 whose benchmark gates are all `z` expert deviations worse than the experts' mean, and
+/// whose other gates are met.
+struct Trial {
+    TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+    BenchmarkSet set = load_benchmark(test::source_path("assets/benchmarks/A2.json"));
+    TriedAttempt attempt(double z) const {
+        TriedAttempt made;
+        made.person_id = "p" + std::to_string(z);
+        for (const GateSpec& spec : task.gates) {
+            database::GateRow gate;
+            gate.metric = spec.metric;
+            gate.hand = spec.hand;
+            gate.tissue = spec.tissue;
+            gate.kind = spec.kind;
+            gate.passed = true;
+            if (spec.kind == GateKind::benchmark) {
+                const BenchmarkLevel& level = *set.find(spec.metric, spec.hand, spec.tissue);
+                made.metric_versions[spec.metric] = level.metric_version;
+                gate.value = limit_of(*find_metric(spec.metric), level, z);
+            }
+            made.gates.push_back(gate);
+        }
+        return made;
+    }
+};
+
+TEST(LimitTrial, AWiderSetPassesWhatANarrowerFails) {
+    const Trial trial;
+    BenchmarkSet narrow = trial.set, wide = trial.set;
+    narrow.k = 1;
+    wide.k = 3;
+    const TriedAttempt attempt = trial.attempt(2);
+    EXPECT_EQ(passes_under(trial.task, attempt, narrow), false);
+    EXPECT_EQ(passes_under(trial.task, attempt, wide), true);
+    const std::vector<TriedAttempt> attempts = {trial.attempt(0.5), attempt, trial.attempt(2.5),
+                                                trial.attempt(4)};
+    const TrialCount few = count_passes(trial.task, attempts, narrow),
+                     many = count_passes(trial.task, attempts, wide);
+    EXPECT_EQ(few.passed, 1);
+    EXPECT_EQ(many.passed, 3);
+    EXPECT_EQ(many.attempts, 4);
+    EXPECT_EQ(many.people, 4);
+    EXPECT_EQ(many.people_passed, 3);
+}
+
+TEST(LimitTrial, WhatIsBrokenUnderAnyLimitsStaysFailed) {
+    const Trial trial;
+    BenchmarkSet wide = trial.set;
+    wide.k = 3;
+    TriedAttempt critical = trial.attempt(0);
+    critical.critical = true;
+    EXPECT_EQ(passes_under(trial.task, critical, wide), false);
+    TriedAttempt absolute = trial.attempt(0), not_done = trial.attempt(0);
+    bool has_absolute = false;
+    for (database::GateRow& gate : absolute.gates) {
+        if (gate.kind != GateKind::absolute || has_absolute) continue;
+        has_absolute = true;
+        gate.passed = false;
+    }
+    ASSERT_TRUE(has_absolute);
+    EXPECT_EQ(passes_under(trial.task, absolute, wide), false);
+    for (database::GateRow& gate : not_done.gates) {
+        if (gate.kind != GateKind::benchmark) continue;
+        gate.value.reset();
+        gate.passed = false;
+    }
+    EXPECT_EQ(passes_under(trial.task, not_done, wide), false);
+}
+
+TEST(LimitTrial, WhatCannotBeJudgedIsNotAPass) {
+    const Trial trial;
+    TriedAttempt attempt = trial.attempt(0);
+    EXPECT_EQ(passes_under(trial.task, attempt, trial.set), true);
+    TriedAttempt older = attempt;
+    for (auto& [metric, version] : older.metric_versions) --version;
+    EXPECT_FALSE(passes_under(trial.task, older, trial.set).has_value());
+    BenchmarkSet without = trial.set;
+    without.levels.clear();
+    EXPECT_FALSE(passes_under(trial.task, attempt, without).has_value());
+    attempt.gates.clear();
+    EXPECT_FALSE(passes_under(trial.task, attempt, trial.set).has_value());
+    EXPECT_EQ(count_passes(trial.task, {attempt}, trial.set).not_judged, 1);
+}
+
+TEST(LimitTrial, FindsTheSetsOfATaskAndNoOthers) {
+    const std::vector<BenchmarkSet> sets = sets_in_force("A2");
+    ASSERT_GE(sets.size(), 2U);
+    for (const BenchmarkSet& set : sets) EXPECT_EQ(set.task, "A2");
+    EXPECT_TRUE(sets_in_force("Z9").empty());
+}
+
+}  // namespace
+}  // namespace fulcrum

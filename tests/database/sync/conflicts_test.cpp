@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happens where both sides changed, and where somebody was erased.
+#include "tests/database/sync/stations.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+class SyncConflict : public Sync {
+  protected:
+    void SetUp() override {
+        Sync::SetUp();
+        if (IsSkipped()) return;
+        sync(a);
+        sync(b);
+        sync(a);
+    }
+    static std::string name_of(const Store& store, const std::string& id) {
+        Query row(store.connection(), "SELECT display_name FROM person WHERE id = ?");
+        row.bind(id);
+        return row.next() ? row.text(0) : "";
+    }
+    Station b;
+};
+
+TEST_F(SyncConflict, TheHigherVersionOfAPersonCounts) {
+    const std::string ben = a.id("ben");
+    a.people().rename(a.session("administrator"), ben, "Ben A");
+    const Session at_b = b.sign_in("administrator");
+    People(*b.store).rename(at_b, ben, "Ben B");
+    People(*b.store).rename(at_b, ben, "Benjamin B");
+    sync(a);
+    EXPECT_TRUE(sync(b).conflicts.empty()) << "the station that wins has nothing to decide";
+    const SyncResult back = sync(a);
+    EXPECT_EQ(name_of(*a.store, ben), "Benjamin B");
+    EXPECT_EQ(name_of(*b.store, ben), "Benjamin B");
+    EXPECT_EQ(back.transferred(), 1);
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+}
+
+TEST_F(SyncConflict, OfEqualVersionsTheServersIsKeptAndTheConflictNamed) {
+    const std::string ben = a.id("ben");
+    a.people().rename(a.session("administrator"), ben, "Ben A");
+    People(*b.store).rename(b.sign_in("administrator"), ben, "Ben B");
+    sync(a);
+    const SyncResult second = sync(b);
+    ASSERT_EQ(second.conflicts.size(), 1U);
+    EXPECT_NE(second.conflicts[0].find("\"ben\" was changed here and on the server"), std::string::npos);
+    EXPECT_EQ(name_of(*b.store, ben), "Ben A");
+    EXPECT_TRUE(sync(b).conflicts.empty());
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
+TEST_F(SyncConflict, AChangedPasswordAndCohortReachTheOtherStation) {
+    const Session ann = b.sign_in("ann");
+    People(*b.store).change_password(ann, password, "another long password");
+    a.people().set_members(a.session("director"), a.cohort, {a.id("eve")});
+    sync(a);
+    sync(b);
+    sync(a);
+    EXPECT_THROW(a.people().sign_in("ann", password), SignInRefused);
+    a.clock.pass_s(600);
+    EXPECT_EQ(a.people().sign_in("ann", "another long password").person_id(), a.id("ann"));
+    Query members(b.store->connection(), "SELECT person_id FROM cohort_member");
+    ASSERT_TRUE(members.next());
+    EXPECT_EQ(members.text(0), a.id("eve"));
+    EXPECT_FALSE(members.next());
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+}
+
+TEST_F(SyncConflict, ALoginThatTwoPeopleHaveWaitsAndEverythingElseIsTransferred) {
+    const Session at_a = a.session("administrator"), at_b = b.sign_in("administrator");
+    a.people().create(at_a, "carl", "Carl of A", {Role::trainee});
+    const auto other = People(*b.store).create(at_b, "carl", "Carl of B", {Role::trainee});
+    const Session first = People(*b.store).sign_in("carl", other.one_time_password);
+    const Session carl = People(*b.store).change_password(first, other.one_time_password, password);
+    Recorder recorder(b.path, carl, example_meta(carl.person_id()), b.clock.options());
+    Programme::append_second(recorder);
+    recorder.finish(example_result(true, 50));
+    const std::string ann = b.record("ann", 66);
+    sync(a);
+    const SyncResult result = sync(b);
+    ASSERT_EQ(result.conflicts.size(), 3U);  // the login; the attempt and the score that wait
+    EXPECT_NE(result.conflicts[0].find("\"carl\""), std::string::npos);
+    sync(a);
+    EXPECT_EQ(Attempts(*a.store).score(a.session("ann"), ann)->points, 66);
+    EXPECT_EQ(name_of(*b.store, carl.person_id()), "Carl of B");
+    EXPECT_EQ(sync(b).transferred(), 0);
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
+TEST_F(SyncConflict, WhatTheServersOwnerChangesByHandIsFound) {
+    const std::string attempt = fill(a);
+    a.open();
+    sync(a);
+    expect_sound(server);
+    Connection connection(server);
+    const auto finds = [&](const std::string& sql, const std::string& words) {
+        connection.execute("SET session_replication_role = replica");  // no trigger stops the owner
+        connection.execute(QString::fromStdString(sql));
+        bool found = false;
+        for (const std::string& problem : check_programme_server(server).problems)
+            found = found || problem.find(words) != std::string::npos;
+        EXPECT_TRUE(found) << sql;
+    };
+    finds("UPDATE score SET points = 99 WHERE attempt_id = '" + attempt + "'", "not as the station");
+    finds("DELETE FROM trace_chunk WHERE attempt_id = '" + attempt + "' AND stream = 0", "trace " + attempt);
+    finds("UPDATE attempt SET seed = 1 WHERE id = '" + attempt + "'", "attempt " + attempt);
+    finds("UPDATE audit_entry SET time = time + 1 WHERE sequence = 3", "changed after it was written");
+    finds("UPDATE audit_signature SET signature = 'x' WHERE sequence = 4", "its signature does not fit");
+    finds("INSERT INTO attempt_void SELECT id, person_id, 1, 'x' FROM attempt WHERE id = '" + attempt + "'",
+          "void of attempt " + attempt + ": there without");
+}
+
+class SyncErasure : public SyncConflict {};
+
+TEST_F(SyncErasure, ErasedOnTheServerStaysErasedAfterAnOfflineStationsPush) {
+    fill(a);
+    a.open();
+    sync(a);
+    sync(b);
+    const std::string ann = a.id("ann"), offline = b.record("ann", 77);  // b is offline from here
+    b.record("ben", 55);
+    const auto before = rows_on(server);
+    const auto dry = erase_at_programme_server(server, ann, true);
+    EXPECT_FALSE(dry.empty());
+    EXPECT_EQ(rows_on(server), before) << "a dry run changes nothing";
+    EXPECT_EQ(erase_at_programme_server(server, ann, false).size(), dry.size());
+    expect_sound(server);
+    const SyncResult at_b = sync(b);
+    EXPECT_EQ(at_b.erased, 1);
+    EXPECT_EQ(sync(a).erased, 1);
+    sync(b);
+    for (const auto& rows : {rows_on(server), rows_at(*a.store), rows_at(*b.store)})
+        for (const std::string& row : rows) {
+            EXPECT_EQ(row.find("Ann"), std::string::npos) << row;
+            EXPECT_EQ(row.find(offline), std::string::npos) << row;
+            EXPECT_TRUE(row.find(ann) == std::string::npos || row.rfind("person|", 0) == 0) << row;
+        }
+    EXPECT_EQ(rows_at(*a.store), rows_at(*b.store));
+    EXPECT_EQ(rows_at(*a.store), rows_on(server, false));
+    for (const Store* store : {a.store.get(), b.store.get()}) {
+        EXPECT_EQ(name_of(*store, ann), "Erased person");
+        expect_sound(*store);
+        Query left(store->connection(),
+                   "SELECT COUNT(*) FROM audit_payload p JOIN audit_entry e ON e.station_id = "
+                   "p.station_id AND e.sequence = p.sequence WHERE e.object_id = ?");
+        left.bind(ann);
+        EXPECT_TRUE(left.next() && left.integer(0) == 0);
+    }
+    EXPECT_THROW(People(*b.store).sign_in("ann", password), SignInRefused);
+    EXPECT_EQ(sync(a).transferred(), 0);
+    expect_sound(server);
+}
+
+TEST_F(SyncErasure, TheServerItselfRefusesRowsOfAnErasedPerson) {
+    const std::string ann = a.id("ann"), attempt = a.record("ann");
+    erase_at_programme_server(server, ann, false);
+    Connection connection(server);
+    for (const std::string& sql :
+         {"INSERT INTO person_role VALUES ('" + ann + "', 'trainee')",
+          "UPDATE person SET display_name = 'Ann', login = 'ann' WHERE id = '" + ann + "'",
+          "INSERT INTO cohort_member VALUES ('" + a.cohort + "', '" + ann + "')"})
+        EXPECT_EQ(error_kind([&] { connection.execute(QString::fromStdString(sql)); }),
+                  StoreErrorKind::conflict)
+            << sql;
+    EXPECT_EQ(error_kind([&] { erase_at_programme_server(server, "nobody", false); }),
+              StoreErrorKind::not_found);
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two stations and a programme server: what each ends with.
+#include "tests/database/sync/stations.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+TEST_F(Sync, TwoStationsEndWithTheSameAndEveryCheckHolds) {
+    const std::string by_a = fill(a);
+    a.open();  // closes the attempt that was cut off
+    const SyncResult first = sync(a);
+    EXPECT_TRUE(first.complete);
+    EXPECT_TRUE(first.conflicts.empty());
+    EXPECT_GT(first.audit_rows, 0);
+
+    const Station b;
+    const SyncResult brought = sync(b);
+    EXPECT_EQ(b.store->programme_name(), "Test programme");
+    EXPECT_TRUE(std::any_of(brought.counts.begin(), brought.counts.end(),
+                            [](const SyncCount& one) { return one.title == "attempts" && one.pulled == 3; }));
+    const std::string by_b = b.record("ann", 77);  // with her password: the verifier came too
+    sync(b);
+    sync(a);
+    EXPECT_EQ(rows_at(*a.store), rows_at(*b.store));
+    EXPECT_EQ(rows_at(*a.store), rows_on(server, false));
+
+    // Ann sees both attempts at both stations, with the points.
+    for (const auto& [store, session] :
+         {std::make_pair(a.store.get(), a.session("ann")), std::make_pair(b.store.get(), b.sign_in("ann"))}) {
+        const Attempts attempts(*store);
+        EXPECT_EQ(attempts.score(session, by_a)->points, 81);
+        EXPECT_EQ(attempts.score(session, by_b)->points, 77);
+    }
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+    expect_sound(server);
+
+    // The trace is where it was recorded; elsewhere nothing is made of its absence.
+    const Session educator = b.sign_in("educator");
+    EXPECT_EQ(error_kind([&] { Attempts(*b.store).read_trace(educator, by_a); }), StoreErrorKind::not_found);
+    EXPECT_EQ(a.attempts().read_trace(a.session("educator"), by_a).samples.size(), 1000U);
+    EXPECT_EQ(a.attempts().interrupted_without_score(a.session("educator")).size(), 1U);
+    EXPECT_EQ(Attempts(*b.store).interrupted_without_score(educator).size(), 0U);
+}
+
+TEST_F(Sync, SecondRunTransfersNothing) {
+    fill(a);
+    a.open();
+    EXPECT_GT(sync(a).transferred(), 0);
+    const Station b;
+    sync(b);
+    const SyncResult other = sync(a);  // there is one more station
+    EXPECT_EQ(other.transferred(), 1);
+    EXPECT_EQ(other.counts.at(0).title, "stations");
+    // A sign-in is a row of the audit log, and the only thing that is new.
+    for (const SyncResult& again : {sync(a), sync(b), sync(b)}) {
+        EXPECT_EQ(again.transferred(), 0);
+        EXPECT_EQ(again.erased, 0);
+        EXPECT_TRUE(again.conflicts.empty());
+        EXPECT_LE(again.audit_rows, 1);
+    }
+    EXPECT_EQ(sync(a).audit_rows, 0);
+}
+
+TEST_F(Sync, SimulatedPeopleAndDraftsStayAtTheStation) {
+    const Session station = a.store->station_session();
+    const Person expert =
+        a.people().ensure_synthetic(station, "synthetic-expert", "Expert", PersonKind::synthetic);
+    AttemptMeta meta = example_meta(expert.id);
+    meta.device_class = DeviceClass::synthetic;
+    Recorder recorder(a.path, station, meta, a.clock.options());
+    Programme::append_second(recorder);
+    recorder.finish(example_result(true, 90));
+    const std::string attempt = a.record("ann");
+    const Session& educator = a.session("educator");
+    Reviews(*a.store).write(educator, attempt, 0.1, "Not yet.", false);
+    const std::string rating =
+        Ratings(*a.store).begin(educator, attempt, load_forms(asset_path("forms")).front());
+    sync(a);
+    Connection connection(server);
+    const auto count = [&](const char* sql) {
+        Query row(connection, sql);
+        return row.next() ? row.integer(0) : -1;
+    };
+    EXPECT_EQ(count("SELECT COUNT(*) FROM attempt"), 1);
+    EXPECT_EQ(count("SELECT COUNT(*) FROM person WHERE kind <> 'real'"), 0);
+    EXPECT_EQ(count("SELECT COUNT(*) FROM comment"), 0);
+    EXPECT_EQ(count("SELECT COUNT(*) FROM rating"), 0);
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of limits: sets next to each other, who would pass under each, the pass mark, wrong files. With
+// FULCRUM_PICTURES=FOLDER pictures are stored there.
+#include "ui/dashboards/limits_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
+#include "sim_core/numerics/output_file.h"
+#include "tests/database/large_programme.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/hands.h"
+#include "ui/dashboards/limits_chart.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+/// Writes the gates of A2 with values around the experts' mean, some of them far worse.
+void write_gates(const TaskDefinition& task, const BenchmarkSet& set, database::ScoreRow& score,
+                 Random& random) {
+    score.gates.clear();
+    score.metrics.clear();
+    const double skill = random.uniform(0, 3);
+    for (const GateSpec& spec : task.gates) {
+        database::GateRow gate;
+        gate.metric = spec.metric;
+        gate.hand = spec.hand;
+        gate.tissue = spec.tissue;
+        gate.kind = spec.kind;
+        gate.passed = true;
+        if (spec.kind == GateKind::benchmark) {
+            const BenchmarkLevel& level = *set.find(spec.metric, spec.hand, spec.tissue);
+            gate.value = limit_of(*find_metric(spec.metric), level, skill + random.uniform(-0.8, 0.8));
+            gate.unit = level.unit;
+            database::MetricRow metric;
+            metric.id = spec.metric;
+            metric.version = level.metric_version;
+            metric.hand = spec.hand;
+            metric.tissue = spec.tissue;
+            metric.value = gate.value;
+            metric.unit = level.unit;
+            score.metrics.push_back(metric);
+        }
+        score.gates.push_back(gate);
+    }
+}
+
+class LimitsView : public ::testing::Test {
+  protected:
+    LimitsView() {
+        apply_theme(*qApp, Theme::light);
+        services.open_store(false);
+        const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+        const auto programme = database::test::make_large_programme(
+            *services.store(), 30, 4, 1, 7, {"A2"},
+            [&](database::ScoreRow& score, Random& random) { write_gates(task, set, score, random); },
+            task.version);
+        window.resize(1024, 740);
+        window.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+        window.start();
+        window.context().set_session(programme.director);
+        click(window, "rail_limits");
+        tasks = find<QComboBox>(window, "limits_task");
+        table = find<QTableWidget>(window, "limits_table");
+        chart = dynamic_cast<LimitsChart*>(window.findChild<QWidget*>("limits_chart"));
+        tasks->setFocus();
+        while (tasks->currentData().toString() != "A2") QTest::keyClick(tasks, Qt::Key_Down);
+    }
+    ~LimitsView() override { apply_theme(*qApp, Theme::light); }
+    void keep(const QString& name) {
+        QCoreApplication::processEvents();
+        if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES")) return;
+        window.grab().save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + name + ".png");
+    }
+    void compare(const QString& file) {
+        auto* path = find<QLineEdit>(window, "limits_file");
+        path->setFocus();
+        path->clear();
+        QTest::keyClicks(path, file);
+        QTest::keyClick(path, Qt::Key_Return);
+    }
+    std::string write(const BenchmarkSet& other, const char* name) {
+        const std::string file = folder.filePath(name).toStdString();
+        write_output_file(file, benchmark_to_json(other).dump(2));
+        return file;
+    }
+    int passes(int row) { return table->item(row, 4)->text().section(' ', 0, 0).toInt(); }
+
+    QTemporaryDir folder;
+    BenchmarkSet set = load_benchmark(test::source_path("assets/benchmarks/A2.json"));
+    FakeServices services;
+    MainWindow window{services};
+    QComboBox* tasks = nullptr;
+    QTableWidget* table = nullptr;
+    LimitsChart* chart = nullptr;
+};
+
+TEST_F(LimitsView, ShowsWhoWouldPassUnderEachSet) {
+    ASSERT_EQ(table->rowCount(), 1);
+    ASSERT_FALSE(chart->gates().empty());
+    for (const GateLimits& gate : chart->gates()) {
+        EXPECT_EQ(gate.values.size(), 120U) << gate.name.toStdString();
+        ASSERT_EQ(gate.limits.size(), 1U);
+        EXPECT_TRUE(gate.limits[0].has_value());
+    }
+    BenchmarkSet wide = set, narrow = set;
+    wide.k = 3;
+    wide.version = 90;
+    narrow.k = 1;
+    narrow.version = 91;
+    QElapsedTimer clock;
+    compare(QString::fromStdString(write(wide, "wide.json")));
+    clock.start();
+    compare(QString::fromStdString(write(narrow, "narrow.json")));
+    EXPECT_LT(clock.elapsed(), 1000);
+    ASSERT_EQ(table->rowCount(), 3);
+    EXPECT_GT(passes(1), passes(0));
+    EXPECT_LT(passes(2), passes(0));
+    EXPECT_EQ(chart->gates().front().limits.size(), 3U);
+    EXPECT_TRUE(table->item(2, 0)->text().startsWith("C"));
+    keep("limits-light");
+    window.set_theme(Theme::dark);
+    keep("limits-dark");
+    window.set_theme(Theme::light);
+    window.resize(1920, 1080);
+    keep("limits-wide");
+}
+
+TEST_F(LimitsView, NamesThePassMarkBetweenExpertsAndAttempts) {
+    const QString mark = find<QLabel>(window, "limits_mark")->text();
+    EXPECT_TRUE(mark.startsWith("Pass mark")) << mark.toStdString();
+    EXPECT_TRUE(window.findChild<QWidget*>("groups_chart")->isVisibleTo(&window));
+    auto* metrics = find<QComboBox>(window, "limits_metric");
+    EXPECT_GT(metrics->count(), 2);
+    metrics->setFocus();
+    QTest::keyClick(metrics, Qt::Key_Down);
+    EXPECT_NE(find<QLabel>(window, "limits_mark")->text(), mark);
+}
+
+TEST_F(LimitsView, RefusesAFileThatIsNoSetOfTheSameKind) {
+    BenchmarkSet other = set;
+    other.device_class = DeviceClass::tracked;
+    QSignalSpy said(&window.context(), &Context::message);
+    compare(QString::fromStdString(write(other, "other.json")));
+    ASSERT_EQ(said.count(), 1);
+    EXPECT_TRUE(said[0][1].toBool());
+    EXPECT_TRUE(said[0][0].toString().contains("A2-tracked")) << said[0][0].toString().toStdString();
+    compare(folder.filePath("missing.json"));
+    ASSERT_EQ(said.count(), 2);
+    EXPECT_TRUE(said[1][0].toString().contains("missing.json"));
+    write_output_file(folder.filePath("broken.json").toStdString(), "{");
+    compare(folder.filePath("broken.json"));
+    ASSERT_EQ(said.count(), 3);
+    EXPECT_EQ(table->rowCount(), 1);
+}
+
+TEST_F(LimitsView, ATaskWithoutAttemptsSaysSo) {
+    tasks->setFocus();
+    while (tasks->currentData().toString() != "B3") QTest::keyClick(tasks, Qt::Key_Down);
+    EXPECT_EQ(table->rowCount(), 1);
+    EXPECT_EQ(table->item(0, 4)->text(), "–");
+    EXPECT_TRUE(find<QLabel>(window, "limits_mark")->text().contains("at least 8"));
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dashboards/limits_page.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "assessment/learning/statistics.h"
+#include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
+#include "ui/dashboards/limits_chart.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr std::size_t most_sets = 4;
+constexpr std::size_t least_values = 8;  // for a spread that means something
+
+QString gate_name(const GateSpec& gate) {
+    QString name = metric_text(gate.metric);
+    if (!gate.hand.empty()) name += QStringLiteral(" · ") + hand_text(gate.hand);
+    if (!gate.tissue.empty()) name += QStringLiteral(" · ") + asset_text(gate.tissue);
+    return name;
+}
+
+std::optional<double> limit_in(const BenchmarkSet& set, const GateSpec& gate) {
+    const BenchmarkLevel* level = set.find(gate.metric, gate.hand, gate.tissue);
+    const MetricDescriptor* descriptor = find_metric(gate.metric);
+    if (level == nullptr || descriptor == nullptr) return std::nullopt;
+    return level->absolute_limit ? *level->absolute_limit : limit_of(*descriptor, *level, set.k);
+}
+
+std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate) {
+    std::vector<double> values;
+    for (const TriedAttempt& attempt : attempts)
+        for (const database::GateRow& row : attempt.gates)
+            if (row.metric == gate.metric && row.hand == gate.hand && row.tissue == gate.tissue && row.value)
+                values.push_back(gated_value(*find_metric(gate.metric), *row.value));
+    return values;
+}
+
+bool same_key(const BenchmarkKey& a, const BenchmarkKey& b) {
+    return benchmark_name(a) == benchmark_name(b);
+}
+
+QString share_of(int part, int all) {
+    return all == 0 ? QStringLiteral("–")
+                    : LimitsPage::tr("%1 of %2 (%3 %)").arg(part).arg(all).arg(qRound(100.0 * part / all));
+}
+
+}  // namespace
+
+LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(12);
+    layout->addWidget(make_label(tr("Limits"), "title"));
+    layout->addWidget(make_label(tr("What attempts are held against, and who would pass under other limits. "
+                                    "Nothing is changed here."),
+                                 "muted"));
+    layout->addWidget(make_choice());
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("Limits of each set; a dot is an attempt"), "heading"));
+    count_ = make_label({}, "muted");
+    card_layout(card)->addWidget(count_);
+    chart_ = new LimitsChart;
+    card_layout(card)->addWidget(chart_);
+    layout->addWidget(card);
+    QFrame* passes = make_card(8);
+    card_layout(passes)->addWidget(make_label(tr("Who would pass under each"), "heading"));
+    table_ = make_table(
+        {tr("Set"), tr("Made from"), tr("Experts"), tr("Experts pass"), tr("Would pass"), tr("People")},
+        "limits_table");
+    card_layout(passes)->addWidget(table_);
+    card_layout(passes)->addWidget(make_adding());
+    layout->addWidget(passes);
+    layout->addWidget(make_groups());
+    layout->addStretch(1);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1180));
+}
+
+QWidget* LimitsPage::make_choice() {
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
+    tasks_ = new QComboBox;
+    tasks_->setObjectName(QStringLiteral("limits_task"));
+    tasks_->setAccessibleName(tr("Task"));
+    row->add(tasks_, 2, 200);
+    keys_ = new QComboBox;
+    keys_->setObjectName(QStringLiteral("limits_key"));
+    keys_->setAccessibleName(tr("Set in force"));
+    row->add(keys_, 1, 200);
+    connect(tasks_, qOverload<int>(&QComboBox::activated), this, &LimitsPage::choose_task);
+    connect(keys_, qOverload<int>(&QComboBox::activated), this, &LimitsPage::choose_set);
+    return holder;
+}
+
+QWidget* LimitsPage::make_adding() {
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
+    row->add(make_label(tr("Compare with a set in a file")));
+    path_ = new QLineEdit;
+    path_->setObjectName(QStringLiteral("limits_file"));
+    path_->setAccessibleName(tr("File of a benchmark set"));
+    path_->setPlaceholderText(tr("made by fulcrum benchmark build"));
+    row->add(path_, 1, 240);
+    add_ = make_button(tr("Compare"), "limits_add", "primary");
+    row->add(add_);
+    const auto look = [this] { add_->setEnabled(!path_->text().trimmed().isEmpty()); };
+    connect(path_, &QLineEdit::textChanged, this, look);
+    connect(path_, &QLineEdit::returnPressed, add_, &QPushButton::click);
+    connect(add_, &QPushButton::clicked, this, &LimitsPage::add_file);
+    look();
+    return holder;
+}
+
+QFrame* LimitsPage::make_groups() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("Pass mark between two groups"), "heading"));
+    card_layout(card)->addWidget(make_label(
+        tr("Where an attempt is as likely one of the set's experts as one of those stored here, if "
+           "both are spread normally: the method of contrasting groups."),
+        "muted"));
+    metrics_ = new QComboBox;
+    metrics_->setObjectName(QStringLiteral("limits_metric"));
+    metrics_->setAccessibleName(tr("Metric"));
+    card_layout(card)->addWidget(metrics_, 0, Qt::AlignLeft);
+    groups_ = new GroupsChart;
+    card_layout(card)->addWidget(groups_);
+    mark_ = make_label({});
+    mark_->setObjectName(QStringLiteral("limits_mark"));
+    card_layout(card)->addWidget(mark_);
+    connect(metrics_, qOverload<int>(&QComboBox::activated), this, &LimitsPage::show_group);
+    return card;
+}
+
+const TaskDefinition* LimitsPage::task() {
+    return context().task(tasks_->currentData().toString().toStdString());
+}
+
+void LimitsPage::enter() {
+    if (tasks_->count() == 0) {
+        for (const TaskDefinition& one : context().services().tasks())
+            tasks_->addItem(context().task_title(one.id), text(one.id));
+    }
+    choose_task();
+    tasks_->setFocus();
+}
+
+void LimitsPage::choose_task() {
+    in_force_.clear();
+    keys_->clear();
+    if (task() != nullptr) context().guarded([&] { in_force_ = sets_in_force(task()->id); });
+    for (const BenchmarkSet& set : in_force_) {
+        QStringList parts{device_class_text(set.device_class)};
+        if (set.variant_family != "standard") parts << text(set.variant_family);
+        if (set.fidelity != "standard") parts << text(set.fidelity);
+        keys_->addItem(parts.join(QStringLiteral(" · ")));
+    }
+    for (int row = 0; row < keys_->count(); ++row)
+        if (in_force_[static_cast<std::size_t>(row)].device_class == DeviceClass::haptic)
+            keys_->setCurrentIndex(row);
+    keys_->setEnabled(keys_->count() > 1);
+    choose_set();
+}
+
+void LimitsPage::choose_set() {
+    sets_.clear();
+    attempts_.clear();
+    const int row = keys_->currentIndex();
+    if (row >= 0) {
+        sets_.push_back({in_force_[static_cast<std::size_t>(row)], {}});
+        context().guarded([&] {
+            attempts_ =
+                tried_attempts(context().store(), context().session(), *task(), sets_.front().set.key());
+        });
+    }
+    metrics_->clear();
+    if (task() != nullptr && !sets_.empty()) {
+        for (std::size_t k = 0; k < task()->gates.size(); ++k) {
+            const GateSpec& gate = task()->gates[k];
+            const BenchmarkLevel* level = sets_.front().set.find(gate.metric, gate.hand, gate.tissue);
+            if (gate.kind == GateKind::benchmark && level != nullptr && !level->absolute_limit)
+                metrics_->addItem(gate_name(gate), static_cast<int>(k));
+        }
+    }
+    fill();
+}
+
+void LimitsPage::add_file() {
+    const QString file = path_->text().trimmed();
+    context().guarded([&] {
+        if (sets_.empty()) return;
+        BenchmarkSet set = load_benchmark(QDir::fromNativeSeparators(file).toStdString());
+        if (!same_key(set.key(), sets_.front().set.key())) {
+            context().complain(tr("%1 holds the set %2; this page compares sets of %3. Choose its task and "
+                                  "devices above first.")
+                                   .arg(file, text(benchmark_name(set.key())),
+                                        text(benchmark_name(sets_.front().set.key()))));
+            return;
+        }
+        if (sets_.size() == most_sets) sets_.erase(sets_.begin() + 1);
+        sets_.push_back({std::move(set), file});
+        path_->clear();
+    });
+    fill();
+}
+
+void LimitsPage::fill() {
+    std::vector<GateLimits> gates;
+    if (task() != nullptr && !sets_.empty()) {
+        for (const GateSpec& gate : task()->gates) {
+            if (gate.kind != GateKind::benchmark) continue;
+            GateLimits row;
+            row.name = gate_name(gate);
+            row.unit = text(find_metric(gate.metric)->unit);
+            row.higher_is_better = find_metric(gate.metric)->direction == Direction::higher;
+            for (const Compared& one : sets_) row.limits.push_back(limit_in(one.set, gate));
+            row.values = values_of(attempts_, gate);
+            gates.push_back(std::move(row));
+        }
+    }
+    std::set<std::string> people;
+    for (const TriedAttempt& attempt : attempts_) people.insert(attempt.person_id);
+    if (sets_.empty()) {
+        count_->setText(tr("There is no set of limits for this task."));
+    } else if (attempts_.empty()) {
+        count_->setText(tr("No attempt stored here counts under these limits yet."));
+    } else {
+        count_->setText(tr("Attempts that count: %1, by people: %2. The newest %3 are looked at.")
+                            .arg(attempts_.size())
+                            .arg(people.size())
+                            .arg(most_tried_attempts));
+    }
+    chart_->show_gates(std::move(gates));
+    fill_table();
+    show_group();
+}
+
+void LimitsPage::fill_table() {
+    table_->setRowCount(static_cast<int>(sets_.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const Compared& one = sets_[static_cast<std::size_t>(row)];
+        const TrialCount count = count_passes(*task(), attempts_, one.set);
+        QString passes = share_of(count.passed, count.attempts);
+        if (count.not_judged > 0) passes += tr(", not judged: %1").arg(count.not_judged);
+        const QString name =
+            set_letter(static_cast<std::size_t>(row)) + QStringLiteral(" · ") +
+            (one.file.isEmpty() ? tr("in force (%1)") : tr("version %1")).arg(one.set.version);
+        const QString cells[] = {name,
+                                 asset_text(one.set.source),
+                                 QString::number(one.set.experts.size()),
+                                 QStringLiteral("%1 %").arg(qRound(100 * one.set.expert_pass_share)),
+                                 passes,
+                                 share_of(count.people_passed, count.people)};
+        for (int column = 0; column < table_->columnCount(); ++column)
+            table_->setItem(row, column, make_cell(cells[column]));
+        table_->item(row, 0)->setToolTip(one.file.isEmpty() ? cells[0] : one.file);
+    }
+    fit_columns(table_, {0, 4, 5});
+    fit_rows(table_);
+    int height = table_->horizontalHeader()->sizeHint().height() + table_->fontMetrics().height();
+    for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
+    table_->setMinimumHeight(height);
+}
+
+void LimitsPage::show_group() {
+    groups_->show_groups(std::nullopt);
+    mark_->clear();
+    if (metrics_->currentIndex() < 0 || sets_.empty()) return;
+    const GateSpec& gate = task()->gates[static_cast<std::size_t>(metrics_->currentData().toInt())];
+    const MetricDescriptor& metric = *find_metric(gate.metric);
+    const BenchmarkLevel& level = *sets_.front().set.find(gate.metric, gate.hand, gate.tissue);
+    std::vector<double> scaled;
+    for (const double value : values_of(attempts_, gate))
+        if (const std::optional<double> x = on_scale(metric, value)) scaled.push_back(*x);
+    if (scaled.size() < least_values) {
+        mark_->setText(tr("A pass mark needs at least %1 attempts with this value; there are %2.")
+                           .arg(least_values)
+                           .arg(scaled.size()));
+        return;
+    }
+    GroupCurves curves;
+    curves.unit = text(metric.unit);
+    curves.logarithmic = level.scale == Scale::ln;
+    curves.experts = {level.mean, level.deviation};
+    curves.others = {mean_of(scaled), sample_deviation(scaled)};
+    if (!(curves.others.deviation > 0)) {
+        mark_->setText(tr("All attempts have the same value."));
+        return;
+    }
+    curves.mark = contrasting_groups(curves.experts, curves.others);
+    groups_->show_groups(curves);
+    if (!curves.mark) {
+        mark_->setText(tr("No pass mark: the groups overlap."));
+        return;
+    }
+    const double value = curves.logarithmic ? std::exp(curves.mark->value) : curves.mark->value;
+    mark_->setText(tr("Pass mark %1. On the passing side of it are %2 % of the attempts here, on the failing "
+                      "side %3 % of the experts'. The limit in force is %4.")
+                       .arg(figure_with_unit(value, metric.unit))
+                       .arg(figure(100 * curves.mark->false_positive))
+                       .arg(figure(100 * curves.mark->false_negative))
+                       .arg(figure_with_unit(limit_in(sets_.front().set, gate), metric.unit)));
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_limits_page.cpp"
