@@ -81,6 +81,11 @@ std::uint32_t TouchDevice::first_error() noexcept {
     return first;
 }
 
+/// As the place of an error.
+static std::string shown_name(const std::string& name) {
+    return name.empty() ? "default device" : name;
+}
+
 std::string TouchDevice::words_of_error(std::uint32_t code) const {
     const char* const words = library_.error_string(code);
     return number_words(code) + (words != nullptr && *words != '\0' ? " " + std::string(words) : "");
@@ -102,7 +107,7 @@ hd::Handle TouchDevice::init(const std::string& name) {
         }
         if (error == hd::invalid_license) break;
     }
-    const std::string shown = name.empty() ? "default device" : name;
+    const std::string shown = shown_name(name);
     const Sentence said(QT_TRANSLATE_NOOP("errors", "the maker's driver reports %1"), words_of_error(error));
     if (error == hd::invalid_license)
         throw InputError(driver().title, shown, said,
@@ -154,7 +159,7 @@ void TouchDevice::open_hand(int hand, const std::string& name) {
     library_.enable(hd::max_force_clamping);
     if (const std::uint32_t error = first_error(); error != hd::success)
         throw InputError(
-            driver().title, name.empty() ? "default device" : name,
+            driver().title, shown_name(name),
             {QT_TRANSLATE_NOOP("errors", "force cannot be switched on: %1"), words_of_error(error)},
             QT_TRANSLATE_NOOP("errors", "test the device with the maker's Touch Diagnostic"));
     facts_.slot[hand] = true;

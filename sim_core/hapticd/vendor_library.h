@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::hapticd {
 

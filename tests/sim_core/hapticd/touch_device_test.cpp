@@ -11,8 +11,8 @@
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/devices/vendor_drivers.h"
 #include "sim_core/numerics/input_error.h"
-#include "tests/fakes/fake_touch.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/fakes/fake_touch.h"
 #include "tests/support/allocation_count.h"
 
 namespace fulcrum {
@@ -168,7 +168,8 @@ TEST_F(TouchThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
         client.poll();
         EXPECT_EQ(client.message(), words_of(code == 0x0103U ? DeviceFault::driver : DeviceFault::no_answer));
         ASSERT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
-        EXPECT_NE(client.message().words().find("lost the device"), std::string::npos) << client.message().words();
+        EXPECT_NE(client.message().words().find("lost the device"), std::string::npos)
+            << client.message().words();
         page->device[1].tick_error = 0;
         EXPECT_TRUE(until([&] {
             return client.poll() == DaemonClient::Health::good && is_present(client, 1) &&
@@ -186,7 +187,8 @@ TEST_F(TouchThroughTheDaemon, AnUnpluggedDeviceIsTriedAgainUntilItIsBack) {
     page->device[1].tick_error = 0x0302;
     EXPECT_TRUE(until([&] {
         return client.poll() == DaemonClient::Health::restarting &&
-               client.message().words().find("0x0302 Communication error; check its cable") != std::string::npos;
+               client.message().words().find("0x0302 Communication error; check its cable") !=
+                   std::string::npos;
     })) << client.message().words();
     page->device[1].tick_error = 0;
     EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::good && is_present(client, 1); }))
