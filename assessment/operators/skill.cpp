@@ -138,25 +138,24 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
                                         &Skill::hesitation};
 
 /// Half-way between an expert and a novice in the hands and their pace. Follows a line as an expert does,
-/// feels the right traction a third of the way on a logarithmic scale, makes a fiftieth of a novice's errors
-/// of the plane, and plans two movements of three as an expert does: half-way there nobody would stay within
-/// the limits of B2 and C4. Ends the first movement to a target half-way on a logarithmic scale: further off,
-/// 43 % would pass A2. Chosen for these limits, not measured on people.
+/// feels the right traction a third of the way on a logarithmic scale, and makes a twentieth of a novice's
+/// errors of the plane: half-way there nobody would stay within the limits of B2 and C4. Ends the first
+/// movement to a target half-way on a logarithmic scale: further off, 43 % would pass A2. Chosen for these
+/// limits, not measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
     Skill skill;
     for (const auto faculty : faculties) skill.*faculty = between(a.*faculty, b.*faculty);
-    skill.foresight = b.foresight + 2.0 / 3 * (a.foresight - b.foresight);
     skill.target.standoff = std::sqrt(a.target.standoff * b.target.standoff);
     skill.bowel.stride = between(a.bowel.stride, b.bowel.stride);
     skill.traction.error = a.traction.error * std::cbrt(b.traction.error / a.traction.error);
     skill.traction.slack = between(a.traction.slack, b.traction.slack);
     skill.line = a.line;
-    const auto fiftieth = [](double x, double y) { return x + 0.02 * (y - x); };
-    skill.plane.recognition = fiftieth(a.plane.recognition, b.plane.recognition);
-    skill.plane.blur = fiftieth(a.plane.blur, b.plane.blur);
-    skill.plane.lean = fiftieth(a.plane.lean, b.plane.lean);
+    const auto twentieth = [](double x, double y) { return x + 0.05 * (y - x); };
+    skill.plane.recognition = twentieth(a.plane.recognition, b.plane.recognition);
+    skill.plane.blur = twentieth(a.plane.blur, b.plane.blur);
+    skill.plane.lean = twentieth(a.plane.lean, b.plane.lean);
     skill.scope.post_error = std::sqrt(a.scope.post_error * b.scope.post_error);
     skill.scope.level_error = std::sqrt(a.scope.level_error * b.scope.level_error);
     skill.scope.together = between(a.scope.together, b.scope.together);

@@ -102,8 +102,8 @@ TEST_F(SyncConflict, WhatTheServersOwnerChangesByHandIsFound) {
         connection.execute("SET session_replication_role = replica");  // no trigger stops the owner
         connection.execute(QString::fromStdString(sql));
         bool found = false;
-        for (const std::string& problem : check_programme_server(server).problems)
-            found = found || problem.find(words) != std::string::npos;
+        for (const Sentence& problem : check_programme_server(server).problems)
+            found = found || problem.words().find(words) != std::string::npos;
         EXPECT_TRUE(found) << sql;
     };
     finds("UPDATE score SET points = 99 WHERE attempt_id = '" + attempt + "'", "not as the station");

@@ -76,14 +76,14 @@ inline std::vector<std::string> rows_at(const Store& store, bool with_traces = f
 inline void expect_sound(const Store& store) {
     const CheckReport report = store.check(store.station_session());
     for (const CheckItem& item : report.items)
-        for (const std::string& problem : item.problems) ADD_FAILURE() << item.name << ": " << problem;
+        for (const Sentence& problem : item.problems) ADD_FAILURE() << item.name << ": " << problem.words();
 }
 
 inline void expect_sound(const ServerAddress& address) {
     const ServerCheck check = check_programme_server(address);
     EXPECT_GT(check.audit_rows, 0);
     EXPECT_EQ(check.signatures, check.audit_rows);
-    for (const std::string& problem : check.problems) ADD_FAILURE() << problem;
+    for (const Sentence& problem : check.problems) ADD_FAILURE() << problem.words();
 }
 
 class Sync : public ::testing::Test {

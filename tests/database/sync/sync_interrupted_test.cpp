@@ -27,7 +27,7 @@ class SyncCutOff : public Sync {
         return 0;
     }
     static void expect_chain(const Store& store) {
-        for (const std::string& problem : Audit(store).verify()) ADD_FAILURE() << problem;
+        for (const Sentence& problem : Audit(store).verify()) ADD_FAILURE() << problem.words();
     }
 };
 

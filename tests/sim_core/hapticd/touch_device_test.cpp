@@ -144,7 +144,7 @@ TEST_F(TouchThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) 
         ASSERT_TRUE(push_until(client, gentle, [&] { return !is_present(client, 1); }));
         EXPECT_TRUE(is_present(client, 0)) << "the other device has no fault";
         client.poll();
-        EXPECT_EQ(client.message(), words_of(one.fault));
+        EXPECT_EQ(client.message().words(), words_of(one.fault));
         page->device[1].tick_error = 0;
         EXPECT_TRUE(push_until(client, gentle, [&] { return is_present(client, 1); }));
         client.poll();
@@ -166,7 +166,8 @@ TEST_F(TouchThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
         EXPECT_LE(monotonic_ns() - begin, limit);
         ASSERT_TRUE(push_until(client, gentle, [&] { return !is_present(client, 1); }));
         client.poll();
-        EXPECT_EQ(client.message(), words_of(code == 0x0103U ? DeviceFault::driver : DeviceFault::no_answer));
+        EXPECT_EQ(client.message().words(),
+                  words_of(code == 0x0103U ? DeviceFault::driver : DeviceFault::no_answer));
         ASSERT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
         EXPECT_NE(client.message().words().find("lost the device"), std::string::npos)
             << client.message().words();
@@ -203,7 +204,7 @@ TEST_F(TouchThroughTheDaemon, AServoLoopThatStopsIsNoticed) {
     ASSERT_TRUE(until([&] { return !is_present(client, 1); }));
     EXPECT_LE(monotonic_ns() - begin, limit);
     client.poll();
-    EXPECT_EQ(client.message(), words_of(DeviceFault::servo_stopped));
+    EXPECT_EQ(client.message().words(), words_of(DeviceFault::servo_stopped));
     EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
     page->hang = 0;
     EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::good && is_present(client, 1); }));
@@ -218,7 +219,7 @@ TEST_F(TouchThroughTheDaemon, NoForceBeforeTheDeviceIsCalibrated) {
     EXPECT_EQ(force(1), 0);
     EXPECT_FALSE(is_present(client, 1));
     client.poll();
-    EXPECT_EQ(client.message(), words_of(DeviceFault::needs_calibration));
+    EXPECT_EQ(client.message().words(), words_of(DeviceFault::needs_calibration));
     page->device[1].calibration = 0x5001;  // the stylus is in the inkwell
     EXPECT_TRUE(push_until(client, gentle, [&] { return force(1) == 0.5; }));
     EXPECT_TRUE(is_present(client, 1));

@@ -163,7 +163,7 @@ TEST_F(DevicesOnThePage, AreDrawnInBothThemesAndLanguages) {
             services.trouble = words_of(DeviceFault::warm_motors);
             EXPECT_TRUE(wait_for([&] { return words().contains("Die Motoren des Geräts sind zu warm."); }))
                 << words().toStdString();
-            services.trouble.clear();
+            services.trouble = {};
         }
     }
 }
