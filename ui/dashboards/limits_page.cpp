@@ -99,6 +99,11 @@ QWidget* LimitsPage::make_choice() {
     keys_->setObjectName(QStringLiteral("limits_key"));
     keys_->setAccessibleName(tr("Set in force"));
     row->add(keys_, 1, 200);
+    // Their least width does not depend on their entries, so that it is the same however often it is asked.
+    for (QComboBox* choice : {tasks_, keys_}) {
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice->setMinimumContentsLength(12);
+    }
     connect(tasks_, qOverload<int>(&QComboBox::activated), this, &LimitsPage::choose_task);
     connect(keys_, qOverload<int>(&QComboBox::activated), this, &LimitsPage::choose_set);
     return holder;
