@@ -140,14 +140,15 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
 /// Half-way between an expert and a novice in the hands and their pace. Follows a line as an expert does,
 /// feels the right traction a third of the way on a logarithmic scale, and makes a twentieth of a novice's
 /// errors of the plane: half-way there nobody would stay within the limits of B2 and C4. Ends the first
-/// movement to a target half-way on a logarithmic scale: further off, 43 % would pass A2. Chosen for these
-/// limits, not measured on people.
+/// movement to a target two thirds of the way on a logarithmic scale: further off, 42 to 43 % would pass A2.
+/// Chosen for these limits, not measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
     Skill skill;
     for (const auto faculty : faculties) skill.*faculty = between(a.*faculty, b.*faculty);
-    skill.target.standoff = std::sqrt(a.target.standoff * b.target.standoff);
+    const double nearer = std::cbrt(b.target.standoff / a.target.standoff);
+    skill.target.standoff = a.target.standoff * nearer * nearer;
     skill.bowel.stride = between(a.bowel.stride, b.bowel.stride);
     skill.traction.error = a.traction.error * std::cbrt(b.traction.error / a.traction.error);
     skill.traction.slack = between(a.traction.slack, b.traction.slack);
