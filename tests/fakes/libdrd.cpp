@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A library with the functions of libdrd that fulcrum-hapticd uses, for two devices that a test scripts
 // (fake_force_dimension.h). FAKE_FORCE_DIMENSION_OLD leaves a function out.
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -11,34 +9,16 @@
 #include <string>
 
 #include "tests/fakes/fake_force_dimension.h"
+#include "tests/fakes/mapped_page.h"
 
 namespace {
 
 using fulcrum::test::FakeForceDimensionDevice;
 using fulcrum::test::FakeForceDimensionPage;
 
-FakeForceDimensionPage* mapped = nullptr;
-std::string mapped_from;
-
-/// Another test of the same process has another page.
-void map_page() {
-    const char* const named = std::getenv("FAKE_FORCE_DIMENSION_PAGE");
-    const std::string path = named != nullptr ? named : "";
-    if (mapped != nullptr && path == mapped_from) return;
-    mapped_from = path;
-    mapped = nullptr;
-    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
-    if (file >= 0) {
-        void* const memory =
-            mmap(nullptr, sizeof(FakeForceDimensionPage), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-        close(file);
-        if (memory != MAP_FAILED) mapped = static_cast<FakeForceDimensionPage*>(memory);
-    }
-    if (mapped == nullptr) mapped = new FakeForceDimensionPage;
-}
+fulcrum::test::MappedPage<FakeForceDimensionPage> mapped("FAKE_FORCE_DIMENSION_PAGE");
 FakeForceDimensionPage* page() {
-    if (mapped == nullptr) map_page();
-    return mapped;
+    return mapped.get();
 }
 
 FakeForceDimensionDevice* device(char id) {
@@ -56,7 +36,7 @@ constexpr int status_power = 0, status_connected = 1, status_force = 5;
 extern "C" {
 
 int dhdGetDeviceCount() {
-    map_page();
+    mapped.map();
     std::printf("Force Dimension SDK\n");
     std::fflush(stdout);
     return page()->count;

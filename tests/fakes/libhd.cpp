@@ -2,8 +2,6 @@
 // A library with the functions of libHD that fulcrum-hapticd uses, for two devices that a test scripts
 // (fake_touch.h). It refuses what the real one refuses: calls outside a frame, a second begin, a force above
 // the device's limit. FAKE_TOUCH_OLD leaves a function out.
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -18,6 +16,7 @@
 #include <thread>
 
 #include "tests/fakes/fake_touch.h"
+#include "tests/fakes/mapped_page.h"
 
 namespace {
 
@@ -30,28 +29,9 @@ struct Error {
     std::uint32_t device;
 };
 
-FakeTouchPage* mapped = nullptr;
-std::string mapped_from;
-
-/// Another test of the same process has another page.
-void map_page() {
-    const char* const named = std::getenv("FAKE_TOUCH_PAGE");
-    const std::string path = named != nullptr ? named : "";
-    if (mapped != nullptr && path == mapped_from) return;
-    mapped_from = path;
-    mapped = nullptr;
-    const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
-    if (file >= 0) {
-        void* const memory =
-            mmap(nullptr, sizeof(FakeTouchPage), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-        close(file);
-        if (memory != MAP_FAILED) mapped = static_cast<FakeTouchPage*>(memory);
-    }
-    if (mapped == nullptr) mapped = new FakeTouchPage;
-}
+fulcrum::test::MappedPage<FakeTouchPage> mapped("FAKE_TOUCH_PAGE");
 FakeTouchPage* page() {
-    if (mapped == nullptr) map_page();
-    return mapped;
+    return mapped.get();
 }
 
 std::mutex guard;
@@ -103,7 +83,7 @@ void run_scheduler() {
 extern "C" {
 
 std::uint32_t hdInitDevice(const char* name) {
-    if (!runs) map_page();
+    if (!runs) mapped.map();
     std::printf("DEVELOPER EDITION: commercial distribution is prohibited\n");
     std::fflush(stdout);
     char number[16];
