@@ -11,6 +11,7 @@
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
+#include "assessment/curriculum/rating_rule.h"
 #include "assessment/forms/observer_form.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/scoring/benchmark.h"
@@ -140,6 +141,13 @@ int run_metrics(const Arguments& arguments) {
 }
 
 /// Checks a file; returns its kind, determined from its content.
+std::string check_curriculum(const std::string& text, const std::string& file) {
+    Curriculum curriculum = parse_curriculum(text, file, task_ids());
+    curriculum.file = file;
+    check_ratings(curriculum, load_forms(asset_path("forms")));
+    return "curriculum " + curriculum.name();
+}
+
 std::string check_text(const std::string& text, const std::string& file) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string::npos || (text[first] != '{' && text[first] != '[')) {
@@ -157,7 +165,7 @@ std::string check_text(const std::string& text, const std::string& file) {
     }
     if (document.contains("levels") || document.contains("experts"))
         return "benchmark set of task " + parse_benchmark(text, file).task;
-    if (document.contains("stages")) return "curriculum " + parse_curriculum(text, file, task_ids()).name();
+    if (document.contains("stages")) return check_curriculum(text, file);
     if (document.contains("columns")) return "mapping of traces, " + parse_trace_mapping(text, file).title;
     if (document.contains("items")) return "observer form " + parse_form(text, file).name();
     return "scene " + parse_scene(text, file).id;
@@ -180,7 +188,7 @@ std::string check_file(const std::string& path) {
     }
     if (document.contains("levels") || document.contains("experts"))
         return "benchmark set of task " + load_benchmark(path).task;
-    if (document.contains("stages")) return "curriculum " + load_curriculum(path, task_ids()).name();
+    if (document.contains("stages")) return check_curriculum(read_text_file(path, JsonLimits().bytes), path);
     if (document.contains("columns")) return "mapping of traces, " + load_trace_mapping(path).title;
     if (document.contains("items")) return "observer form " + load_form(path).name();
     return "scene " + load_scene(path).id;

@@ -17,7 +17,8 @@ bool is_proficient(const TaskStanding& one) {
 
 /// Something that the trainee can do now and has not finished.
 bool is_left(const TaskStanding& one) {
-    return one.standing != Standing::locked && !is_proficient(one);
+    return one.standing != Standing::locked && one.standing != Standing::awaiting_rating &&
+           !is_proficient(one);
 }
 
 /// Sets the plateau of `concern` where the curve of `points` levels off below `pass_mark`; false where not.

@@ -31,6 +31,21 @@ void read_stages(const JsonDocument& document, Curriculum& curriculum) {
     }
 }
 
+RatingRule read_ratings(const JsonDocument& document, std::size_t number, const json& node) {
+    RatingRule rule;
+    rule.form = node.at("form").get<std::string>();
+    rule.raters = node.at("raters").get<int>();
+    rule.lowest_mean = node.at("lowest_mean").get<double>();
+    if (node.contains("items")) rule.items = node.at("items").get<std::vector<std::string>>();
+    if (node.contains("every_item")) rule.every_item = node.at("every_item").get<bool>();
+    if (node.contains("blind")) rule.blind = node.at("blind").get<bool>();
+    const std::set<std::string> once(rule.items.begin(), rule.items.end());
+    if (once.size() != rule.items.size())
+        document.fail(place(number, "ratings/items"), QT_TRANSLATE_NOOP("errors", "an item is listed twice"),
+                      QT_TRANSLATE_NOOP("errors", "list every item once"));
+    return rule;
+}
+
 CurriculumTask read_task(const JsonDocument& document, std::size_t number, const json& node) {
     CurriculumTask task;
     task.task = node.at("task").get<std::string>();
@@ -42,6 +57,7 @@ CurriculumTask read_task(const JsonDocument& document, std::size_t number, const
         document.fail(place(number, "rule"), error.problem_sentence(), error.hint_sentence());
     }
     if (node.contains("variants")) task.variants = node.at("variants").get<int>();
+    if (node.contains("ratings")) task.ratings = read_ratings(document, number, node.at("ratings"));
     for (const json& name : node.at("device_classes"))
         task.device_classes.push_back(find_row(device_classes, name.get<std::string>())->kind);
     return task;

@@ -3,9 +3,11 @@
 // files in assets/curricula, schema assets/schemas/curriculum.schema.json.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "assessment/curriculum/rating_rule.h"
 #include "assessment/learning/pass_rule.h"
 #include "assessment/task/attempt_words.h"
 
@@ -23,6 +25,7 @@ struct CurriculumTask {
     PassRule rule;                            ///< when a trainee is proficient
     std::vector<DeviceClass> device_classes;  ///< whose attempts count
     int variants = 1;                         ///< the passes that the rule counts are on at least so many
+    std::optional<RatingRule> ratings = {};   ///< of the attempt that completes the rule; none: not asked for
 };
 
 struct Curriculum {
@@ -55,7 +58,7 @@ bool counts(const CurriculumTask& task, DeviceClass used);
 
 /// Throws InputError with file, place and hint: not valid by the schema, a stage, task or prerequisite that
 /// is not there or named twice, a prerequisite of a later stage, a cycle, a rule that is none. `tasks`: the
-/// installed ones.
+/// installed ones. Forms and items of ratings: check_ratings().
 Curriculum parse_curriculum(const std::string& text, const std::string& file,
                             const std::vector<std::string>& tasks);
 Curriculum load_curriculum(const std::string& path, const std::vector<std::string>& tasks);

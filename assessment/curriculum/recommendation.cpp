@@ -74,7 +74,7 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
         }))
         return choose.say(RecommendationReason::relapsed, *one);
     const auto waits = [](const TaskStanding& one) {
-        return one.standing != Standing::locked && !is_done(one);
+        return one.standing != Standing::locked && one.standing != Standing::awaiting_rating && !is_done(one);
     };
     if (const TaskStanding* one = choose.lowest_stage(
             [&](const TaskStanding& each) { return waits(each) && choose.assessable(each); }))
@@ -83,6 +83,9 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
             *one);
     if (const TaskStanding* one = choose.lowest_stage(waits))
         return choose.say(RecommendationReason::practice_only, *one);
+    if (const TaskStanding* one = choose.lowest_stage(
+            [](const TaskStanding& each) { return each.standing == Standing::awaiting_rating; }))
+        return choose.say(RecommendationReason::awaits_rating, *one);
     if (const TaskStanding* one =
             choose.longest_ago([](const TaskStanding& each) { return each.standing != Standing::locked; }))
         return choose.say(RecommendationReason::all_done, *one);

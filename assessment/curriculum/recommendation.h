@@ -19,6 +19,7 @@ enum class RecommendationReason : std::uint8_t {
     not_tried,      ///< unlocked, never attempted
     longest_ago,    ///< unlocked, of those in its stage the one not practised longest
     practice_only,  ///< what is left cannot be assessed with this device
+    awaits_rating,  ///< what is left waits for ratings by educators; practice keeps the skill
     all_done        ///< every task is done; this one was performed longest ago
 };
 

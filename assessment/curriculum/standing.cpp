@@ -87,6 +87,58 @@ RuleState judge(const CurriculumTask& task, const std::vector<Outcome>& outcomes
     return state;
 }
 
+/// Released ratings by attempt.
+using RatingsByAttempt = std::map<std::string, std::vector<ReleasedRating>>;
+
+/// The rule over a series of outcomes, and the ratings of the attempt that completed it.
+class RuleRun {
+  public:
+    /// Whether the rule is met with this outcome.
+    bool attempt(const CurriculumTask& task, const Outcome& outcome, const CountedAttempt& one,
+                 const RatingsByAttempt& ratings) {
+        outcomes_.push_back(outcome);
+        state_ = judge(task, outcomes_);
+        if (state_.met && (rated_.empty() || rated_low(task, ratings, one.time))) {
+            rated_ = one.id;
+            rated_time_ = one.time;
+        }
+        return look(task, ratings, one.time);
+    }
+    /// Whether it is met at `at`, with the ratings released until then.
+    bool look(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
+        return !rated_.empty() && (!task.ratings || verdict(task, ratings, at).met);
+    }
+    bool awaits(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
+        return !rated_.empty() && task.ratings && !verdict(task, ratings, at).enough;
+    }
+    bool rated_low(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
+        if (rated_.empty() || !task.ratings) return false;
+        const RatingVerdict said = verdict(task, ratings, at);
+        return said.enough && !said.met;
+    }
+    void show_ratings(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at,
+                      TaskStanding& standing) const {
+        standing.rated_attempt = rated_;
+        standing.rated_time = rated_time_;
+        standing.raters = verdict(task, ratings, at).raters;
+        standing.raters_needed = task.ratings->raters;
+    }
+    const RuleState& state() const { return state_; }
+
+  private:
+    RatingVerdict verdict(const CurriculumTask& task, const RatingsByAttempt& ratings,
+                          std::int64_t at) const {
+        const auto found = ratings.find(rated_);
+        return judge_ratings(*task.ratings,
+                             found == ratings.end() ? std::vector<ReleasedRating>() : found->second, at);
+    }
+
+    std::vector<Outcome> outcomes_;
+    RuleState state_;
+    std::string rated_;  ///< the attempt that completed the passes; empty: none did
+    std::int64_t rated_time_ = 0;
+};
+
 /// One task of one trainee, event by event.
 class TaskRun {
   public:
@@ -94,7 +146,7 @@ class TaskRun {
 
     bool met_ever() const { return declared_ever_ || met_provisionally_; }
 
-    void attempt(const CurriculumTask& task, const CountedAttempt& one) {
+    void attempt(const CurriculumTask& task, const CountedAttempt& one, const RatingsByAttempt& ratings) {
         last_ = one.time;
         ++attempts_;
         if (one.passed) {
@@ -102,22 +154,22 @@ class TaskRun {
             ++passes_;
         }
         const Outcome outcome{one.passed, local_day(one), one.variant};
-        all_.push_back(outcome);
-        if (!met_provisionally_) {
-            all_state_ = judge(task, all_);
-            met_provisionally_ = all_state_.met;
-        }
+        met_provisionally_ = met_provisionally_ || all_.attempt(task, outcome, one, ratings);
         // What provisional limits say neither makes nor ends proficiency.
         if (one.provisional) return;
         if (relapsed_) {
             regain(outcome, one.time);
         } else if (declared_at_ != 0) {
             keep(outcome, one.time);
-        } else {
-            firm_.push_back(outcome);
-            firm_state_ = judge(task, firm_);
-            if (firm_state_.met) declare(one.time, false);
+        } else if (firm_.attempt(task, outcome, one, ratings)) {
+            declare(one.time, false);
         }
+    }
+
+    /// Ratings were released, or the rule is another one.
+    void look(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) {
+        met_provisionally_ = met_provisionally_ || all_.look(task, ratings, at);
+        if (!relapsed_ && declared_at_ == 0 && firm_.look(task, ratings, at)) declare(at, false);
     }
 
     void declare(std::int64_t time, bool by_override) {
@@ -130,7 +182,8 @@ class TaskRun {
         next_check_ = scheduled_after(time);
     }
 
-    TaskStanding standing(const CurriculumTask& task, std::int64_t at) const {
+    TaskStanding standing(const CurriculumTask& task, const RatingsByAttempt& ratings,
+                          std::int64_t at) const {
         TaskStanding result;
         result.task = task.task;
         result.attempts = attempts_;
@@ -154,13 +207,14 @@ class TaskRun {
                           : attempts_ > 0 ? Standing::attempted
                                           : Standing::open;
         if (!unlocked) result.standing = Standing::locked;
+        const bool waits = show_ratings(task, ratings, at, result);
         result.provisional = provisional_;
         result.met_provisionally = met_provisionally_;
-        const RuleState& shown = provisional_ ? all_state_ : firm_state_;
+        const RuleState& shown = provisional_ ? all_.state() : firm_.state();
         result.one_more_day = shown.one_more_day && !met_provisionally_;
         result.more_variants = met_provisionally_ ? 0 : shown.more_variants;
         result.progress = met_provisionally_ ? 1 : shown.progress;
-        result.stalled = !met_provisionally_ && attempts_ >= most_attempts;
+        result.stalled = !waits && !met_provisionally_ && attempts_ >= most_attempts;
         return result;
     }
 
@@ -169,6 +223,23 @@ class TaskRun {
         std::int64_t day = 0;
         int passes = 0, failures = 0;
     };
+
+    /// Whether ratings are missing, by limits that are firm or by provisional ones.
+    bool show_ratings(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at,
+                      TaskStanding& result) const {
+        for (const RuleRun* run : {&firm_, &all_}) {
+            if (run == &all_ && met_provisionally_) continue;
+            if (!run->awaits(task, ratings, at)) continue;
+            run->show_ratings(task, ratings, at, result);
+            result.standing = Standing::awaiting_rating;
+            return true;
+        }
+        const RuleRun& shown = provisional_ ? all_ : firm_;
+        if (met_provisionally_ || !shown.rated_low(task, ratings, at)) return false;
+        shown.show_ratings(task, ratings, at, result);
+        result.rated_low = true;
+        return false;
+    }
 
     std::int64_t scheduled_after(std::int64_t time) const {
         std::int64_t date = 0;
@@ -211,8 +282,8 @@ class TaskRun {
     int attempts_ = 0, passes_ = 0;
     bool provisional_ = false, met_provisionally_ = false;
     std::int64_t last_ = 0;
-    std::vector<Outcome> all_, firm_, since_relapse_;
-    RuleState all_state_, firm_state_;
+    RuleRun all_, firm_;
+    std::vector<Outcome> since_relapse_;
     std::int64_t declared_at_ = 0, next_check_ = 0;
     bool declared_ever_ = false, declared_by_override_ = false, relapsed_ = false, maintained_ = false;
     RelapseCusum cusum_;
@@ -222,23 +293,28 @@ class TaskRun {
 /// What was recorded, in the order in which it happened.
 struct Entry {
     std::int64_t time = 0;
-    int kind = 0;  // at the same time: assignments, then overrides, then attempts
+    int kind = 0;  // at the same time: assignments, then overrides, attempts, ratings
     std::string id;
     const CurriculumAssignment* assignment = nullptr;
     const StandingOverride* decision = nullptr;
     const CountedAttempt* attempt = nullptr;
+    const ReleasedRating* rating = nullptr;
 };
 
 std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
     std::vector<Entry> entries;
     for (const CurriculumAssignment& one : record.assignments)
-        if (one.time <= at) entries.push_back({one.time, 0, one.curriculum->name(), &one, nullptr, nullptr});
+        if (one.time <= at)
+            entries.push_back({one.time, 0, one.curriculum->name(), &one, nullptr, nullptr, nullptr});
     for (const StandingOverride& one : record.overrides)
-        if (one.time <= at) entries.push_back({one.time, 1, one.id, nullptr, &one, nullptr});
+        if (one.time <= at) entries.push_back({one.time, 1, one.id, nullptr, &one, nullptr, nullptr});
     for (const CountedAttempt& one : record.attempts) {
         const bool voided = one.voided_at != 0 && one.voided_at <= at;
-        if (one.time <= at && !voided) entries.push_back({one.time, 2, one.id, nullptr, nullptr, &one});
+        if (one.time <= at && !voided)
+            entries.push_back({one.time, 2, one.id, nullptr, nullptr, &one, nullptr});
     }
+    for (const ReleasedRating& one : record.ratings)
+        if (one.time <= at) entries.push_back({one.time, 3, one.id, nullptr, nullptr, nullptr, &one});
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return std::tie(a.time, a.kind, a.id) < std::tie(b.time, b.kind, b.id);
     });
@@ -247,14 +323,21 @@ std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
 
 class Programme {
   public:
+    explicit Programme(const std::vector<ReleasedRating>& ratings) {
+        for (const ReleasedRating& one : ratings) ratings_[one.attempt].push_back(one);
+    }
+
     void take(const Entry& entry) {
         if (entry.assignment != nullptr) curriculum_ = entry.assignment->curriculum;
         if (entry.decision != nullptr) decide(*entry.decision);
         if (entry.attempt != nullptr && curriculum_ != nullptr) {
             const CurriculumTask* task = curriculum_->find(entry.attempt->task);
             if (task != nullptr && runs_[task->task].unlocked && counts(*task, entry.attempt->device_class))
-                runs_[task->task].attempt(*task, *entry.attempt);
+                runs_[task->task].attempt(*task, *entry.attempt, ratings_);
         }
+        if ((entry.assignment != nullptr || entry.rating != nullptr) && curriculum_ != nullptr)
+            for (const CurriculumTask& task : curriculum_->tasks)
+                runs_[task.task].look(task, ratings_, entry.time);
         unlock();
     }
 
@@ -262,7 +345,7 @@ class Programme {
         std::vector<TaskStanding> result;
         if (curriculum_ == nullptr) return result;
         for (const CurriculumTask& task : curriculum_->tasks) {
-            result.push_back(runs_[task.task].standing(task, at));
+            result.push_back(runs_[task.task].standing(task, ratings_, at));
             if (result.back().standing == Standing::locked) result.back().waits_for = missing(task);
         }
         return result;
@@ -294,13 +377,14 @@ class Programme {
     }
 
     const Curriculum* curriculum_ = nullptr;
+    RatingsByAttempt ratings_;
     std::map<std::string, TaskRun> runs_;
 };
 
 }  // namespace
 
 std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at) {
-    Programme programme;
+    Programme programme(record.ratings);
     for (const Entry& entry : entries_of(record, at)) programme.take(entry);
     return programme.standings_at(at);
 }

@@ -5,7 +5,11 @@
 //
 // Provisional limits allow a pass, never proficiency. Whoever meets the rule on them is shown as "passed
 // (provisional)", and the next tasks unlock, so that a site without expert sets of its own can be used.
-// docs/METRICS.md, Progress.
+//
+// Where a rule asks for ratings, the attempt that completes the passes is the one to be rated, and stays it
+// whatever is performed while it waits. Too few ratings: awaiting rating. Enough and high enough: proficient
+// from the release of the last one. Enough and too low: passed, and the next attempt that completes the rule
+// is rated. docs/METRICS.md, Progress.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +20,24 @@
 
 namespace fulcrum {
 
-enum class Standing : std::uint8_t { locked, open, attempted, passed, proficient, maintained, due, relapsed };
+enum class Standing : std::uint8_t {
+    locked,
+    open,
+    attempted,
+    passed,
+    awaiting_rating,
+    proficient,
+    maintained,
+    due,
+    relapsed
+};
 inline constexpr NameRow<Standing> standing_names[] = {
     {Standing::locked, "locked", QT_TRANSLATE_NOOP("fulcrum::standings", "locked")},
     {Standing::open, "open", QT_TRANSLATE_NOOP("fulcrum::standings", "open")},
     {Standing::attempted, "attempted", QT_TRANSLATE_NOOP("fulcrum::standings", "attempted")},
     {Standing::passed, "passed", QT_TRANSLATE_NOOP("fulcrum::standings", "passed")},
+    {Standing::awaiting_rating, "awaiting_rating",
+     QT_TRANSLATE_NOOP("fulcrum::standings", "awaiting rating")},
     {Standing::proficient, "proficient", QT_TRANSLATE_NOOP("fulcrum::standings", "proficient")},
     {Standing::maintained, "maintained", QT_TRANSLATE_NOOP("fulcrum::standings", "maintained")},
     {Standing::due, "due", QT_TRANSLATE_NOOP("fulcrum::standings", "check due")},
@@ -58,20 +74,25 @@ struct PersonRecord {
     std::vector<CurriculumAssignment> assignments;
     std::vector<CountedAttempt> attempts;
     std::vector<StandingOverride> overrides;
+    std::vector<ReleasedRating> ratings = {};  ///< of these attempts
 };
 
 struct TaskStanding {
     std::string task;
     Standing standing = Standing::locked;
-    bool provisional = false;            ///< passed: every pass so far is by provisional limits
-    bool met_provisionally = false;      ///< the rule is met, by provisional limits
-    bool one_more_day = false;           ///< the rule is met but for passes on a second day
-    int more_variants = 0;               ///< the rule is met but for passes on so many more variants
-    bool stalled = false;                ///< 60 attempts without a declaration: the educator is asked
-    bool by_override = false;            ///< unlocked or declared proficient by an educator
-    bool overdue = false;                ///< due for more than 14 days
-    int attempts = 0, passes = 0;        ///< that count
-    double progress = 0;                 ///< 0 to 1 towards the rule, before it is met
+    bool provisional = false;           ///< passed: every pass so far is by provisional limits
+    bool met_provisionally = false;     ///< the rule is met, by provisional limits
+    bool one_more_day = false;          ///< the rule is met but for passes on a second day
+    int more_variants = 0;              ///< the rule is met but for passes on so many more variants
+    bool rated_low = false;             ///< enough ratings, too low: another attempt has to complete the rule
+    std::string rated_attempt;          ///< the one whose ratings the rule asks for; empty: none
+    std::int64_t rated_time = 0;        ///< UTC ms, when that attempt began
+    int raters = 0, raters_needed = 0;  ///< whose ratings of it count; that the rule asks for
+    bool stalled = false;               ///< 60 attempts without a declaration: the educator is asked
+    bool by_override = false;           ///< unlocked or declared proficient by an educator
+    bool overdue = false;               ///< due for more than 14 days
+    int attempts = 0, passes = 0;       ///< that count
+    double progress = 0;                ///< 0 to 1 towards the rule, before it is met
     std::vector<std::string> waits_for;  ///< locked: prerequisites that are missing
     std::int64_t declared_at = 0;        ///< UTC ms; 0: not proficient
     std::int64_t next_check = 0;         ///< UTC ms; 0: none

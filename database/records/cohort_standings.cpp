@@ -44,7 +44,8 @@ CountedAttempt counted_attempt(const AttemptSummary& attempt) {
 
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
-                                 std::int64_t at, const std::vector<CurriculumAssignment>& followed) {
+                                 std::int64_t at, const std::vector<CurriculumAssignment>& followed,
+                                 std::vector<ReleasedRating> ratings) {
     PersonStandings person;
     std::vector<const AttemptSummary*> by_time;
     for (const AttemptSummary& attempt : attempts)
@@ -53,6 +54,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
         return std::tie(a->meta.started, a->meta.id) < std::tie(b->meta.started, b->meta.id);
     });
     PersonRecord record;
+    record.ratings = std::move(ratings);
     record.assignments = followed;
     if (followed.empty()) record.assignments.push_back({0, &curriculum});
     const Curriculum& own = *record.assignments.back().curriculum;  // moves are in the order of time

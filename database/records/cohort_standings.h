@@ -52,11 +52,12 @@ struct PersonStandings {
 
 /// What a person's attempts and decisions of educators give at `at`. `attempts`: of any kind, not voided, in
 /// any order. `followed`: the versions of the curriculum that the person has followed, empty: `curriculum`
-/// from the beginning. The tasks are those of `curriculum`; one that the person's own version lacks is
-/// locked. Pure.
+/// from the beginning. `ratings`: released ones of these attempts. The tasks are those of `curriculum`; one
+/// that the person's own version lacks is locked. Pure.
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
-                                 std::int64_t at, const std::vector<CurriculumAssignment>& followed = {});
+                                 std::int64_t at, const std::vector<CurriculumAssignment>& followed = {},
+                                 std::vector<ReleasedRating> ratings = {});
 
 /// One task over the people of a cohort.
 struct TaskOverview {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/curriculum/rating_rule.h"
 #include "assessment/forms/observer_form.h"
 #include "assessment/learning/rater_agreement.h"
 #include "database/store/store.h"
@@ -58,6 +59,10 @@ struct FormAgreement {
     int attempts = 0, raters = 0;  ///< of the largest complete table; 0: there is none
     std::optional<Correlation> icc;
 };
+
+/// What the function of standings needs of the released forms of a person's attempts, by id. Not checked: for
+/// those who may read the person's progress.
+std::vector<ReleasedRating> released_ratings(Connection& connection, const std::string& person_id);
 
 class Ratings {
   public:

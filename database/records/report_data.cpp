@@ -10,6 +10,7 @@
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
 #include "database/records/curricula.h"
+#include "database/records/ratings.h"
 #include "database/rows/person_kind.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
@@ -154,7 +155,9 @@ PersonStandings standings_of(const Store& store, const Session& session, const P
     const std::vector<CurriculumAssignment> followed =
         Curricula(store).assignments(session, person.id, curriculum);
     PersonStandings standings =
-        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at, followed);
+        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at, followed,
+                         asks_for_ratings(curriculum) ? released_ratings(store.connection(), person.id)
+                                                      : std::vector<ReleasedRating>());
     standings.person_id = person.id;
     standings.login = person.login;
     standings.name = person.name;

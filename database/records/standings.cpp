@@ -4,6 +4,7 @@
 #include "database/records/attempt_query.h"
 #include "database/records/cohort_standings.h"
 #include "database/records/curricula.h"
+#include "database/records/ratings.h"
 #include "database/rows/crypto.h"
 #include "database/store/audit.h"
 #include "database/store/override_rows.h"
@@ -32,6 +33,7 @@ PersonRecord Standings::record(const Session& session, const std::string& person
         record.attempts.push_back(counted_attempt(attempt));
     }
     for (const OverrideRow& row : overrides(session, person_id)) record.overrides.push_back(row.decision);
+    if (asks_for_ratings(curriculum)) record.ratings = released_ratings(store_.connection(), person_id);
     return record;
 }
 

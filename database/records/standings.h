@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person's record says for a curriculum: the attempts that count, voids, and the decisions of
-// educators. assessment/curriculum makes the standing of it; nothing else is stored.
+// What a person's record says for a curriculum: the attempts that count, voids, the decisions of
+// educators, and released ratings. assessment/curriculum makes the standing of it; nothing else is stored.
 #pragma once
 
 #include <string>

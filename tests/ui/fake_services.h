@@ -34,6 +34,7 @@ class FakeServices : public ApplicationServices {
     bool build_demo(const Progress& progress) override;
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }
+    void set_curriculum(Curriculum curriculum) { curriculum_ = std::move(curriculum); }
     Scene scene_for(const TaskDefinition& task, const std::string& variant) const override;
     std::string scene_text(const TaskDefinition& task, const std::string& variant) const override;
     WorldSnapshot world_at_start(const TaskDefinition& task, const std::string& variant) const override;

@@ -48,7 +48,7 @@ CurriculumPage::CurriculumPage(Context& context)
     card_layout(card)->addWidget(restore_, 0, Qt::AlignLeft);
     card_layout(card)->addWidget(make_label(
         tr("Exact for trainees who pass every attempt with the same chance. Learning, the two days "
-           "and the variants that a rule may ask for are left out: they delay it further."),
+           "and the variants and ratings that a rule may ask for are left out: they delay it further."),
         "muted"));
     row->addWidget(card, 3);
     layout->addLayout(row, 1);
@@ -132,6 +132,9 @@ void CurriculumPage::show_task() {
     facts << (before.isEmpty() ? tr("open from the start")
                                : tr("opens after %1").arg(before.join(QStringLiteral(", "))));
     if (task->variants > 1) facts << tr("passes on %n variants", nullptr, task->variants);
+    if (task->ratings)
+        facts << tr("%n ratings with the form %1, mean at least %2", nullptr, task->ratings->raters)
+                     .arg(text(task->ratings->form), figure(task->ratings->lowest_mean));
     QStringList classes;
     for (const DeviceClass one : task->device_classes) classes << device_class_text(one);
     facts << tr("devices: %1").arg(classes.join(QStringLiteral(", ")));

@@ -18,9 +18,9 @@ using database::TaskOverview;
 namespace {
 
 /// From what is done to what is locked, as the bar shows it from the left.
-constexpr Standing bar_order[] = {Standing::maintained, Standing::proficient, Standing::due,
-                                  Standing::relapsed,   Standing::passed,     Standing::attempted,
-                                  Standing::open,       Standing::locked};
+constexpr Standing bar_order[] = {
+    Standing::maintained, Standing::proficient, Standing::due,  Standing::relapsed, Standing::awaiting_rating,
+    Standing::passed,     Standing::attempted,  Standing::open, Standing::locked};
 
 QColor colour_of(Standing standing) {
     const Palette& p = colours();
@@ -32,6 +32,7 @@ QColor colour_of(Standing standing) {
             return p.warning;
         case Standing::relapsed:
             return p.bad;
+        case Standing::awaiting_rating:
         case Standing::passed:
         case Standing::attempted:
             return p.accent;
@@ -120,6 +121,7 @@ class OverviewChart : public QWidget {
             QColor fill = colour_of(standing);
             if (standing == Standing::attempted || standing == Standing::open) fill.setAlphaF(0.3);
             if (standing == Standing::passed) fill.setAlphaF(0.6);
+            if (standing == Standing::awaiting_rating) fill.setAlphaF(0.8);
             painter.setPen(QPen(colours().card, 1.5));
             painter.setBrush(standing == Standing::locked ? QBrush(Qt::NoBrush) : QBrush(fill));
             if (standing == Standing::locked) painter.setPen(QPen(colours().line, 1));

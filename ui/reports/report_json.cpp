@@ -93,6 +93,19 @@ Json metric_json(const database::MetricRow& metric) {
             {"evidence", std::move(evidence)}};
 }
 
+namespace {
+
+/// What the rule still asks of raters, or asked in vain; null where nothing.
+Json rating_state_json(const TaskStanding& standing) {
+    if (standing.rated_attempt.empty()) return nullptr;
+    return {{"attempt", standing.rated_attempt},
+            {"raters", standing.raters},
+            {"raters_needed", standing.raters_needed},
+            {"too_low", standing.rated_low}};
+}
+
+}  // namespace
+
 Json standings_json(const database::PersonStandings& person) {
     Json tasks = Json::array(), concerns = Json::array();
     for (const database::PersonTask& task : person.tasks) {
@@ -105,6 +118,7 @@ Json standings_json(const database::PersonStandings& person) {
                          {"passes", standing.passes},
                          {"towards_proficiency", standing.progress},
                          {"waits_for", standing.waits_for},
+                         {"rating", rating_state_json(standing)},
                          {"proficient_since", time_or_null(standing.declared_at)},
                          {"next_check", time_or_null(standing.next_check)}});
     }

@@ -32,7 +32,8 @@ const std::vector<SheetColumn>& cohort_columns() {
         {"last_attempt_utc", "-", "start of the latest attempt of any kind, ISO 8601 UTC"},
         {"standing", "-",
          "standing in the curriculum over the device classes that count there: locked, open, attempted, "
-         "passed, proficient, maintained, due, relapsed; empty: the task does not belong to it"},
+         "passed, awaiting_rating, proficient, maintained, due, relapsed; empty: the task does not belong to "
+         "it"},
         {"proficient_since_utc", "-", "when proficiency was declared, ISO 8601 UTC; empty: it was not"},
         {"next_check_utc", "-", "when the next retention check is due, ISO 8601 UTC"},
         {"metric_versions", "-", "metric@version of every metric behind the values"},

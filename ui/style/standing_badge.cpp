@@ -45,6 +45,17 @@ void paint_clock(QPainter& painter, const QRectF& disc, const QPen& pen) {
     painter.drawLine(centre, centre + QPointF(0.24 * disc.width(), 0.12 * disc.height()));
 }
 
+/// A ring with three dots.
+void paint_waiting(QPainter& painter, const QRectF& disc, const QPen& pen) {
+    painter.setPen(pen);
+    painter.drawEllipse(disc);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(pen.color());
+    const double dot = 0.08 * disc.width();
+    for (const int place : {-1, 0, 1})
+        painter.drawEllipse(disc.center() + QPointF(place * 0.24 * disc.width(), 0), dot, dot);
+}
+
 void paint_triangle(QPainter& painter, const QRectF& disc, const Palette& p) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(p.bad);
@@ -87,6 +98,9 @@ void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& st
             painter.drawPath(tick(disc));
             break;
         }
+        case Standing::awaiting_rating:
+            paint_waiting(painter, disc, pen(p.good));
+            break;
         case Standing::proficient:
         case Standing::maintained:
             painter.setPen(Qt::NoPen);
@@ -139,6 +153,8 @@ QString standing_text(const TaskStanding& standing) {
             return standing.provisional
                        ? say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed (provisional)"))
                        : say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed"));
+        case Standing::awaiting_rating:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed, awaiting rating"));
         case Standing::proficient:
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "proficient since %1"))
                 .arg(date_text(standing.declared_at));
@@ -163,6 +179,11 @@ QString standing_detail(const TaskStanding& standing) {
         case Standing::attempted:
         case Standing::passed:
             break;
+        case Standing::awaiting_rating:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                         "Educators rate the attempt of %1: %2 of %3 ratings are released."))
+                .arg(date_text(standing.rated_time), QString::number(standing.raters),
+                     QString::number(standing.raters_needed));
         case Standing::proficient:
         case Standing::maintained:
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Next check on %1."))
@@ -177,6 +198,11 @@ QString standing_detail(const TaskStanding& standing) {
         return say(QT_TRANSLATE_NOOP(
             "fulcrum::ui::standing",
             "The rule is met on provisional limits: later tasks unlock, but nobody is declared proficient."));
+    if (standing.rated_low)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                     "The ratings of the attempt of %1 are below the limit: the next pass "
+                                     "that meets the rule is rated."))
+            .arg(date_text(standing.rated_time));
     if (standing.one_more_day)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass once more on another day."));
     if (standing.more_variants == 1)

@@ -11,8 +11,8 @@ class QPainter;
 namespace fulcrum::ui {
 
 /// Locked: a padlock; open: a ring; attempted: a ring with a dot; passed: a tick in a ring (provisional: the
-/// ring dashed); proficient: a filled disc with a tick; maintained: the same with a second ring; due: a
-/// clock; relapsed: a triangle. Colours of the theme in force.
+/// ring dashed); awaiting rating: a ring with three dots; proficient: a filled disc with a tick; maintained:
+/// the same with a second ring; due: a clock; relapsed: a triangle. Colours of the theme in force.
 void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& standing);
 
 /// One or two words: "locked", "passed (provisional)", "check overdue".

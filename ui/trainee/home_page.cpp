@@ -172,7 +172,8 @@ QFrame* HomePage::task_card(const std::string& task_id, const TaskStanding* stan
     head->addWidget(title, 1);
     card_layout(card)->addLayout(head);
     if (standing != nullptr) {
-        const bool done = standing->declared_at != 0 || standing->standing == Standing::passed;
+        const bool done = standing->declared_at != 0 || standing->standing == Standing::passed ||
+                          standing->standing == Standing::awaiting_rating;
         card_layout(card)->addWidget(make_label(standing_text(*standing), done ? "good" : "neutral"));
         const QString detail = standing_detail(*standing);
         if (!detail.isEmpty()) card_layout(card)->addWidget(make_label(detail, "muted"));

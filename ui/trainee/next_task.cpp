@@ -63,6 +63,10 @@ QString reason_text(const Recommendation& next, const QString& stage, std::int64
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "What is left cannot be assessed with mouse and keyboard; you can "
                                            "practise this task."));
+        case RecommendationReason::awaits_rating:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "What is left waits for the ratings of your educators; until then "
+                                           "you can practise this task."));
         case RecommendationReason::all_done:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "Every task is done; this is the one that you performed longest "

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/assets/assets.h"
+#include "database/records/ratings.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database {
@@ -105,6 +106,62 @@ TEST(Standings, CheckFindsADecisionThatNobodyMade) {
         "INSERT INTO standing_override SELECT 'forged', person_id, 'C4', kind, author_id, time, reason FROM "
         "standing_override");
     EXPECT_EQ(decisions().problems.size(), 1U);
+}
+
+TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
+    const Programme programme;
+    Curriculum curriculum = rectal();
+    for (CurriculumTask& task : curriculum.tasks)
+        if (task.task == "A2") {
+            task.rule = parse_pass_rule("row:2");
+            task.ratings = RatingRule{"goals", 2, 4, {}, false, false};
+        }
+    programme.people().set_educators(programme.session("director"), programme.cohort,
+                                     {programme.id("educator"), programme.id("other_educator")});
+    const ObserverForm goals = load_form(asset_path("forms/goals.json"));
+    const Ratings ratings(*programme.store);
+    const auto rate = [&](const char* login, const std::string& attempt, int value) {
+        const Session& rater = programme.session(login);
+        const std::string id = ratings.begin(rater, attempt, goals);
+        ratings.answer(rater, id, FormAnswers(goals.items.size(), value),
+                       std::vector<bool>(goals.items.size(), true), "");
+        ratings.hand_in(rater, id);
+    };
+    programme.record("ann");
+    programme.clock.pass_s(86'400);
+    const std::string rated = programme.record("ann");
+    const std::int64_t waits = programme.store->now();
+    EXPECT_EQ(standing(programme, curriculum, "A2", waits).standing, Standing::awaiting_rating);
+    EXPECT_EQ(standing(programme, curriculum, "A2", waits).rated_attempt, rated);
+    programme.clock.pass_s(60);
+    rate("educator", rated, 5);
+    rate("other_educator", rated, 3);
+    EXPECT_EQ(standing(programme, curriculum, "A2", programme.store->now()).raters, 0) << "not released";
+    programme.clock.pass_s(60);
+    ASSERT_EQ(ratings.release(programme.session("educator"), rated), 2);
+    const std::int64_t released = programme.store->now();
+    EXPECT_EQ(standing(programme, curriculum, "A2", released - 1).standing, Standing::awaiting_rating);
+    EXPECT_TRUE(standing(programme, curriculum, "A2", released).met_provisionally) << "mean 4";
+    EXPECT_EQ(standing(programme, curriculum, "B1", released).standing, Standing::open);
+    EXPECT_EQ(standing(programme, curriculum, "B1", released - 1).standing, Standing::locked);
+    // The cohort table, from which screens and exports are made, says the same.
+    CohortTableOptions options;
+    options.curriculum = &curriculum;
+    const auto of_a2 = [&] {
+        const CohortTable table =
+            Reports(*programme.store).cohort_table(programme.session("director"), programme.cohort, options);
+        for (const PersonStandings& person : table.standings)
+            for (const PersonTask& task : person.tasks)
+                if (person.login == "ann" && task.standing.task == "A2") return task.standing;
+        return TaskStanding();
+    };
+    EXPECT_TRUE(of_a2().met_provisionally);
+    programme.attempts().void_attempt(programme.session("educator"), rated, "wrong person");
+    EXPECT_FALSE(of_a2().met_provisionally);
+    const std::string again = programme.record("ann");
+    EXPECT_EQ(of_a2().standing, Standing::awaiting_rating);
+    EXPECT_EQ(of_a2().rated_attempt, again);
+    EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
 }
 
 TEST(Standings, TheCohortTableCarriesThemWithTheLatestAttempts) {

@@ -64,8 +64,9 @@ class RatingPages : public ::testing::Test {
     }
 
     /// A finished attempt of one second.
-    std::string record() {
+    std::string record(std::int64_t started = 0) {
         database::AttemptMeta meta;
+        meta.started = started;
         meta.person_id = tara->person_id();
         meta.task_id = "A2";
         meta.mode = AttemptMode::assessed;
@@ -275,6 +276,53 @@ TEST_F(RatingPages, TheSecondRaterSeesTheFirstOnlyAfterwardsAndTheTraineeOnceRel
         EXPECT_FALSE(sees(*window, part)) << part;
     bring(*find<QWidget>(*window, "rating_profile"));
     keep("ratings-trainee");
+}
+
+TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
+    Curriculum curriculum = services.curriculum();
+    for (CurriculumTask& task : curriculum.tasks)
+        if (task.task == "A2") {
+            task.rule = parse_pass_rule("row:2");
+            task.ratings = RatingRule{"goals", 2, 3, {}, false, false};
+        }
+    services.set_curriculum(curriculum);
+    constexpr std::int64_t day = 86'400'000;
+    record(services.store()->now() - 2 * day);
+    const std::string id = record();
+    const auto at_home = [&] {
+        act_as(*tara);
+        EXPECT_EQ(window->current_page()->objectName(), "home_page");
+        return page_text();
+    };
+    QString home = at_home();
+    EXPECT_TRUE(home.contains("passed, awaiting rating"));
+    EXPECT_TRUE(home.contains("0 of 2 ratings are released"));
+    EXPECT_TRUE(home.contains("locked until proficient in A2"));
+    keep("home-awaiting-rating");
+    use_language(Language::german);
+    EXPECT_TRUE(at_home().contains(QString::fromUtf8("bestanden, Beurteilung steht aus")));
+    use_language(Language::english);
+    for (const Session* rater : {ed.get(), ida.get()}) {
+        act_as(*rater);
+        emit window->context().rating_wanted(QString::fromStdString(id));
+        ready();
+        click(*window, "rating_begin");
+        for (const char* item :
+             {"depth_perception", "bimanual_dexterity", "efficiency", "tissue_handling", "autonomy"})
+            choose(QStringLiteral("rate_%1_%2").arg(QLatin1String(item)).arg(rater == ed.get() ? 2 : 4));
+        click(*window, "rating_hand_in");
+    }
+    EXPECT_TRUE(at_home().contains("0 of 2 ratings are released")) << "handed in, not released";
+    act_as(*ed);
+    click(*window, "rail_cohort");
+    keep("grid-awaiting-rating");
+    open_debrief(id);
+    click(*window, "ratings_release");
+    home = at_home();
+    EXPECT_FALSE(home.contains("awaiting rating"));
+    EXPECT_TRUE(home.contains("proficient since"));
+    EXPECT_FALSE(home.contains("locked until proficient in A2"));
+    keep("home-rated");
 }
 
 TEST_F(RatingPages, ADraftSurvivesLeavingThePageAndSigningOut) {

@@ -4783,6 +4783,46 @@
         <source>%1; %2 may not be opened: %3</source>
         <translation>%1; %2 darf nicht geöffnet werden: %3</translation>
     </message>
+    <message>
+        <source>an item is listed twice</source>
+        <translation>ein Punkt ist doppelt aufgeführt</translation>
+    </message>
+    <message>
+        <source>list every item once</source>
+        <translation>führen Sie jeden Punkt einmal auf</translation>
+    </message>
+    <message>
+        <source>no observer form %1 is installed</source>
+        <translation>kein Beobachtungsbogen %1 ist installiert</translation>
+    </message>
+    <message>
+        <source>name the id of a file of assets/forms</source>
+        <translation>nennen Sie die id einer Datei aus assets/forms</translation>
+    </message>
+    <message>
+        <source>the form %1 is not filled in blind</source>
+        <translation>der Bogen %1 wird nicht verblindet ausgefüllt</translation>
+    </message>
+    <message>
+        <source>leave blind out, or choose a form with &quot;blind&quot;: true</source>
+        <translation>lassen Sie blind weg, oder wählen Sie einen Bogen mit &quot;blind&quot;: true</translation>
+    </message>
+    <message>
+        <source>%1 is not an item of the form %2</source>
+        <translation>%1 ist kein Punkt des Bogens %2</translation>
+    </message>
+    <message>
+        <source>name items of the form by their id</source>
+        <translation>nennen Sie Punkte des Bogens mit ihrer id</translation>
+    </message>
+    <message>
+        <source>is outside the scale of the item %1 (is %2)</source>
+        <translation>liegt außerhalb der Skala des Punkts %1 (ist %2)</translation>
+    </message>
+    <message>
+        <source>use a mean from %1 to %2</source>
+        <translation>verwenden Sie einen Mittelwert von %1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -6633,6 +6673,10 @@
         <source>relapsed</source>
         <translation>zurückgefallen</translation>
     </message>
+    <message>
+        <source>awaiting rating</source>
+        <translation>Beurteilung steht aus</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::statements</name>
@@ -7835,10 +7879,6 @@ Kennzahlen: %2</translation>
         <translation>Zurück zur geltenden Regel</translation>
     </message>
     <message>
-        <source>Exact for trainees who pass every attempt with the same chance. Learning, the two days and the variants that a rule may ask for are left out: they delay it further.</source>
-        <translation>Genau für Trainierende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen, die zwei Tage und die Varianten, die eine Regel verlangen kann, sind nicht berücksichtigt: Sie verzögern es weiter.</translation>
-    </message>
-    <message>
         <source>New version</source>
         <translation>Neue Version</translation>
     </message>
@@ -7892,6 +7932,17 @@ Kennzahlen: %2</translation>
     <message>
         <source>Wrote %1. It takes effect once it is installed: the manual says how.</source>
         <translation>%1 wurde geschrieben. Sie gilt, sobald sie installiert ist: Das Handbuch sagt, wie.</translation>
+    </message>
+    <message>
+        <source>Exact for trainees who pass every attempt with the same chance. Learning, the two days and the variants and ratings that a rule may ask for are left out: they delay it further.</source>
+        <translation>Genau für Trainierende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen, die zwei Tage sowie die Varianten und Beurteilungen, die eine Regel verlangen kann, sind nicht berücksichtigt: Sie verzögern es weiter.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n ratings with the form %1, mean at least %2</source>
+        <translation>
+            <numerusform>%n Beurteilung mit dem Bogen %1, Mittelwert mindestens %2</numerusform>
+            <numerusform>%n Beurteilungen mit dem Bogen %1, Mittelwert mindestens %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11588,6 +11639,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Every task is done; this is the one that you performed longest ago (%1).</source>
         <translation>Alle Aufgaben sind erledigt; bei dieser liegt Ihr letzter Versuch am längsten zurück (%1).</translation>
     </message>
+    <message>
+        <source>What is left waits for the ratings of your educators; until then you can practise this task.</source>
+        <translation>Was noch fehlt, sind Beurteilungen durch Ihre Ausbilder; bis dahin können Sie diese Aufgabe üben.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::pages</name>
@@ -11800,6 +11855,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 % of the way to proficiency.</source>
         <translation>%1 % des Weges bis „sicher beherrscht“.</translation>
+    </message>
+    <message>
+        <source>passed, awaiting rating</source>
+        <translation>bestanden, Beurteilung steht aus</translation>
+    </message>
+    <message>
+        <source>Educators rate the attempt of %1: %2 of %3 ratings are released.</source>
+        <translation>Ausbilder beurteilen den Versuch vom %1: %2 von %3 Beurteilungen sind freigegeben.</translation>
+    </message>
+    <message>
+        <source>The ratings of the attempt of %1 are below the limit: the next pass that meets the rule is rated.</source>
+        <translation>Die Beurteilungen des Versuchs vom %1 liegen unter der Grenze: Der nächste bestandene Versuch, mit dem die Regel erfüllt ist, wird beurteilt.</translation>
     </message>
 </context>
 <context>

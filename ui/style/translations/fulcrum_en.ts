@@ -31,6 +31,13 @@
             <numerusform>passes on %n variants</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n ratings with the form %1, mean at least %2</source>
+        <translation>
+            <numerusform>%n rating with the form %1, mean at least %2</numerusform>
+            <numerusform>%n ratings with the form %1, mean at least %2</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ImportCard</name>
