@@ -118,15 +118,30 @@ struct ByName {
     }
 };
 
+/// The released forms that the session may see, by attempt.
+using ReleasedForms = std::map<std::string, std::vector<RatingRow>>;
+ReleasedForms released_forms(const Store& store, const Session& session, const std::string& person_id,
+                             const std::string& task_id = {}) {
+    ReleasedForms released;
+    if (!store.allowed(session, Operation::read_ratings, Subject::person(person_id))) return released;
+    for (auto& [attempt, shown] : Ratings(store).of_person(session, person_id, task_id))
+        for (RatingRow& row : shown.rows)
+            if (row.released > 0) released[attempt].push_back(std::move(row));
+    return released;
+}
+
 /// One person's rows, tasks in the order given; every task has at least one row.
 std::vector<CohortRow> rows_of(const PersonName& person, const std::vector<std::string>& tasks,
-                               const std::vector<AttemptSummary>& attempts) {
+                               const std::vector<AttemptSummary>& attempts, const ReleasedForms& released) {
     std::vector<CohortRow> rows;
     for (const std::string& task : tasks) {
         std::map<std::optional<DeviceClass>, CohortRow, ByName> by_class;
+        std::map<std::optional<DeviceClass>, std::vector<const std::vector<RatingRow>*>> rated;
         for (const AttemptSummary& attempt : attempts) {
-            if (attempt.meta.task_id == task && attempt.recorded_state != AttemptState::running)
-                count(by_class[attempt.meta.device_class], attempt);
+            if (attempt.meta.task_id != task || attempt.recorded_state == AttemptState::running) continue;
+            count(by_class[attempt.meta.device_class], attempt);
+            const auto found = released.find(attempt.meta.id);
+            if (found != released.end()) rated[attempt.meta.device_class].push_back(&found->second);
         }
         if (by_class.empty()) by_class[std::nullopt];
         for (auto& [device_class, row] : by_class) {
@@ -135,6 +150,7 @@ std::vector<CohortRow> rows_of(const PersonName& person, const std::vector<std::
             row.name = person.name;
             row.task_id = task;
             row.device_class = device_class;
+            row.ratings = rated_forms(rated[device_class]);
             rows.push_back(std::move(row));
         }
     }
@@ -226,7 +242,10 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
     }
     table.people = static_cast<int>(shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        for (CohortRow& row : rows_of(shown[i], table.tasks, attempts[i]))
+        const ReleasedForms released = purpose == ReportPurpose::exported
+                                           ? released_forms(store_, session, shown[i].id)
+                                           : ReleasedForms();
+        for (CohortRow& row : rows_of(shown[i], table.tasks, attempts[i], released))
             table.rows.push_back(std::move(row));
         for (const AttemptSummary& attempt : attempts[i]) {
             if (attempt.counting) provenance.add(attempt);
@@ -271,10 +290,14 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
     Provenance provenance(store_);
     std::map<DeviceClass, ProgressSeries, ByName> by_class;
     CohortRow overall;
+    ReleasedForms released;
+    if (purpose == ReportPurpose::exported) released = released_forms(store_, session, person_id, task_id);
     for (const AttemptSummary& attempt : attempts) {
         if (attempt.recorded_state == AttemptState::running) continue;
         if (attempt.voided_at > 0) {
             progress.voided.push_back({attempt.meta.id, attempt.meta.started, attempt.voided_at});
+            for (const RatingRow& rating : released[attempt.meta.id])
+                progress.voided.back().ratings.push_back(rating.id);
             continue;
         }
         count(overall, attempt);
@@ -309,6 +332,7 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
             point.metrics = std::move(score.metrics);
             point.gates = std::move(score.gates);
         }
+        point.ratings = std::move(released[attempt.meta.id]);
         series.points.push_back(std::move(point));
     }
     progress.state = overall.state;
@@ -346,7 +370,9 @@ std::vector<CohortRow> Reports::person_table(const Session& session, const std::
     const std::vector<AttemptSummary> attempts = query_attempts(store_, session, all_of_person(person_id));
     std::vector<std::string> columns = tasks;
     if (columns.empty()) add_tasks(columns, attempts);
-    return rows_of(name_of(store_, person_id), columns, attempts);
+    const ReleasedForms released =
+        purpose == ReportPurpose::exported ? released_forms(store_, session, person_id) : ReleasedForms();
+    return rows_of(name_of(store_, person_id), columns, attempts, released);
 }
 
 }  // namespace fulcrum::database

@@ -10,6 +10,7 @@
 
 #include "assessment/pathology/pathology.h"
 #include "database/records/cohort_standings.h"
+#include "database/records/rating_summary.h"
 #include "database/rows/attempt_records.h"
 #include "database/store/store.h"
 
@@ -36,7 +37,8 @@ struct CohortRow {
     int not_counting = 0;      ///< practice, interrupted, not scored
     std::optional<double> best_points;
     std::string best_attempt_id;
-    std::int64_t last_attempt = 0;  ///< UTC ms, any attempt; 0 none
+    std::int64_t last_attempt = 0;   ///< UTC ms, any attempt; 0 none
+    std::vector<RatedForm> ratings;  ///< released forms of its attempts; in exports only
 };
 
 struct CohortTable {
@@ -71,6 +73,7 @@ struct ProgressPoint {
     std::vector<MetricRow> metrics;            ///< of the score in force
     std::vector<GateRow> gates;                ///< of the score in force
     std::optional<PathologyReport> pathology;  ///< of the score in force, where the task leaves a specimen
+    std::vector<RatingRow> ratings;            ///< released forms, by handing in
 };
 struct ProgressSeries {
     DeviceClass device_class = DeviceClass::mouse_keyboard;
@@ -79,7 +82,8 @@ struct ProgressSeries {
 /// An attempt that an educator took out, for those who have already received it.
 struct VoidedAttempt {
     std::string attempt_id;
-    std::int64_t started = 0, at = 0;  ///< UTC ms
+    std::int64_t started = 0, at = 0;       ///< UTC ms
+    std::vector<std::string> ratings = {};  ///< ids of its released forms
 };
 struct PersonProgress {
     std::string person_id, login, name, task_id;

@@ -203,31 +203,6 @@ void ratings(Sheet& sheet, const AttemptPaper& paper, const QString& n) {
     }
 }
 
-nlohmann::ordered_json rating_json(const database::RatingRow& rating) {
-    using Json = nlohmann::ordered_json;
-    Json items = Json::array();
-    for (std::size_t i = 0; i < rating.form.items.size(); ++i) {
-        const FormItem& item = rating.form.items[i];
-        items.push_back({{"id", item.id},
-                         {"title", item.title},
-                         {"value", rating.answers[i] ? Json(*rating.answers[i]) : Json(nullptr)},
-                         {"lowest", item.lowest},
-                         {"highest", item.highest}});
-    }
-    const FormSum sum = form_sum(rating.form, rating.answers);
-    return {{"form", rating.form.name()},
-            {"title", rating.form.title},
-            {"rater", rating.rater_name},
-            {"blinding", row_of(database::blindings, rating.blinding).name},
-            {"handed_in", database::iso_utc(rating.handed_in)},
-            {"released", database::iso_utc(rating.released)},
-            {"sum", sum.answered == 0 ? Json(nullptr) : Json(sum.sum)},
-            {"sum_lowest", sum.lowest},
-            {"sum_highest", sum.highest},
-            {"items", std::move(items)},
-            {"remark", rating.remark.empty() ? Json(nullptr) : Json(rating.remark)}};
-}
-
 /// One line of the CSV: a figure of the attempt, its place where it belongs to one.
 void csv_row(std::string& csv, const AttemptPaper& paper, const std::string& figure,
              const std::string& version, const std::string& hand, const std::string& tissue,

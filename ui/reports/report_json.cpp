@@ -22,6 +22,21 @@ Json time_or_null(std::int64_t time) {
     return time == 0 ? Json(nullptr) : Json(database::iso_utc(time));
 }
 
+Json rated_json(const std::vector<database::RatedForm>& forms) {
+    Json list = Json::array();
+    for (const database::RatedForm& one : forms) {
+        Json items = Json::object();
+        for (const auto& [item, mean] : one.items) items[item] = mean;
+        list.push_back({{"form", one.form},
+                        {"title", one.title},
+                        {"attempts", one.attempts},
+                        {"forms", one.forms},
+                        {"scaled", one.scaled},
+                        {"items", std::move(items)}});
+    }
+    return list;
+}
+
 Json row_json(const database::CohortRow& row) {
     return {{"person_id", row.person_id},
             {"login", row.login},
@@ -36,12 +51,15 @@ Json row_json(const database::CohortRow& row) {
             {"not_counting", row.not_counting},
             {"best_points", or_null(row.best_points)},
             {"best_attempt", or_null(row.best_attempt_id)},
-            {"last_attempt", time_or_null(row.last_attempt)}};
+            {"last_attempt", time_or_null(row.last_attempt)},
+            {"ratings", rated_json(row.ratings)}};
 }
 
 Json point_json(const database::ProgressPoint& point) {
     Json metrics = Json::array();
     for (const database::MetricRow& metric : point.metrics) metrics.push_back(metric_json(metric));
+    Json ratings = Json::array();
+    for (const database::RatingRow& rating : point.ratings) ratings.push_back(rating_json(rating));
     return {{"attempt", point.attempt_id},
             {"number", point.number},
             {"started", database::iso_utc(point.started)},
@@ -59,7 +77,9 @@ Json point_json(const database::ProgressPoint& point) {
             {"not_scored_code", statement_json(point.not_scored_because)},
             {"points", or_null(point.points)},
             {"metrics", std::move(metrics)},
-            {"pathology", point.pathology ? Json::parse(pathology_json(*point.pathology)) : Json(nullptr)}};
+            {"pathology", point.pathology ? Json::parse(pathology_json(*point.pathology)) : Json(nullptr)},
+            {"ratings", std::move(ratings)},
+            {"rated", rated_json(database::rated_forms(point.ratings))}};
 }
 
 }  // namespace
@@ -91,6 +111,30 @@ Json metric_json(const database::MetricRow& metric) {
             {"unit", metric.unit},
             {"direction", row_of(metric_directions, metric.direction).name},
             {"evidence", std::move(evidence)}};
+}
+
+Json rating_json(const database::RatingRow& rating) {
+    Json items = Json::array();
+    for (std::size_t i = 0; i < rating.form.items.size(); ++i) {
+        const FormItem& item = rating.form.items[i];
+        items.push_back({{"id", item.id},
+                         {"title", item.title},
+                         {"value", rating.answers[i] ? Json(*rating.answers[i]) : Json(nullptr)},
+                         {"lowest", item.lowest},
+                         {"highest", item.highest}});
+    }
+    const FormSum sum = form_sum(rating.form, rating.answers);
+    return {{"form", rating.form.name()},
+            {"title", rating.form.title},
+            {"rater", rating.rater_name},
+            {"blinding", row_of(database::blindings, rating.blinding).name},
+            {"handed_in", database::iso_utc(rating.handed_in)},
+            {"released", database::iso_utc(rating.released)},
+            {"sum", sum.answered == 0 ? Json(nullptr) : Json(sum.sum)},
+            {"sum_lowest", sum.lowest},
+            {"sum_highest", sum.highest},
+            {"items", std::move(items)},
+            {"remark", rating.remark.empty() ? Json(nullptr) : Json(rating.remark)}};
 }
 
 namespace {

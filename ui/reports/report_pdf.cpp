@@ -8,6 +8,7 @@
 
 #include "ui/charts/attempt_chart.h"
 #include "ui/reports/paper.h"
+#include "ui/reports/rating_words.h"
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_texts.h"
 #include "ui/style/palette.h"
@@ -135,6 +136,48 @@ void person_charts(Sheet& sheet, const std::vector<const database::PersonProgres
     }
 }
 
+// 0.68 as "68 %".
+QString share_words(double scaled) {
+    return ReportTexts::tr("%1 %").arg(figure(100 * scaled));
+}
+
+// Attempts with released forms, one line for each form: from where the sheet is, over as many pages as it
+// needs.
+void person_ratings(Sheet& sheet, const PersonReport& report, const std::function<void()>& turn) {
+    const double columns[] = {0, 0.29, 0.49, 0.79, 0.88, 1.0};
+    const auto line = [&](const QStringList& cells) {
+        for (int i = 0; i < cells.size(); ++i)
+            sheet.cell(columns[i] * sheet.width(), (columns[i + 1] - columns[i]) * sheet.width(), cells[i],
+                       i >= 3 ? Qt::AlignRight : Qt::AlignLeft);
+        sheet.skip(5);
+    };
+    const auto table_head = [&] {
+        sheet.font(10, true);
+        sheet.paragraph(ReportTexts::tr("Ratings by observers"));
+        sheet.font(8, true, paper_palette().muted);
+        line({ReportTexts::tr("task"), ReportTexts::tr("attempt of"), ReportTexts::tr("form"),
+              ReportTexts::tr("raters"), ReportTexts::tr("mean")});
+        sheet.rule();
+        sheet.font(8.5);
+    };
+    bool begun = false;
+    for (const database::PersonProgress& progress : report.progress) {
+        for (const database::ProgressSeries& series : progress.series) {
+            for (const database::ProgressPoint& point : series.points) {
+                for (const database::RatedForm& form : database::rated_forms(point.ratings)) {
+                    const bool full = sheet.y() + Sheet::mm(begun ? 5 : 22) > bottom_of(sheet);
+                    if (full) turn();
+                    if (full || !begun) table_head();
+                    begun = true;
+                    line({text(progress.task_id), date_text(point.started), form_text(form.title),
+                          QString::number(form.forms), share_words(form.scaled)});
+                }
+            }
+        }
+    }
+    if (begun) sheet.skip(4);
+}
+
 void person_pages(Sheet& sheet, const PersonReport& report) {
     int counting = 0;
     for (const database::CohortRow& row : report.rows) counting += row.attempts;
@@ -192,6 +235,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         footer(sheet, report.provenance, n);
         head();
     };
+    person_ratings(sheet, report, turn);
     std::vector<const database::PersonProgress*> drawn;
     for (const database::PersonProgress& progress : report.progress) {
         if (!progress.series.empty()) drawn.push_back(&progress);
@@ -225,6 +269,11 @@ QString cohort_cell(const database::CohortTable& table, const std::string& perso
                                             .arg(row.attempts)
                                             .arg(best));
         lines << device_class_text(*row.device_class);
+        for (const database::RatedForm& form : row.ratings)
+            lines << ReportTexts::tr("%1: %2, attempts %3")
+                         .arg(text(form.form).section(QLatin1Char('@'), 0, 0).toUpper(),
+                              share_words(form.scaled))
+                         .arg(form.attempts);
     }
     return lines.join(QLatin1Char('\n'));
 }

@@ -11,6 +11,8 @@ namespace fulcrum::ui {
 ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
                                const std::string& program_version);
 nlohmann::ordered_json provenance_json(const ReportProvenance& provenance);
+/// A released form with its answers.
+nlohmann::ordered_json rating_json(const database::RatingRow& rating);
 nlohmann::ordered_json metric_json(const database::MetricRow& metric);
 /// With a blank between them.
 std::string joined(const std::vector<std::string>& parts);

@@ -94,6 +94,33 @@ std::map<std::string, database::MetricRow> metric_columns(const PersonReport& re
     return columns;
 }
 
+/// What a form says of one attempt or of several.
+const database::RatedForm* form_named(const std::vector<database::RatedForm>& forms,
+                                      const std::string& name) {
+    for (const database::RatedForm& one : forms)
+        if (one.form == name) return &one;
+    return nullptr;
+}
+
+/// Released forms that occur in the rows, by name.
+std::map<std::string, std::string> rated_forms_of(const std::vector<database::CohortRow>& rows) {
+    std::map<std::string, std::string> titles;
+    for (const database::CohortRow& row : rows)
+        for (const database::RatedForm& form : row.ratings) titles[form.form] = form.title;
+    return titles;
+}
+
+/// The same of the attempts of a person, with its items.
+std::map<std::string, ObserverForm> rated_forms_of(const PersonReport& report) {
+    std::map<std::string, ObserverForm> forms;
+    for (const database::PersonProgress& progress : report.progress)
+        for (const database::ProgressSeries& series : progress.series)
+            for (const database::ProgressPoint& point : series.points)
+                for (const database::RatingRow& rating : point.ratings)
+                    forms.emplace(rating.form.name(), rating.form);
+    return forms;
+}
+
 SheetCell number_cell(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? SheetCell(*value) : SheetCell();
 }
@@ -143,6 +170,20 @@ std::vector<SheetCell> attempt_cells(const PersonReport& report, const std::stri
             scaled_cell(point.points)};
 }
 
+void add_ratings(std::vector<SheetCell>& row, const database::ProgressPoint& point,
+                 const std::map<std::string, ObserverForm>& forms) {
+    const std::vector<database::RatedForm> rated = database::rated_forms(point.ratings);
+    for (const auto& [name, form] : forms) {
+        const database::RatedForm* one = form_named(rated, name);
+        row.push_back(one == nullptr ? SheetCell() : count_cell(one->forms));
+        row.push_back(one == nullptr ? SheetCell() : number_cell(one->scaled));
+        for (const FormItem& item : form.items) {
+            const bool seen = one != nullptr && one->items.count(item.id) > 0;
+            row.push_back(seen ? number_cell(one->items.at(item.id)) : SheetCell());
+        }
+    }
+}
+
 }  // namespace
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -153,6 +194,16 @@ std::string joined(const std::vector<std::string>& parts) {
 
 DataSheet cohort_sheet(const CohortReport& report) {
     DataSheet sheet{"Progress", cohort_columns(), {}};
+    const std::map<std::string, std::string> forms = rated_forms_of(report.table.rows);
+    for (const auto& [form, title] : forms) {
+        const std::string name = "rating." + form;
+        sheet.columns.push_back({name + ".attempts", "1", title + ": attempts with a released form"});
+        sheet.columns.push_back({name + ".forms", "1", title + ": released forms of all raters"});
+        sheet.columns.push_back({name + ".scaled", "1",
+                                 title +
+                                     ": mean over attempts of the mean over raters, 0 (lowest ratings) to "
+                                     "1 (highest)"});
+    }
     for (const database::CohortRow& row : report.table.rows) {
         std::string title;
         for (const ReportTask& task : report.tasks) {
@@ -183,6 +234,12 @@ DataSheet cohort_sheet(const CohortReport& report) {
              word_cell(joined(report.table.benchmark_sets)),
              count_cell(report.table.people),
              flag_cell(report.provenance.demo)});
+        for (const auto& [form, form_title] : forms) {
+            const database::RatedForm* rated = form_named(row.ratings, form);
+            sheet.rows.back().push_back(rated == nullptr ? SheetCell() : count_cell(rated->attempts));
+            sheet.rows.back().push_back(rated == nullptr ? SheetCell() : count_cell(rated->forms));
+            sheet.rows.back().push_back(rated == nullptr ? SheetCell() : number_cell(rated->scaled));
+        }
     }
     return sheet;
 }
@@ -196,6 +253,16 @@ DataSheet person_sheet(const PersonReport& report) {
                                  metric.id + "@" + std::to_string(metric.version) +
                                      (descriptor == nullptr ? "" : ": " + descriptor->explanation)});
     }
+    const std::map<std::string, ObserverForm> forms = rated_forms_of(report);
+    for (const auto& [name, form] : forms) {
+        sheet.columns.push_back({"rating." + name + ".raters", "1", form.title + ": released forms"});
+        sheet.columns.push_back({"rating." + name + ".scaled", "1",
+                                 form.title + ": mean over raters, 0 (lowest ratings) to 1 (highest)"});
+        for (const FormItem& item : form.items)
+            sheet.columns.push_back({"rating." + name + "." + item.id, "1",
+                                     item.title + ": mean over raters, " + std::to_string(item.lowest) +
+                                         " to " + std::to_string(item.highest)});
+    }
     for (const database::PersonProgress& progress : report.progress) {
         for (const database::ProgressSeries& series : progress.series) {
             for (const database::ProgressPoint& point : series.points) {
@@ -208,6 +275,7 @@ DataSheet person_sheet(const PersonReport& report) {
                     const auto found = values.find(name);
                     row.push_back(number_cell(found == values.end() ? std::nullopt : found->second));
                 }
+                add_ratings(row, point, forms);
                 sheet.rows.push_back(std::move(row));
             }
         }

@@ -113,14 +113,50 @@ Json statement(const PersonReport& report, const std::string& home_page, const R
             {"version", "1.0.3"}};
 }
 
+std::string rating_statement_id(const std::string& home_page, const std::string& rating_id) {
+    return id_from(under(home_page, "rating/" + rating_id));
+}
+
+/// What a rater said of the attempt. The rater is named, as an account, only where the form was not blind.
+Json rating_statement(const PersonReport& report, const std::string& home_page, const ReportTask& task,
+                      const database::ProgressPoint& point, const database::RatingRow& rating) {
+    const std::optional<double> share = form_share(rating.form, rating.answers);
+    const FormSum sum = form_sum(rating.form, rating.answers);
+    Json items = Json::array();
+    for (std::size_t i = 0; i < rating.form.items.size(); ++i)
+        items.push_back({{"id", rating.form.items[i].id},
+                         {"value", rating.answers[i] ? Json(*rating.answers[i]) : Json(nullptr)},
+                         {"lowest", rating.form.items[i].lowest},
+                         {"highest", rating.form.items[i].highest}});
+    Json said = {{"extensions", {{std::string(terms) + "rating-items", std::move(items)}}}};
+    if (share)
+        said["score"] = {{"scaled", *share}, {"raw", sum.sum}, {"min", sum.lowest}, {"max", sum.highest}};
+    Json about = {
+        {"statement", {{"objectType", "StatementRef"}, {"id", statement_id(home_page, point.attempt_id)}}},
+        {"platform", report.provenance.program_version},
+        {"language", "en"},
+        {"extensions",
+         {{std::string(terms) + "form", rating.form.name()},
+          {std::string(terms) + "blinding", row_of(database::blindings, rating.blinding).name},
+          {std::string(terms) + "synthetic", report.synthetic || report.provenance.demo}}}};
+    if (rating.blinding != database::Blinding::kept) about["instructor"] = actor(home_page, rating.rater_id);
+    return {{"id", rating_statement_id(home_page, rating.id)},
+            {"actor", actor(home_page, report.person_id)},
+            {"verb", verb("scored")},
+            {"object", activity(home_page, task)},
+            {"result", std::move(said)},
+            {"context", std::move(about)},
+            {"timestamp", database::iso_utc(rating.handed_in)},
+            {"version", "1.0.3"}};
+}
+
 /// Said by the program, not by the trainee.
-Json voiding(const std::string& home_page, const database::VoidedAttempt& attempt) {
-    const std::string id = statement_id(home_page, attempt.attempt_id);
-    return {{"id", id_from(under(home_page, "void/" + attempt.attempt_id))},
+Json voiding(const std::string& home_page, const std::string& what, const std::string& id, std::int64_t at) {
+    return {{"id", id_from(under(home_page, what))},
             {"actor", actor(home_page, "fulcrum")},
             {"verb", verb("voided")},
             {"object", {{"objectType", "StatementRef"}, {"id", id}}},
-            {"timestamp", database::iso_utc(attempt.at)},
+            {"timestamp", database::iso_utc(at)},
             {"version", "1.0.3"}};
 }
 
@@ -130,10 +166,18 @@ void add_person(Json& statements, const PersonReport& report, const std::string&
         for (const ReportTask& one : report.tasks)
             if (one.id == progress.task_id) task = one;
         for (const database::ProgressSeries& series : progress.series)
-            for (const database::ProgressPoint& point : series.points)
+            for (const database::ProgressPoint& point : series.points) {
                 statements.push_back(statement(report, home_page, task, series.device_class, point));
-        for (const database::VoidedAttempt& attempt : progress.voided)
-            statements.push_back(voiding(home_page, attempt));
+                for (const database::RatingRow& rating : point.ratings)
+                    statements.push_back(rating_statement(report, home_page, task, point, rating));
+            }
+        for (const database::VoidedAttempt& attempt : progress.voided) {
+            statements.push_back(voiding(home_page, "void/" + attempt.attempt_id,
+                                         statement_id(home_page, attempt.attempt_id), attempt.at));
+            for (const std::string& rating : attempt.ratings)
+                statements.push_back(voiding(home_page, "void/rating/" + rating,
+                                             rating_statement_id(home_page, rating), attempt.at));
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Statements of the Experience API 1.0.3 (IEEE 9274.1.1 is its successor) for a learning record store: one
-// for each attempt, and one that voids each attempt that was taken out. A person is an account, named by the
+// for each attempt and each released rating of it, and one that voids each of them that was taken out. The
+// rater of a blind form is not named. A person is an account, named by the
 // UUID, never by name or mail. The id of a statement follows from the address and the attempt's UUID, so a
 // statement that is sent twice is known by the store.
 #pragma once
