@@ -60,6 +60,8 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::rate,                    "rate",                       none,      cohort,    programme, none,      none,      true},
     {Operation::read_ratings,            "read_ratings",               own,       cohort,    programme, none,      none,      false},
     {Operation::release_ratings,         "release_ratings",            none,      cohort,    programme, none,      none,      true},
+    {Operation::set_goal,                "set_goal",                   own,       none,      none,      none,      none,      false},
+    {Operation::read_goals,              "read_goals",                 own,       cohort,    none,      none,      none,      false},
 }};
 // clang-format on
 

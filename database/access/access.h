@@ -64,8 +64,10 @@ enum class Operation : std::uint8_t {
     rate,             ///< fill in and hand in an observer form; never of one's own attempt
     read_ratings,     ///< forms that were handed in; trainees: those that were released
     release_ratings,  ///< show the trainee the forms that were handed in; never of one's own attempt
+    set_goal,         ///< set, change or drop a personal goal
+    read_goals,
 };
-inline constexpr int operation_count = 36;
+inline constexpr int operation_count = 38;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

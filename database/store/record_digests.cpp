@@ -130,6 +130,14 @@ const std::vector<RecordRow> record_kinds = {
      "release of rating",
      "SELECT rating_id FROM rating_release",
      {"SELECT rating_id, person_id, time FROM rating_release WHERE rating_id = ?"}},
+    {RecordKind::goal,
+     "goal",
+     "SELECT id FROM personal_goal",
+     {"SELECT id, person_id, kind, task_id, metric, target, due_day, time FROM personal_goal WHERE id = ?"}},
+    {RecordKind::goal_end,
+     "end of goal",
+     "SELECT goal_id FROM personal_goal_end",
+     {"SELECT goal_id, time FROM personal_goal_end WHERE goal_id = ?"}},
 };
 
 const RecordRow& record_row(RecordKind kind) {

@@ -37,6 +37,8 @@ enum class RecordKind : std::uint8_t {
     rating,  ///< a form that was handed in, with its answers
     form,    ///< of a rating that was handed in; id: its digest
     rating_release,
+    goal,  ///< a personal goal
+    goal_end,
 };
 
 struct RecordName {

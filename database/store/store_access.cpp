@@ -26,6 +26,7 @@ bool writes(Operation operation) {
         case Operation::manage_settings:
         case Operation::set_tissues:
         case Operation::accept_assets:
+        case Operation::set_goal:
             return true;
         default:
             return false;

@@ -16,6 +16,8 @@ namespace {
 #define FULCRUM_THEIR_SCORES "(SELECT id FROM score WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS ")"
 #define FULCRUM_THEIR_RATINGS "(SELECT id FROM rating WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS ")"
 
+#define FULCRUM_THEIR_GOALS "(SELECT id FROM personal_goal WHERE person_id = ?)"
+
 struct Deletion {
     const char* table;
     const char* where;  ///< each ? is the person
@@ -44,6 +46,9 @@ constexpr Deletion deletions[] = {
     {"attempt", "person_id = ?"},
     {"standing_override", "person_id = ?"},
     {"curriculum_move", "person_id = ?"},
+    {"personal_goal_end", "goal_id IN " FULCRUM_THEIR_GOALS},
+    {"personal_goal", "person_id = ?"},
+    {"xapi_outbox", "person_id = ?"},
     {"credential", "person_id = ?"},
     {"person_role", "person_id = ?"},
     {"cohort_member", "person_id = ?"},
@@ -59,11 +64,13 @@ constexpr const char* objects[] = {
     "SELECT id FROM rating WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS,
     "SELECT id FROM correction_request WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR person_id = ?",
     "SELECT id FROM standing_override WHERE person_id = ?",
-    "SELECT id FROM curriculum_move WHERE person_id = ?"};
+    "SELECT id FROM curriculum_move WHERE person_id = ?",
+    "SELECT id FROM personal_goal WHERE person_id = ?"};
 
 /// Where what was handed in or decided is never deleted, but for an erasure.
-constexpr const char* guarded[] = {"rating", "rating_item", "rating_release", "standing_override",
-                                   "curriculum_move"};
+constexpr const char* guarded[] = {
+    "rating",          "rating_item",   "rating_release",   "standing_override",
+    "curriculum_move", "personal_goal", "personal_goal_end"};
 
 Query with_person(Connection& connection, const std::string& sql, const std::string& person_id) {
     Query query(connection, QString::fromStdString(sql));
@@ -137,6 +144,8 @@ std::set<std::string> their_records(Connection& connection, const std::string& p
          "SELECT id FROM correction_request WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR person_id = ?"},
         {RecordKind::decision, "SELECT id FROM standing_override WHERE person_id = ?"},
         {RecordKind::curriculum_move, "SELECT id FROM curriculum_move WHERE person_id = ?"},
+        {RecordKind::goal, "SELECT id FROM personal_goal WHERE person_id = ?"},
+        {RecordKind::goal_end, "SELECT goal_id FROM personal_goal_end WHERE goal_id IN " FULCRUM_THEIR_GOALS},
         {RecordKind::rating,
          "SELECT id FROM rating WHERE handed_in <> 0 AND attempt_id IN " FULCRUM_THEIR_ATTEMPTS},
         {RecordKind::form,

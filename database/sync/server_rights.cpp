@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sync/server_rights.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace fulcrum::database {
@@ -43,6 +44,8 @@ constexpr Policy trainee[] = {{"person", "id = current_user::text"},
                               {"rating", "id IN (SELECT rating_id FROM rating_release)"},
                               {"rating_item", "rating_id IN (SELECT id FROM rating)"},
                               {"standing_override", "person_id = current_user::text"},
+                              {"personal_goal", "person_id = current_user::text"},
+                              {"personal_goal_end", "goal_id IN (SELECT id FROM personal_goal)"},
                               {"curriculum_move", "person_id = current_user::text"}};
 
 std::vector<std::string> tables_of(Connection& server) {
@@ -66,13 +69,15 @@ void set_server_rights(Connection& server) {
         "= session_user::text $$; REVOKE ALL ON FUNCTION own_ratings() FROM PUBLIC; GRANT EXECUTE ON "
         "FUNCTION "
         "own_ratings() TO fulcrum_trainee");
-    for (const std::string& table : tables_of(server)) {
+    const std::vector<std::string> tables = tables_of(server);
+    for (const std::string& table : tables) {
         server.execute(
             QString("ALTER TABLE %1 ENABLE ROW LEVEL SECURITY; DROP POLICY IF EXISTS station ON %1; CREATE "
                     "POLICY station ON %1 TO fulcrum_station USING (true) WITH CHECK (true)")
                 .arg(QString::fromStdString(table)));
     }
     for (const Policy& policy : trainee) {
+        if (std::find(tables.begin(), tables.end(), policy.table) == tables.end()) continue;
         server.execute(
             QString("GRANT SELECT ON %1 TO fulcrum_trainee; DROP POLICY IF EXISTS trainee ON %1; CREATE "
                     "POLICY trainee ON %1 FOR SELECT TO fulcrum_trainee USING (%2)")

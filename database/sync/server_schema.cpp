@@ -48,7 +48,8 @@ constexpr const char* owned[][2] = {{"person", "id"},
                                     {"comment", "author_id"},
                                     {"correction_request", "person_id"},
                                     {"standing_override", "person_id"},
-                                    {"curriculum_move", "person_id"}};
+                                    {"curriculum_move", "person_id"},
+                                    {"personal_goal", "person_id"}};
 
 bool has_table(Connection& server, const char* name) {
     Query row(server,
@@ -126,11 +127,13 @@ ServerSchema create_server(Connection& server, std::int64_t now, int target) {
             .bind(now)
             .run();
     }
-    for (const auto& [table, column] : owned)
+    for (const auto& [table, column] : owned) {
+        if (!has_table(server, table)) continue;  // of a later schema than `target`
         server.execute(
             QString("DROP TRIGGER IF EXISTS of_erased_person ON %1; CREATE TRIGGER of_erased_person BEFORE "
                     "INSERT OR UPDATE ON %1 FOR EACH ROW EXECUTE FUNCTION of_erased_person('%2')")
                 .arg(table, column));
+    }
     Query(server, "UPDATE programme_server SET schema = ?").bind(schema.to).run();
     set_server_rights(server);
     transaction.commit();

@@ -150,6 +150,23 @@ const std::vector<SyncTable> tables = {
      of_real_attempts,
      {},
      {{"rating_seen", "attempt_id", "attempt"}, {"rating_seen", "person_id", "person"}}},
+    {"personal goals",
+     "personal_goal",
+     {"id"},
+     added,
+     of_real_people,
+     {},
+     {{"personal_goal", "person_id", "person"}},
+     RecordKind::goal},
+    {"ends of personal goals",
+     "personal_goal_end",
+     {"goal_id"},
+     added,
+     "goal_id IN (SELECT g.id FROM personal_goal g JOIN person p ON p.id = g.person_id WHERE p.kind = "
+     "'real')",
+     {},
+     {{"personal_goal_end", "goal_id", "personal_goal"}},
+     RecordKind::goal_end},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "assessment/assets/assets.h"
+#include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/records/reviews.h"
 #include "tests/database/access_expectation.h"
@@ -47,6 +48,8 @@ class AccessProgramme : public Programme {
         rate(session("director"), "goals");
         Ratings(*store).release(*educator, ann.attempt);
         rate(*educator, "osats");
+        for (const Session* trainee : {&session("ann"), &session("eve"), &*teacher})
+            Goals(*store).set(*trainee, {GoalOf::attempts, "A2", "", 3, 0}, 20'000);
     }
 
     /// The person of that role who makes the request.

@@ -53,6 +53,8 @@ inline const Expected expected_table[] = {
     {Operation::rate, "-cp--"},
     {Operation::read_ratings, "ocp--"},
     {Operation::release_ratings, "-cp--"},
+    {Operation::set_goal, "o----"},
+    {Operation::read_goals, "oc---"},
 };
 
 inline Scope scope_of_letter(char letter) {

@@ -10,6 +10,7 @@
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/trainee/goals_card.h"
 #include "ui/trainee/ladder.h"
 #include "ui/trainee/next_task.h"
 
@@ -30,6 +31,8 @@ HomePage::HomePage(Context& context) : Page(context, "home_page") {
     comments_card_ = make_card(4);
     comments_ = card_layout(comments_card_);
     layout->addWidget(comments_card_);
+    goals_ = new GoalsCard(context, true);
+    layout->addWidget(goals_);
     ladder_ = new Ladder;
     layout->addWidget(ladder_);
     others_heading_ = make_label(tr("Other exercises"), "heading");
@@ -65,6 +68,7 @@ void HomePage::enter() {
     fill_next(summaries);
     fill_interrupted();
     fill_comments();
+    goals_->show_person(session.person_id());
     fill_tasks(summaries);
 }
 

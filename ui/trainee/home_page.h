@@ -15,6 +15,7 @@ class QVBoxLayout;
 
 namespace fulcrum::ui {
 
+class GoalsCard;
 class Ladder;
 struct TaskSummary;
 
@@ -37,6 +38,7 @@ class HomePage : public Page {
     QLabel* greeting_;
     QVBoxLayout *next_, *interrupted_, *comments_;
     QFrame *interrupted_card_, *comments_card_;
+    GoalsCard* goals_;
     Ladder* ladder_;
     QLabel* others_heading_;
     QGridLayout* cards_;

@@ -19,6 +19,7 @@
 #include "ui/trainee/certificate_card.h"
 #include "ui/trainee/curriculum_card.h"
 #include "ui/trainee/curve_words.h"
+#include "ui/trainee/goals_card.h"
 #include "ui/trainee/standing_card.h"
 #include "ui/trainee/task_header.h"
 
@@ -77,6 +78,8 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     certificates_ = new CertificateCard(context);
     standing_ = new StandingCard(context);
     layout->addWidget(standing_);
+    goals_ = new GoalsCard(context, false);
+    layout->addWidget(goals_);
     curriculum_ = new CurriculumCard(context);
     connect(curriculum_, &CurriculumCard::moved, this,
             [this] { standing_->show_task(person_id_, task_id_); });
@@ -186,6 +189,9 @@ void ProgressPage::load() {
     certificates_->show_person(person_id_, QFileInfo(export_->path()).absolutePath());
     header_->show_task(person_id_, task_id_);
     standing_->show_task(person_id_, task_id_);
+    // Trainees have theirs on the home page.
+    const bool trainee = context().session().role() == database::Role::trainee;
+    goals_->show_person(trainee ? std::string() : person_id_);
     curriculum_->show_person(person_id_);
     title_->setText(person_id_ == context().session().person_id()
                         ? tr("My progress")

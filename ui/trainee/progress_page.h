@@ -24,6 +24,7 @@ struct AttemptSeries;
 class ExportRow;
 class JobBar;
 class CurriculumCard;
+class GoalsCard;
 class StandingCard;
 class TaskHeader;
 
@@ -62,6 +63,7 @@ class ProgressPage : public Page {
     TaskHeader* header_;
     QPushButton* explain_;
     StandingCard* standing_;
+    GoalsCard* goals_;
     CurriculumCard* curriculum_;
     AttemptChart* chart_;
     QTableWidget* table_;

@@ -89,6 +89,10 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"rating_shown"};
         case Operation::release_ratings:
             return {"ratings_release"};
+        case Operation::set_goal:
+            return {"set_goal"};
+        case Operation::read_goals:
+            return {"goal_words"};
     }
     return {};
 }
@@ -162,6 +166,8 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::rate:
         case Operation::read_ratings:
         case Operation::release_ratings:
+        case Operation::set_goal:
+        case Operation::read_goals:
             return {};
     }
     return {};

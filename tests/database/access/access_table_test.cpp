@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "assessment/assets/assets.h"
+#include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
 #include "database/records/tissues.h"
@@ -47,9 +48,13 @@ const ObserverForm& goals() {
     return form;
 }
 
+GoalWish weekly() {
+    return {GoalOf::attempts, "", "", 3, 0};
+}
+
 /// One person, one finished attempt with a sent and an unsent comment, one interrupted attempt, one cohort.
 struct Target {
-    std::string name, person, attempt, interrupted, comment, cohort;
+    std::string name, person, attempt, interrupted, comment, cohort, goal = {};
     Relation relation_to(const Session& session, const Programme& programme) const {
         Relation relation;
         relation.own = person == session.person_id();
@@ -108,6 +113,7 @@ class EveryCell : public ::testing::Test {
             Programme::append_second(recorder);
             target.interrupted = recorder.attempt_id();
         }
+        if (name != "robot") target.goal = Goals(*programme.store).set(performer, weekly(), 20'000);
         if (!author.empty()) {
             target.comment = Reviews(*programme.store)
                                  .write(programme.session(author), target.attempt, 1.0, "Look here.", true);
@@ -232,6 +238,14 @@ class EveryCell : public ::testing::Test {
                 return [=] { Ratings(*programme.store).of_attempt(session, target.attempt); };
             case Operation::release_ratings:
                 return [=] { Ratings(*programme.store).release(session, target.attempt); };
+            case Operation::set_goal:
+                // One's own is set; another's is refused when it is to be dropped. A robot has none.
+                if (target.goal.empty()) return F();
+                if (target.person == session.person_id())
+                    return [=] { Goals(*programme.store).set(session, weekly(), 20'000); };
+                return [=] { Goals(*programme.store).drop(session, target.goal); };
+            case Operation::read_goals:
+                return [=] { Goals(*programme.store).of_person(session, target.person); };
         }
         return F();
     }

@@ -397,6 +397,7 @@ TEST(Demo, PeopleActWithoutPasswordsAndASealedDemoTakesPracticeOnly) {
     EXPECT_EQ(error_kind([&] { people.create_demo_cohort(station, "More", {}, {}); }),
               StoreErrorKind::sealed_demo);
     const Session as_trainee = people.demo_session("demo-trainee", Role::trainee);
+    EXPECT_FALSE(store.allowed(as_trainee, Operation::set_goal, Subject::person(trainee.id)));
     EXPECT_EQ(error_kind([&] { const Recorder recorder(path, as_trainee, example_meta(trainee.id)); }),
               StoreErrorKind::sealed_demo);
     meta = example_meta(trainee.id);

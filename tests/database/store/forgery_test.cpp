@@ -4,6 +4,7 @@
 #include <zstd.h>
 
 #include "assessment/assets/assets.h"
+#include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
 #include "database/records/tissues.h"
@@ -40,6 +41,10 @@ class Forgery : public ::testing::Test {
         ids["{decision}"] = Standings(*p.store).decide(educator, p.id("ann"), "A2",
                                                        StandingOverride::Kind::proficient, "seen in theatre");
         add_rating(p);
+        ids["{dropped goal}"] =
+            Goals(*p.store).set(p.session("ann"), {GoalOf::attempts, "A2", "", 3, 0}, 20'000);
+        ids["{goal}"] = Goals(*p.store).change(p.session("ann"), ids["{dropped goal}"],
+                                               {GoalOf::metric, "A2", "path_len", 900, 20'010}, 20'000);
         p.people().issue_one_time_password(p.session("administrator"), p.id("eve"));
         p.people().set_active(p.session("administrator"), p.id("other_educator"), false);
         ids["{cohort}"] = p.cohort;
@@ -239,6 +244,13 @@ const std::vector<Edit> edits = {
     {"UPDATE form_text SET text = '{}'", "form {form} of attempt {passed}: changed"},
     {"DELETE FROM rating_release", "release of rating {rating} of attempt {passed}: gone"},
     {"UPDATE rating_release SET time = 1", "release of rating {rating} of attempt {passed}: changed"},
+    {"UPDATE personal_goal SET target = 950 WHERE id = '{goal}'", "goal {goal}: changed"},
+    {"DELETE FROM personal_goal WHERE id = '{goal}'", "goal {goal}: gone"},
+    {"INSERT INTO personal_goal VALUES ('forged', '{ben}', 'attempts', '', '', 9, 0, 1)",
+     "goal forged: the audit log has no row for it"},
+    {"DELETE FROM personal_goal_end", "end of goal {dropped goal}: gone"},
+    {"INSERT INTO personal_goal_end VALUES ('{goal}', 1)",
+     "end of goal {goal}: the audit log has no row for it"},
     {"UPDATE tissue_value SET value = 1", "tissues of task B2 1: changed"},
     {"INSERT INTO tissue_setting VALUES ('B2', 2, '{educator}', 1, 'softer still')",
      "tissues of task B2 2: the audit log has no row for it"},

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "assessment/assets/assets.h"
+#include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/rows/connection.h"
 #include "database/sync/programme_server.h"
@@ -118,6 +119,11 @@ class Sync : public ::testing::Test {
                        std::vector<bool>(form.items.size(), true), "");
         ratings.hand_in(educator, rating);
         ratings.release(educator, attempt);
+        const Goals goals(*programme.store);
+        const std::string goal =
+            goals.set(programme.session("ann"), {GoalOf::attempts, "A2", "", 3, 0}, 20'000);
+        goals.change(programme.session("ann"), goal, {GoalOf::metric, "A2", "path_len", 812.5, 20'010},
+                     20'000);
         return attempt;
     }
     ServerAddress server;

@@ -245,8 +245,9 @@ TEST_F(ServerTables, ATraineesAccountSeesOwnRowsOnlyAndWritesNone) {
         return row.next() ? row.integer(0) : -1;
     };
     Connection owner(server);
-    for (const char* table : {"attempt", "score", "gate", "metric", "trace_chunk", "comment", "rating",
-                              "rating_item", "rating_release", "person"}) {
+    for (const char* table :
+         {"attempt", "score", "gate", "metric", "trace_chunk", "comment", "rating", "rating_item",
+          "rating_release", "person", "personal_goal", "personal_goal_end"}) {
         const std::int64_t all = count(owner, table), hers = count(*ann, table), none = count(*eve, table);
         EXPECT_GT(hers, 0) << table;
         EXPECT_LE(hers, all) << table;
@@ -311,6 +312,10 @@ TEST_F(ServerTables, AreMadeOnceAndUpgraded) {
     EXPECT_EQ(create_programme_server(older).from, 16);
     Query version(connection, "SELECT version FROM cohort");
     EXPECT_TRUE(version.next() && version.integer(0) == 1);
+    Query guard(connection,
+                "SELECT COUNT(*) FROM pg_trigger WHERE tgrelid = 'personal_goal'::regclass AND tgname = "
+                "'of_erased_person'");
+    EXPECT_TRUE(guard.next() && guard.integer(0) == 1) << "a table that the upgrade added";
     const ServerAddress foreign = PostgresqlServer::of_this_process()->new_database(false);
     PostgresqlServer::of_this_process()->execute(foreign, "CREATE TABLE person (name text)");
     EXPECT_EQ(error_kind([&] { create_programme_server(foreign); }), StoreErrorKind::not_a_store);

@@ -4823,6 +4823,122 @@
         <source>use a mean from %1 to %2</source>
         <translation>verwenden Sie einen Mittelwert von %1 bis %2</translation>
     </message>
+    <message>
+        <source>the goal names a task or metric that is too long</source>
+        <translation>das Ziel nennt eine Aufgabe oder Messgröße, deren Name zu lang ist</translation>
+    </message>
+    <message>
+        <source>name a task and one of its metrics</source>
+        <translation>nennen Sie eine Aufgabe und eine ihrer Messgrößen</translation>
+    </message>
+    <message>
+        <source>the number of attempts a week is out of range</source>
+        <translation>die Zahl der Versuche pro Woche liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>give a whole number from 1 to %1</source>
+        <translation>geben Sie eine ganze Zahl von 1 bis %1 an</translation>
+    </message>
+    <message>
+        <source>a goal of attempts a week has no metric and no day</source>
+        <translation>ein Ziel in Versuchen pro Woche hat keine Messgröße und keinen Tag</translation>
+    </message>
+    <message>
+        <source>leave them out</source>
+        <translation>lassen Sie beides weg</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a metric that a goal can be set for</source>
+        <translation>&apos;%1&apos; ist keine Messgröße, für die man ein Ziel setzen kann</translation>
+    </message>
+    <message>
+        <source>choose a task and one of its metrics</source>
+        <translation>wählen Sie eine Aufgabe und eine ihrer Messgrößen</translation>
+    </message>
+    <message>
+        <source>the value of the goal is not a number</source>
+        <translation>der Wert des Ziels ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>give a number in the unit of the metric</source>
+        <translation>geben Sie eine Zahl in der Einheit der Messgröße an</translation>
+    </message>
+    <message>
+        <source>the day of the goal is in the past or too far away</source>
+        <translation>der Tag des Ziels ist vergangen oder zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>choose a day from today to %1 days from now</source>
+        <translation>wählen Sie einen Tag von heute bis in %1 Tagen</translation>
+    </message>
+    <message>
+        <source>the goal was dropped or changed already</source>
+        <translation>das Ziel wurde schon aufgegeben oder geändert</translation>
+    </message>
+    <message>
+        <source>open the page again</source>
+        <translation>öffnen Sie die Seite erneut</translation>
+    </message>
+    <message>
+        <source>you have %1 goals already</source>
+        <translation>Sie haben schon %1 Ziele</translation>
+    </message>
+    <message>
+        <source>change or drop one of them</source>
+        <translation>ändern Sie eines, oder geben Sie eines auf</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the address of a record store</source>
+        <translation>&quot;%1&quot; ist keine Adresse eines Record Stores</translation>
+    </message>
+    <message>
+        <source>give its https address without credentials, such as https://lrs.example/xapi; http only on this machine</source>
+        <translation>geben Sie seine https-Adresse ohne Zugangsdaten an, etwa https://lrs.example/xapi; http nur auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>the record store refuses the credentials</source>
+        <translation>der Record Store lehnt die Zugangsdaten ab</translation>
+    </message>
+    <message>
+        <source>correct the file; what waits is kept</source>
+        <translation>berichtigen Sie die Datei; was wartet, bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>name the record store: --to https://lrs.example/xapi</source>
+        <translation>nennen Sie den Record Store: --to https://lrs.example/xapi</translation>
+    </message>
+    <message>
+        <source>the file of the credentials cannot be read</source>
+        <translation>die Datei mit den Zugangsdaten ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>make it, one line KEY:SECRET, with `chmod 600`</source>
+        <translation>legen Sie sie an, eine Zeile KEY:SECRET, mit `chmod 600`</translation>
+    </message>
+    <message>
+        <source>others can read the file of the credentials, or it is not yours</source>
+        <translation>andere können die Datei mit den Zugangsdaten lesen, oder sie gehört nicht Ihnen</translation>
+    </message>
+    <message>
+        <source>run `chmod 600` on it</source>
+        <translation>führen Sie `chmod 600` für sie aus</translation>
+    </message>
+    <message>
+        <source>the file of the credentials does not hold KEY:SECRET</source>
+        <translation>die Datei mit den Zugangsdaten enthält kein KEY:SECRET</translation>
+    </message>
+    <message>
+        <source>write one line: the key, a colon, the secret</source>
+        <translation>schreiben Sie eine Zeile: den Schlüssel, einen Doppelpunkt, das Geheimnis</translation>
+    </message>
+    <message>
+        <source>the demonstration is never sent anywhere</source>
+        <translation>die Demonstration wird nirgendwohin gesendet</translation>
+    </message>
+    <message>
+        <source>name the store of the programme</source>
+        <translation>nennen Sie den Datenbestand des Programms</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -8329,6 +8445,85 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::GoalsCard</name>
+    <message>
+        <source>Your goals</source>
+        <translation>Ihre Ziele</translation>
+    </message>
+    <message>
+        <source>Goals that the trainee set</source>
+        <translation>Selbst gesetzte Ziele</translation>
+    </message>
+    <message>
+        <source>Set a goal</source>
+        <translation>Ein Ziel setzen</translation>
+    </message>
+    <message>
+        <source>Kind of goal</source>
+        <translation>Art des Ziels</translation>
+    </message>
+    <message>
+        <source>Attempts a week</source>
+        <translation>Versuche pro Woche</translation>
+    </message>
+    <message>
+        <source>Value of a metric</source>
+        <translation>Wert einer Messgröße</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Day by which it is reached</source>
+        <translation>Tag, bis zu dem es erreicht ist</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>A goal of your own: so many attempts a week, or a value of a metric by a day. Only you and your educators see it.</source>
+        <translation>Ein eigenes Ziel: so viele Versuche pro Woche, oder ein Wert einer Messgröße bis zu einem Tag. Nur Sie und Ihre Ausbilder sehen es.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Aufgeben</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Jede Aufgabe</translation>
+    </message>
+    <message>
+        <source>Your latest value: %1. Of both hands the worse one counts.</source>
+        <translation>Ihr letzter Wert: %1. Von beiden Händen zählt die schlechtere.</translation>
+    </message>
+    <message>
+        <source>You have no completed attempt with this metric yet.</source>
+        <translation>Sie haben noch keinen abgeschlossenen Versuch mit dieser Messgröße.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::HeadlineTexts</name>
     <message>
         <source>no score</source>
@@ -10385,6 +10580,30 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>data up to %1</source>
         <translation>Stand %1</translation>
     </message>
+    <message>
+        <source>Ratings by observers</source>
+        <translation>Beurteilungen</translation>
+    </message>
+    <message>
+        <source>attempt of</source>
+        <translation>Versuch vom</translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>raters</source>
+        <translation>Beurteilende</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>%1: %2, attempts %3</source>
+        <translation>%1: %2, Versuche %3</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ScenePicture</name>
@@ -11307,6 +11526,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Ratings: all</source>
         <translation>Beurteilungen: alle</translation>
     </message>
+    <message>
+        <source>Personal goal dropped or changed</source>
+        <translation>Persönliches Ziel aufgegeben oder geändert</translation>
+    </message>
+    <message>
+        <source>Personal goal set</source>
+        <translation>Persönliches Ziel gesetzt</translation>
+    </message>
+    <message>
+        <source>Personal goals: all</source>
+        <translation>Persönliche Ziele: alle</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::concerns</name>
@@ -11560,6 +11791,83 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Only the program does this, in the demonstration.</source>
         <translation>Das tut nur die Software, in der Vorführung.</translation>
+    </message>
+    <message>
+        <source>set this goal</source>
+        <translation>dieses Ziel setzen</translation>
+    </message>
+    <message>
+        <source>see this person&apos;s goals</source>
+        <translation>die Ziele dieser Person sehen</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::goals</name>
+    <message>
+        <source>Today is the last day.</source>
+        <translation>Heute ist der letzte Tag.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <translation>d. MMM yyyy</translation>
+    </message>
+    <message>
+        <source>%1: %2 at least %3 by %4</source>
+        <translation>%1: %2 mindestens %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 at most %3 by %4</source>
+        <translation>%1: %2 höchstens %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 this week.</source>
+        <translation>%1 von %2 in dieser Woche.</translation>
+    </message>
+    <message>
+        <source>Reached.</source>
+        <translation>Erreicht.</translation>
+    </message>
+    <message>
+        <source>Reached: %1.</source>
+        <translation>Erreicht: %1.</translation>
+    </message>
+    <message>
+        <source>Best so far %1, before %2.</source>
+        <translation>Bisher bester Wert %1, vorher %2.</translation>
+    </message>
+    <message>
+        <source>Best so far %1.</source>
+        <translation>Bisher bester Wert %1.</translation>
+    </message>
+    <message>
+        <source>No completed attempt since then.</source>
+        <translation>Seitdem kein abgeschlossener Versuch.</translation>
+    </message>
+    <message>
+        <source>The day has passed.</source>
+        <translation>Der Tag ist vorbei.</translation>
+    </message>
+    <message>
+        <source>%1 % of the goal</source>
+        <translation>%1 % des Ziels</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n days left.</source>
+        <translation>
+            <numerusform>Noch %n Tag.</numerusform>
+            <numerusform>Noch %n Tage.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts a week</source>
+        <translation>
+            <numerusform>%n Versuch pro Woche</numerusform>
+            <numerusform>%n Versuche pro Woche</numerusform>
+        </translation>
     </message>
 </context>
 <context>

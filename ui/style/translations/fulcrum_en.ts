@@ -77,4 +77,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>fulcrum::ui::goals</name>
+    <message numerus="yes">
+        <source>%n days left.</source>
+        <translation>
+            <numerusform>%n day left.</numerusform>
+            <numerusform>%n days left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts a week</source>
+        <translation>
+            <numerusform>%n attempt a week</numerusform>
+            <numerusform>%n attempts a week</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
