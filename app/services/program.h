@@ -14,5 +14,6 @@ Command report_command();
 Command certificate_command();
 Command demonstrate_command();
 Command devices_command();
+std::vector<Command> xapi_commands();  ///< xapi send, list
 
 }  // namespace fulcrum::app

@@ -18,6 +18,7 @@
 
 #include "database/store/store_state.h"
 #include "database/sync/sync.h"
+#include "database/xapi/record_store.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -193,12 +194,23 @@ int sync(const std::string& folder, int number) {
     return sync_with_server(store, session, ServerAddress::parse(address), options).complete ? 0 : 1;
 }
 
+/// Sends what waits to the record store of the tests at this port.
+int xapi(const std::string& folder, int port) {
+    const ManualClock clock;
+    const Store store = Store::open(folder + "/fulcrum.db", clock.options());
+    const Session session = People(store).sign_in("director", password);
+    const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/xapi";
+    RecordStore record_store(address, "key:secret", 5000);
+    return send_waiting(XapiOutbox(store, session, address), record_store).complete ? 0 : 1;
+}
+
 }  // namespace
 
 int run_child(const std::string& name, const std::string& folder, int number) {
     const std::map<std::string, int (*)(const std::string&, int)> children = {
-        {"window", window}, {"command", command}, {"foreign", foreign_program}, {"rounds", rounds},
-        {"create", create}, {"backup", backup},   {"migrate", open_older},      {"sync", sync}};
+        {"window", window},      {"command", command}, {"foreign", foreign_program},
+        {"rounds", rounds},      {"create", create},   {"backup", backup},
+        {"migrate", open_older}, {"sync", sync},       {"xapi", xapi}};
     try {
         return children.at(name)(folder, number);
     } catch (const std::exception& error) {
