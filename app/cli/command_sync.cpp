@@ -121,14 +121,43 @@ int check_server(const Arguments& arguments) {
                     {"audit_rows", check.audit_rows},
                     {"signatures", check.signatures},
                     {"records", check.records},
+                    {"audit_head", check.audit_head},
                     {"problems", english_of(check.problems)}});
     } else {
         std::cout << "audit logs of " << check.stations
                   << " stations: " << (check.problems.empty() ? "intact" : "BROKEN") << ", "
-                  << check.audit_rows << " rows, " << check.signatures << " signatures\n";
+                  << check.audit_rows << " rows, " << check.signatures << " signatures\n"
+                  << "audit head, as reports from this server print it: " << check.audit_head << '\n';
         for (const Sentence& problem : check.problems) std::cout << "  " << problem.words() << '\n';
     }
     return check.problems.empty() ? 0 : 1;
+}
+
+int grant_at_server(const Arguments& arguments) {
+    const database::ServerAddress address = address_of(arguments);
+    const database::ServerAccount account =
+        database::grant_at_programme_server(address, arguments.words()[0]);
+    std::vector<std::string> roles;
+    for (const database::Role role : account.roles) roles.emplace_back(database::role_name(role));
+    if (arguments.has("--json")) {
+        print_json({{"server", address.text()},
+                    {"account", account.name},
+                    {"login", account.login},
+                    {"name", account.display_name},
+                    {"roles", roles},
+                    {"made", account.made},
+                    {"store", account.address}});
+        return 0;
+    }
+    std::string list;
+    for (const std::string& role : roles) list += (list.empty() ? "" : ", ") + role;
+    std::cout << (account.made ? "made the account " : "the account is ") << account.name << " of "
+              << account.display_name << " (" << account.login
+              << "), roles: " << (list.empty() ? "none; it sees nothing" : list) << '\n';
+    if (account.made)
+        std::cout << "give it a password, in psql: \\password \"" << account.name << "\"\n";
+    if (!list.empty()) std::cout << "the person opens the server with --db " << account.address << '\n';
+    return 0;
 }
 
 int erase_at_server(const Arguments& arguments) {
@@ -175,6 +204,17 @@ std::vector<Command> server_commands() {
              "Checks the audit logs of all stations on the server, their signatures, and what was signed.",
              {to, json_option()},
              check_server},
+            {"server grant",
+             "LOGIN",
+             1,
+             1,
+             "Makes the server's account of a person who is to look at reports and pages there, or brings its "
+             "roles up to date.",
+             {to, json_option()},
+             grant_at_server,
+             false,
+             "The account's name is the person's id. It reads what the person may see as trainee, educator or "
+             "director, and changes nothing. Give it its password with psql."},
             {"server erase",
              "PERSON",
              1,

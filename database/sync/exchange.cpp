@@ -7,6 +7,7 @@
 #include "database/records/people_rows.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/schema/server_version.h"
 #include "database/store/audit.h"
 #include "database/store/store_state.h"
 #include "database/sync/erasure.h"
