@@ -95,9 +95,9 @@ std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_
     const Session& session, const std::string& cohort_id, const Curriculum& newest) const {
     store_.require(session, Operation::read_cohort_table, Subject::cohort(cohort_id));
     std::map<std::string, std::vector<CurriculumAssignment>> result;
-    for (const auto& [person, followed] : histories(
-             store_.connection(), "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
-             cohort_id, newest))
+    for (const auto& [person, followed] :
+         histories(store_.connection(), "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
+                   cohort_id, newest))
         result[person] = assignments_of(followed, newest);
     return result;
 }

@@ -178,8 +178,8 @@ void check_answers(const ObserverForm& form, const FormAnswers& answers, const s
                          QT_TRANSLATE_NOOP("errors", "shorten it"));
 }
 
-/// The one row that is written at a server, with a right of its own: without it somebody could look an attempt
-/// up there and then rate it "blind" at a station.
+/// The one row that is written at a server, with a right of its own: without it somebody could look an
+/// attempt up there and then rate it "blind" at a station.
 void note_seen_at_server(Connection& server, const Session& rater, const std::string& attempt_id,
                          UtcMilliseconds now) {
     if (has_seen(server, rater, attempt_id)) return;

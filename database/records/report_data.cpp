@@ -273,12 +273,14 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
     const bool with_synthetic = options.include_synthetic || store_.is_demo();
     std::vector<PersonName> shown;
     std::vector<std::vector<AttemptSummary>> attempts;
-    std::map<std::string, std::vector<AttemptSummary>> of_person = attempts_in(store_, session, cohort_id, false);
+    std::map<std::string, std::vector<AttemptSummary>> of_person =
+        attempts_in(store_, session, cohort_id, false);
     std::map<std::string, Decisions> decisions;
     if (options.curriculum != nullptr)
         decisions = decisions_in(store_, session, cohort_id, *options.curriculum);
     MetricVersions versions(store_);
-    Provenance provenance(store_, versions, "a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
+    Provenance provenance(store_, versions,
+                          "a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
                           cohort_id);
     for (PersonName& person : people) {
         if (person.synthetic && !with_synthetic) {
@@ -297,8 +299,8 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
             if (attempt.counting) provenance.add(attempt);
         }
         if (options.curriculum != nullptr)
-            table.standings.push_back(
-                standings_of(shown[i], attempts[i], *options.curriculum, table.as_of, decisions[shown[i].id]));
+            table.standings.push_back(standings_of(shown[i], attempts[i], *options.curriculum, table.as_of,
+                                                   decisions[shown[i].id]));
     }
     if (options.curriculum != nullptr) table.curriculum = options.curriculum->name();
     provenance.write(table);
@@ -310,8 +312,8 @@ PersonStandings Reports::standings(const Session& session, const std::string& pe
     const Operation operation =
         purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
     store_.require(session, operation, Subject::person(person_id));
-    return standings_of(name_of(store_, person_id),
-                        query_attempts(store_, session, all_of_person(person_id)), curriculum, store_.now(),
+    return standings_of(name_of(store_, person_id), query_attempts(store_, session, all_of_person(person_id)),
+                        curriculum, store_.now(),
                         {Curricula(store_).assignments(session, person_id, curriculum),
                          read_overrides(store_.connection(), person_id)});
 }

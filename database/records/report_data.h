@@ -135,8 +135,8 @@ class Reports {
     /// Checked as export_person.
     PersonData person_data(const Session& session, const std::string& person_id,
                            const PersonDataOptions& options) const;
-    /// Of each member of a cohort, by name, with how far it is (0 to 1); false once `visit` said so. Checked as
-    /// export_cohort and export_person.
+    /// Of each member of a cohort, by name, with how far it is (0 to 1); false once `visit` said so. Checked
+    /// as export_cohort and export_person.
     bool each_of_cohort(const Session& session, const std::string& cohort_id,
                         const PersonDataOptions& options,
                         const std::function<bool(PersonData&&, double)>& visit) const;

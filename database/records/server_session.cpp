@@ -21,14 +21,13 @@ std::vector<Role> roles_at_server(Connection& server, const std::string& person_
     const auto is_granted = [&](Role role) {
         if (std::find(std::begin(server_roles), std::end(server_roles), role) == std::end(server_roles))
             return false;
-        Query granted(server,
-                    "SELECT 1 FROM pg_roles WHERE rolname = ? AND pg_has_role(session_user, oid, 'member')");
+        Query granted(
+            server, "SELECT 1 FROM pg_roles WHERE rolname = ? AND pg_has_role(session_user, oid, 'member')");
         granted.bind(server_group(role));
         return granted.next();
     };
-    roles.erase(
-        std::remove_if(roles.begin(), roles.end(), [&](Role role) { return !is_granted(role); }),
-        roles.end());
+    roles.erase(std::remove_if(roles.begin(), roles.end(), [&](Role role) { return !is_granted(role); }),
+                roles.end());
     return roles;
 }
 
@@ -59,7 +58,8 @@ Session People::account_session(std::optional<Role> role) const {
     const std::string account = account_of(server);
     Query person(server, "SELECT id, login, display_name FROM person WHERE id = ? AND active = 1");
     person.bind(account);
-    if (!person.next()) refuse_account(account, QT_TRANSLATE_NOOP("errors", "is not that of an active person"));
+    if (!person.next())
+        refuse_account(account, QT_TRANSLATE_NOOP("errors", "is not that of an active person"));
     const std::vector<Role> roles = roles_at_server(server, account);
     if (roles.empty())
         refuse_account(account, QT_TRANSLATE_NOOP("errors", "has no role that this person holds"));

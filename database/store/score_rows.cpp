@@ -151,10 +151,11 @@ class ScoreReader {
 constexpr const char* by_number = " ORDER BY s.id, t.number";
 
 void ScoreReader::read_rows() {
-    Query row(connection_, QString("SELECT s.id, s.computed, s.program_version, s.limits, s.in_force, s.passed, "
-                                   "s.not_scored_because, s.points, s.advice, a.id FROM attempt a JOIN score s "
-                                   "ON s.attempt_id = a.id WHERE ") +
-                               where_);
+    Query row(connection_,
+              QString("SELECT s.id, s.computed, s.program_version, s.limits, s.in_force, s.passed, "
+                      "s.not_scored_because, s.points, s.advice, a.id FROM attempt a JOIN score s "
+                      "ON s.attempt_id = a.id WHERE ") +
+                  where_);
     for (const std::string& value : values_) row.bind(value);
     while (row.next()) {
         ScoreRow score;
@@ -173,9 +174,10 @@ void ScoreReader::read_rows() {
 }
 
 void ScoreReader::read_gates() {
-    Query gates = rows("t.metric, t.hand, t.tissue, t.kind, t.value, t.unit, t.limit_value, t.limit_source, t.z, "
-                       "t.points, t.passed, t.provisional, t.not_passed_because",
-                       "gate t", by_number);
+    Query gates = rows(
+        "t.metric, t.hand, t.tissue, t.kind, t.value, t.unit, t.limit_value, t.limit_source, t.z, "
+        "t.points, t.passed, t.provisional, t.not_passed_because",
+        "gate t", by_number);
     while (gates.next()) {
         ScoreRow* score = find(gates);
         if (score == nullptr) continue;

@@ -18,8 +18,8 @@ std::string write_score(const Store& store, const Session& session, const std::s
                         ScoreRow score);
 /// Empty id if there is no such score.
 ScoreRow read_score(Connection& connection, const std::string& score_id);
-/// By attempt, of the attempts (table `a`) for which `whose` holds with these values: five queries, however many
-/// there are.
+/// By attempt, of the attempts (table `a`) for which `whose` holds with these values: five queries, however
+/// many there are.
 std::map<std::string, ScoreRow> read_scores_in_force(Connection& connection, const QString& whose,
                                                      const std::vector<std::string>& values);
 /// BLAKE2b-256 over every field, hex.

@@ -104,8 +104,9 @@ ServerAccount grant_at_programme_server(const ServerAddress& address, const std:
     Transaction transaction(server);
     ServerAccount account;
     {
-        Query person(server,
-                     "SELECT id, login, display_name, active FROM person WHERE login_key = ? AND kind = 'real'");
+        Query person(
+            server,
+            "SELECT id, login, display_name, active FROM person WHERE login_key = ? AND kind = 'real'");
         person.bind(login_key(login));
         if (!person.next())
             throw StoreError(
@@ -129,12 +130,12 @@ ServerAccount grant_at_programme_server(const ServerAddress& address, const std:
         throw StoreError(
             StoreErrorKind::bad_value,
             {QT_TRANSLATE_NOOP("errors", "%1 is not an active trainee, educator or director"), account.login},
-            QT_TRANSLATE_NOOP("errors", "accounts of a server are for these; give the person the role first"));
+            QT_TRANSLATE_NOOP("errors",
+                              "accounts of a server are for these; give the person the role first"));
     const QString name = '"' + QString::fromStdString(account.name).replace('"', "\"\"") + '"';
     if (account.made) server.execute("CREATE ROLE " + name + " LOGIN");
     for (const Role role : server_roles) {
-        const bool held =
-            std::find(account.roles.begin(), account.roles.end(), role) != account.roles.end();
+        const bool held = std::find(account.roles.begin(), account.roles.end(), role) != account.roles.end();
         if (!held && account.made) continue;
         server.execute(QString(held ? "GRANT %1 TO %2" : "REVOKE %1 FROM %2")
                            .arg(QString::fromStdString(server_group(role)), name));

@@ -35,8 +35,8 @@ struct ServerAccount {
     bool made = false;        ///< it was not there before
     std::string address;      ///< to be named as the store
 };
-/// Makes the account of a person, or brings its roles up to what the programme gives the person now. It has no
-/// password until the server's administrator gives it one. Throws StoreError not_found (no such login),
+/// Makes the account of a person, or brings its roles up to what the programme gives the person now. It has
+/// no password until the server's administrator gives it one. Throws StoreError not_found (no such login),
 /// bad_value (no role that has an account), read_only.
 ServerAccount grant_at_programme_server(const ServerAddress& address, const std::string& login);
 

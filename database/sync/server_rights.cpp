@@ -79,8 +79,8 @@ constexpr const char* function_names[] = {"holds_role(text)", "taught_cohorts()"
 
 struct Policy {
     const char* table;
-    /// Which rows each role sees; policies of the tables named in it apply within it. Null: none, and no right
-    /// to ask.
+    /// Which rows each role sees; policies of the tables named in it apply within it. Null: none, and no
+    /// right to ask.
     const char *trainee, *educator, *director;
     const char* columns = "";  ///< "(id, name)": only these are read
 };
@@ -120,8 +120,10 @@ constexpr Policy policies[] = {
     {"attempt_origin", of_attempt, of_attempt, directors_all},
     {"attempt_void", of_attempt, of_attempt, directors_all},
     {"attempt_reassignment",
-     "EXISTS (SELECT 1 FROM attempt x WHERE x.id = from_id) OR EXISTS (SELECT 1 FROM attempt x WHERE x.id = to_id)",
-     "EXISTS (SELECT 1 FROM attempt x WHERE x.id = from_id) OR EXISTS (SELECT 1 FROM attempt x WHERE x.id = to_id)",
+     "EXISTS (SELECT 1 FROM attempt x WHERE x.id = from_id) OR EXISTS (SELECT 1 FROM attempt x WHERE x.id = "
+     "to_id)",
+     "EXISTS (SELECT 1 FROM attempt x WHERE x.id = from_id) OR EXISTS (SELECT 1 FROM attempt x WHERE x.id = "
+     "to_id)",
      directors_all},
     {"trace_chunk", of_attempt, of_attempt, directors_all},
     {"attempt_product", of_attempt, of_attempt, directors_all},
@@ -161,7 +163,9 @@ std::vector<std::string> tables_of(Connection& server) {
 }
 
 const char* rows_for(const Policy& policy, Role role) {
-    return role == Role::trainee ? policy.trainee : role == Role::educator ? policy.educator : policy.director;
+    return role == Role::trainee    ? policy.trainee
+           : role == Role::educator ? policy.educator
+                                    : policy.director;
 }
 
 void set_policy(Connection& server, const QString& table, const QString& name, const QString& group,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same report, byte by byte, from the station's own store and from the programme server after a sync: every
-// format, of a person, a cohort and an attempt. The same grid and the same figures of the cohort's dashboard.
+// The same report, byte by byte, from the station's own store and from the programme server after a sync:
+// every format, of a person, a cohort and an attempt. The same grid and the same figures of the cohort's
+// dashboard.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -63,8 +64,8 @@ class ServerReports : public ::testing::Test {
         // Voided, decided, commented, moved: by whom, is shown.
         for (const std::string& sql :
              {"INSERT INTO attempt_void VALUES ('trainee-1001-3', '" + by + "', " + time + ", 'camera off')",
-              "INSERT INTO standing_override VALUES ('o1', 'trainee-1002', '" + ids[2] +
-                  "', 'unlocked', '" + by + "', " + time + ", 'moved here')",
+              "INSERT INTO standing_override VALUES ('o1', 'trainee-1002', '" + ids[2] + "', 'unlocked', '" +
+                  by + "', " + time + ", 'moved here')",
               "INSERT INTO comment VALUES ('c1', 'trainee-1000-0', '" + by + "', 1.5, 'Left hand.', " + time +
                   ", " + time + ", 0)",
               std::string("INSERT INTO attempt_asset VALUES ('trainee-1000-0', 'benchmarks/A2.json', "
@@ -75,8 +76,7 @@ class ServerReports : public ::testing::Test {
         const Session administrator =
             People(*station).sign_in("administrator", database::test::password, Role::administrator);
         sync_with_server(*station, administrator, address);
-        server.emplace(
-            Store::open(grant_at_programme_server(address, "director").address, clock.options()));
+        server.emplace(Store::open(grant_at_programme_server(address, "director").address, clock.options()));
         director.emplace(People(*server).account_session());
         curriculum = installed_curriculum();
     }
@@ -90,9 +90,9 @@ class ServerReports : public ::testing::Test {
             request.path =
                 folder.filePath(QString::fromStdString((at_station ? "station-" : "server-") + name))
                     .toStdString();
-            const auto written = ui::write_report(at_station ? *station : *server,
-                                                  at_station ? made->director : *director, request, tasks,
-                                                  "0.1.0");
+            const auto written =
+                ui::write_report(at_station ? *station : *server, at_station ? made->director : *director,
+                                 request, tasks, "0.1.0");
             EXPECT_FALSE(written.empty()) << name;
             files.push_back(request.path);
         }
@@ -116,13 +116,14 @@ TEST_F(ServerReports, AreTheSameFromEitherStoreInEveryFormat) {
         ui::ReportFormat format;
         std::size_t least;
     };
-    for (const Row& row : {Row{"person", ui::ReportFormat::csv, 2000}, Row{"person", ui::ReportFormat::json, 20000},
-                           Row{"person", ui::ReportFormat::xlsx, 2000}, Row{"person", ui::ReportFormat::xapi, 5000},
-                           Row{"person", ui::ReportFormat::pdf, 500}, Row{"cohort", ui::ReportFormat::csv, 2000},
-                           Row{"cohort", ui::ReportFormat::json, 20000}, Row{"cohort", ui::ReportFormat::xlsx, 2000},
-                           Row{"cohort", ui::ReportFormat::xapi, 50000}, Row{"cohort", ui::ReportFormat::pdf, 2000},
-                           Row{"attempt", ui::ReportFormat::csv, 100}, Row{"attempt", ui::ReportFormat::json, 500},
-                           Row{"attempt", ui::ReportFormat::pdf, 200}}) {
+    for (const Row& row :
+         {Row{"person", ui::ReportFormat::csv, 2000}, Row{"person", ui::ReportFormat::json, 20000},
+          Row{"person", ui::ReportFormat::xlsx, 2000}, Row{"person", ui::ReportFormat::xapi, 5000},
+          Row{"person", ui::ReportFormat::pdf, 500}, Row{"cohort", ui::ReportFormat::csv, 2000},
+          Row{"cohort", ui::ReportFormat::json, 20000}, Row{"cohort", ui::ReportFormat::xlsx, 2000},
+          Row{"cohort", ui::ReportFormat::xapi, 50000}, Row{"cohort", ui::ReportFormat::pdf, 2000},
+          Row{"attempt", ui::ReportFormat::csv, 100}, Row{"attempt", ui::ReportFormat::json, 500},
+          Row{"attempt", ui::ReportFormat::pdf, 200}}) {
         ui::ReportRequest request;
         request.format = row.format;
         const std::string of = row.of;
@@ -199,13 +200,14 @@ TEST_F(ServerReports, GridFiguresAndDashboardAreTheSame) {
     EXPECT_EQ(here.audit_head, there.audit_head);
 }
 
-/// Prints how long each takes from either store; with FULCRUM_REPORT_TRAINEES=200 FULCRUM_REPORT_ATTEMPTS=300 those
-/// of docs/FORMATS.md (Sync).
+/// Prints how long each takes from either store; with FULCRUM_REPORT_TRAINEES=200 FULCRUM_REPORT_ATTEMPTS=300
+/// those of docs/FORMATS.md (Sync).
 class ServerReportsLarge : public ServerReports {
   protected:
     void SetUp() override {
         FULCRUM_NEEDS_POSTGRESQL();
-        open(from_environment("FULCRUM_REPORT_TRAINEES", 20), from_environment("FULCRUM_REPORT_ATTEMPTS", 26));
+        open(from_environment("FULCRUM_REPORT_TRAINEES", 20),
+             from_environment("FULCRUM_REPORT_ATTEMPTS", 26));
         // As the server does by itself after a while.
         PostgresqlServer::of_this_process()->execute(address, "ANALYZE");
     }
@@ -222,7 +224,8 @@ TEST_F(ServerReportsLarge, TakeAboutAsLongFromEitherStore) {
     for (const TaskDefinition& task : tasks) options.tasks.push_back(task.id);
     options.curriculum = &curriculum;
     const auto grid = [&](const Store& store, const Session& session) {
-        const database::CohortTable table = database::Reports(store).cohort_table(session, made->cohort, options);
+        const database::CohortTable table =
+            database::Reports(store).cohort_table(session, made->cohort, options);
         const auto overview = database::overview_of(table.standings, table.as_of);
         EXPECT_EQ(overview.size(), curriculum.tasks.size());
         return table.rows.size();
@@ -264,10 +267,11 @@ TEST_F(ServerReportsLarge, TakeAboutAsLongFromEitherStore) {
 TEST_F(ServerReports, TheCommandTakesTheServersAddress) {
     const std::string own = address.text(), file = folder.filePath("command.json").toStdString();
     const std::string account = server->path();
-    EXPECT_EQ(run_command({"report", "--cohort", "Everyone", "--format", "json", "-o", file, "--db", account}), 0);
+    EXPECT_EQ(
+        run_command({"report", "--cohort", "Everyone", "--format", "json", "-o", file, "--db", account}), 0);
     EXPECT_NE(file_text(file).find("Trainee 1011"), std::string::npos);
-    EXPECT_EQ(run_command({"report", "--person", "trainee1003", "--format", "csv", "-o", file, "--db", account,
-                           "--as", "Director", "--role", "director"}),
+    EXPECT_EQ(run_command({"report", "--person", "trainee1003", "--format", "csv", "-o", file, "--db",
+                           account, "--as", "Director", "--role", "director"}),
               0);
     EXPECT_NE(file_text(file).find("trainee1003"), std::string::npos);
     const auto refused = [&](std::vector<std::string> words) {
@@ -295,7 +299,8 @@ TEST_F(ServerReports, TheCommandTakesTheServersAddress) {
     EXPECT_NE(refused({"db", "create", "--db", account}).find("not a file"), std::string::npos);
     EXPECT_NE(refused({"db", "migrate", "--db", account}).find("not a file"), std::string::npos);
     EXPECT_NE(refused({"db", "restore", path, "--db", account}).find("not a file"), std::string::npos);
-    EXPECT_NE(refused({"db", "backup", file + ".copy", "--db", account}).find("not allowed"), std::string::npos);
+    EXPECT_NE(refused({"db", "backup", file + ".copy", "--db", account}).find("not allowed"),
+              std::string::npos);
 }
 
 }  // namespace

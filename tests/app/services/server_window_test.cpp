@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window on a programme server: the pages of what is read, with the person whose account it is; nothing that
-// writes. With FULCRUM_PICTURES=FOLDER the screens are stored there.
+// The window on a programme server: the pages of what is read, with the person whose account it is; nothing
+// that writes. With FULCRUM_PICTURES=FOLDER the screens are stored there.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -51,11 +51,10 @@ class ServerWindow : public ::testing::Test {
     QString shown(const char* name) { return find<QLabel>(*window, name)->text(); }
     bool no_button_writes() {
         bool none = true;
-        for (const char* name :
-             {"switch_user", "rail_password", "rail_rate", "rail_assign", "rail_tissues", "rail_home",
-              "void_attempt", "reassign_attempt", "request_correction", "comment_send", "comment_draft",
-              "ratings_release", "rating_begin", "decide_standing", "task_briefing", "replay_take_over",
-              "curriculum_move"})
+        for (const char* name : {"switch_user", "rail_password", "rail_rate", "rail_assign", "rail_tissues",
+                                 "rail_home", "void_attempt", "reassign_attempt", "request_correction",
+                                 "comment_send", "comment_draft", "ratings_release", "rating_begin",
+                                 "decide_standing", "task_briefing", "replay_take_over", "curriculum_move"})
             if (sees(*window, name)) {
                 none = false;
                 ADD_FAILURE() << name << " is shown";
@@ -78,14 +77,14 @@ TEST_F(ServerWindow, OpensEachPageOfItsRoleAndShowsNoButtonThatWrites) {
         const auto pages = pages_of(window->context());
         EXPECT_GE(pages.size(), 3U) << login;
         for (const PageEntry* entry : pages) {
-            if (std::string(login) == "educator" && window->context().session().role() == database::Role::trainee)
+            if (std::string(login) == "educator" &&
+                window->context().session().role() == database::Role::trainee)
                 break;
             click(*window, entry->name);
             QTest::qWait(50);
-            EXPECT_FALSE(sees(*window, "message_text")) << login << ", " << entry->name << ": "
-                                                        << (sees(*window, "message_text")
-                                                                ? shown("message_text").toStdString()
-                                                                : std::string());
+            EXPECT_FALSE(sees(*window, "message_text"))
+                << login << ", " << entry->name << ": "
+                << (sees(*window, "message_text") ? shown("message_text").toStdString() : std::string());
             EXPECT_TRUE(no_button_writes()) << login << ", " << entry->name;
         }
         // The debrief: score, comments, ratings; nothing to write.

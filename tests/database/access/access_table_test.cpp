@@ -193,8 +193,8 @@ class EveryCell : public ::testing::Test {
                     [=] { attempts.reassign(session, target.attempt, programme.id("ben"), "wrong person"); };
             case Operation::decide_standing:
                 return [=] {
-                    Standings(*asked())
-                        .decide(session, target.person, "B1", StandingOverride::Kind::unlocked, "moved here");
+                    Standings(*asked()).decide(session, target.person, "B1", StandingOverride::Kind::unlocked,
+                                               "moved here");
                 };
             case Operation::request_correction:
                 return [=] { attempts.request_correction(session, target.attempt, "this was not me"); };
@@ -213,8 +213,8 @@ class EveryCell : public ::testing::Test {
                 return [=] { asked()->check(session); };
             case Operation::backup:
                 return [=] {
-                    asked()->backup(
-                        session, programme.folder.filePath(QString::number(++backups)).toStdString());
+                    asked()->backup(session,
+                                    programme.folder.filePath(QString::number(++backups)).toStdString());
                 };
             case Operation::manage_settings:
                 return [=] { people.set_sign_in_picker(session, false); };
@@ -226,8 +226,8 @@ class EveryCell : public ::testing::Test {
                 };
             case Operation::accept_assets:
                 return [=] {
-                    AcceptedAssets(*asked())
-                        .accept(session, {"benchmarks/A2.json", std::to_string(++backups)}, "our experts");
+                    AcceptedAssets(*asked()).accept(
+                        session, {"benchmarks/A2.json", std::to_string(++backups)}, "our experts");
                 };
             case Operation::rate:
                 return [=] { Ratings(*asked()).begin(session, target.attempt, goals()); };
@@ -268,8 +268,8 @@ bool EveryCell::expects(Operation operation, const Session& session, const Targe
                               operation == Operation::manage_cohorts || operation == Operation::export_cohort;
     if (about_cohort) {
         relation.in_cohort = session.login() == "educator" && target.cohort == programme.cohort;
-        relation.own = (session.login() == "ann" || session.login() == "educator") &&
-                       target.cohort == programme.cohort;
+        relation.own =
+            (session.login() == "ann" || session.login() == "educator") && target.cohort == programme.cohort;
     }
     const Scope scope = expected_scope(operation, session.role());
     const bool own_forbidden = relation.own && expected_never_own(operation);
@@ -348,8 +348,8 @@ void EveryCell::expect_server_answers(const Session& session, Operation operatio
     Subject subject;
     const bool at_station = expects(operation, session, target, subject);
     // Simulated people are not on a server.
-    const bool expected = at_station && !at_stations_only(operation) &&
-                          (target.name != "robot" || about_nobody(operation));
+    const bool expected =
+        at_station && !at_stations_only(operation) && (target.name != "robot" || about_nobody(operation));
     const std::string cell = std::string(operation_name(operation)) + " as " + role_name(session.role()) +
                              " (" + session.login() + ") on " + target.name;
     EXPECT_EQ(server_store->allowed(session, operation, subject), expected) << cell;
