@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: without a command it opens the window, with a command it runs that command.
+#include <cstring>
+
 #include "app/services/application.h"
 #include "app/services/command_line.h"
 #include "app/services/program.h"
@@ -10,8 +12,10 @@ int main(int argc, char** argv) {
     app::keep_standard_streams();
     QCoreApplication::setApplicationName("Fulcrum");
     QCoreApplication::setOrganizationName("Fulcrum");
-    if (argc > 1) return app::run_command_line(app::program_commands(), argc, argv);
+    const bool named_store = argc == 3 && std::strcmp(argv[1], "--db") == 0;
+    if (argc > 1 && !named_store) return app::run_command_line(app::program_commands(), argc, argv);
     const ui::WindowApplication application(argc, argv);
     app::set_plain_formats();
-    return app::guarded(app::run_window);
+    const std::string store = named_store ? argv[2] : "";
+    return app::guarded([&] { return app::run_window(store); });
 }

@@ -47,7 +47,8 @@ void print_sync(const database::SyncResult& result) {
         std::cout << one.title << ": " << one.pushed << " sent, " << one.pulled << " received\n";
     if (result.erased > 0) std::cout << "people erased here, as on the server: " << result.erased << '\n';
     if (result.audit_rows > 0) std::cout << "audit rows: " << result.audit_rows << " sent\n";
-    for (const std::string& conflict : result.conflicts) std::cout << "conflict: " << conflict << '\n';
+    for (const Sentence& conflict : result.conflicts)
+        std::cout << "conflict: " << line_of(WordedError(conflict)) << '\n';
     if (std::abs(result.clock_ahead_s) > database::clock_tolerance_s)
         std::cout << "this station's clock is " << std::llround(std::abs(result.clock_ahead_s)) << " s "
                   << (result.clock_ahead_s > 0 ? "ahead of" : "behind") << " the server's: set it\n";
@@ -90,7 +91,7 @@ int sync(const Arguments& arguments) {
                     {"erased", result.erased},
                     {"audit_rows", result.audit_rows},
                     {"clock_ahead_s", result.clock_ahead_s},
-                    {"conflicts", result.conflicts}});
+                    {"conflicts", english_of(result.conflicts)}});
     }
     return result.complete ? 0 : 1;
 }
@@ -121,14 +122,42 @@ int check_server(const Arguments& arguments) {
                     {"audit_rows", check.audit_rows},
                     {"signatures", check.signatures},
                     {"records", check.records},
+                    {"audit_head", check.audit_head},
                     {"problems", english_of(check.problems)}});
     } else {
         std::cout << "audit logs of " << check.stations
                   << " stations: " << (check.problems.empty() ? "intact" : "BROKEN") << ", "
-                  << check.audit_rows << " rows, " << check.signatures << " signatures\n";
+                  << check.audit_rows << " rows, " << check.signatures << " signatures\n"
+                  << "audit head, as reports from this server print it: " << check.audit_head << '\n';
         for (const Sentence& problem : check.problems) std::cout << "  " << problem.words() << '\n';
     }
     return check.problems.empty() ? 0 : 1;
+}
+
+int grant_at_server(const Arguments& arguments) {
+    const database::ServerAddress address = address_of(arguments);
+    const database::ServerAccount account =
+        database::grant_at_programme_server(address, arguments.words()[0]);
+    std::vector<std::string> roles;
+    for (const database::Role role : account.roles) roles.emplace_back(database::role_name(role));
+    if (arguments.has("--json")) {
+        print_json({{"server", address.text()},
+                    {"account", account.name},
+                    {"login", account.login},
+                    {"name", account.display_name},
+                    {"roles", roles},
+                    {"made", account.made},
+                    {"store", account.address}});
+        return 0;
+    }
+    std::string list;
+    for (const std::string& role : roles) list += (list.empty() ? "" : ", ") + role;
+    std::cout << (account.made ? "made the account " : "the account is ") << account.name << " of "
+              << account.display_name << " (" << account.login
+              << "), roles: " << (list.empty() ? "none; it sees nothing" : list) << '\n';
+    if (account.made) std::cout << "give it a password, in psql: \\password \"" << account.name << "\"\n";
+    if (!list.empty()) std::cout << "the person opens the server with --db " << account.address << '\n';
+    return 0;
 }
 
 int erase_at_server(const Arguments& arguments) {
@@ -156,32 +185,44 @@ std::vector<Command> server_commands() {
         "--to", "ADDRESS",
         "The programme server: postgresql://USER@HOST:PORT/DATABASE. The password comes from ~/.pgpass "
         "or the file named in PGPASSFILE, never from the command line."};
-    return {{"sync", "", 0, 0, "Exchanges people, attempts, scores and reviews with the programme server.",
-             joined({to}, session_options()), sync, false,
-             "An administrator signs in with --as; a store without people needs no sign-in for its first "
-             "sync, which "
-             "brings them. Can be cut off at any time (Ctrl-C too): the next sync completes it."},
-            {"server create",
-             "",
-             0,
-             0,
-             "Makes the tables of a programme server in an empty PostgreSQL database, or upgrades them.",
-             {to, json_option()},
-             create_server},
-            {"server check",
-             "",
-             0,
-             0,
-             "Checks the audit logs of all stations on the server, their signatures, and what was signed.",
-             {to, json_option()},
-             check_server},
-            {"server erase",
-             "PERSON",
-             1,
-             1,
-             "Erases a person (by id) on the server; each station follows at its next sync.",
-             {to, {"--dry-run", "", "Only show what would be erased."}, json_option()},
-             erase_at_server}};
+    return {
+        {"sync", "", 0, 0, "Exchanges people, attempts, scores and reviews with the programme server.",
+         joined({to}, session_options()), sync, false,
+         "An administrator signs in with --as; a store without people needs no sign-in for its first "
+         "sync, which "
+         "brings them. Can be cut off at any time (Ctrl-C too): the next sync completes it."},
+        {"server create",
+         "",
+         0,
+         0,
+         "Makes the tables of a programme server in an empty PostgreSQL database, or upgrades them.",
+         {to, json_option()},
+         create_server},
+        {"server check",
+         "",
+         0,
+         0,
+         "Checks the audit logs of all stations on the server, their signatures, and what was signed.",
+         {to, json_option()},
+         check_server},
+        {"server grant",
+         "LOGIN",
+         1,
+         1,
+         "Makes the server's account of a person who is to look at reports and pages there, or brings its "
+         "roles up to date.",
+         {to, json_option()},
+         grant_at_server,
+         false,
+         "The account's name is the person's id. It reads what the person may see as trainee, educator or "
+         "director, and changes nothing. Give it its password with psql."},
+        {"server erase",
+         "PERSON",
+         1,
+         1,
+         "Erases a person (by id) on the server; each station follows at its next sync.",
+         {to, {"--dry-run", "", "Only show what would be erased."}, json_option()},
+         erase_at_server}};
 }
 
 }  // namespace fulcrum::app

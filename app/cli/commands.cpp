@@ -27,7 +27,10 @@ Option json_option() {
 }
 
 Option store_option() {
-    return {"--db", "FILE", "The store to use.", "the store of this user account"};
+    return {"--db", "FILE",
+            "The store to use; for reports also the address of a programme server, "
+            "postgresql://ACCOUNT@HOST:PORT/DATABASE.",
+            "the store of this user account"};
 }
 
 Option variant_option() {
@@ -80,7 +83,40 @@ database::Store open_store(const Arguments& arguments, bool create, bool read_on
     return database::Store::open(path, options);
 }
 
+namespace {
+
+/// The server has signed in the person whose account the address names.
+database::Session server_session(const Arguments& arguments, const database::Store& store,
+                                 std::optional<database::Role> role) {
+    if (arguments.has("--password-file"))
+        throw UsageError("--password-file",
+                         QT_TRANSLATE_NOOP("errors", "has no meaning with a programme server"),
+                         QT_TRANSLATE_NOOP("errors",
+                                           "put the password into ~/.pgpass "
+                                           "(HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a "
+                                           "file in PGPASSFILE"));
+    database::Session session = database::People(store).account_session(role);
+    const auto login = arguments.value("--as");
+    if (login && QString::fromStdString(*login).compare(QString::fromStdString(session.login()),
+                                                        Qt::CaseInsensitive) != 0)
+        throw UsageError("--as",
+                         {QT_TRANSLATE_NOOP("errors", "the server's account belongs to %1"), session.login()},
+                         QT_TRANSLATE_NOOP("errors",
+                                           "leave --as out, or name the account of that person in the "
+                                           "address"));
+    return session;
+}
+
+std::optional<database::Role> role_wanted(const Arguments& arguments) {
+    database::Role role{};
+    const auto name = arguments.value("--role");
+    return name && database::parse_role(*name, role) ? std::optional(role) : std::nullopt;
+}
+
+}  // namespace
+
 database::Session session_of(const Arguments& arguments, const database::Store& store) {
+    if (store.is_server()) return server_session(arguments, store, role_wanted(arguments));
     const auto login = arguments.value("--as");
     if (!login) {
         for (const char* option : {"--role", "--password-file"})
@@ -89,17 +125,13 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
                                  QT_TRANSLATE_NOOP("errors", "name the person who signs in: --as LOGIN"));
         return store.station_session();
     }
-    std::optional<database::Role> role;
-    if (const auto name = arguments.value("--role")) {
-        database::Role parsed{};
-        if (database::parse_role(*name, parsed)) role = parsed;
-    }
     const auto file = arguments.value("--password-file");
-    return database::People(store).sign_in(*login, file ? read_password(*file) : ask_password(*login), role);
+    return database::People(store).sign_in(*login, file ? read_password(*file) : ask_password(*login),
+                                           role_wanted(arguments));
 }
 
 database::Session person_session(const Arguments& arguments, const database::Store& store) {
-    if (!arguments.has("--as"))
+    if (!arguments.has("--as") && !store.is_server())
         throw UsageError(
             "--as", QT_TRANSLATE_NOOP("errors", "is missing; this command reads personal data"),
             QT_TRANSLATE_NOOP(

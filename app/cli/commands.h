@@ -50,9 +50,10 @@ void print_json(const nlohmann::json& document);
 std::string store_path(const Arguments& arguments);
 /// Opens the store named by --db, or the default one; `create`: creates a missing store.
 database::Store open_store(const Arguments& arguments, bool create, bool read_only = false);
-/// --as LOGIN with the password from --password-file or the terminal; without it the station.
+/// --as LOGIN with the password from --password-file or the terminal; without it the station. At a programme
+/// server the person whose account the address names.
 database::Session session_of(const Arguments& arguments, const database::Store& store);
-/// Throws UsageError without --as.
+/// Throws UsageError without --as, which a programme server does not need.
 database::Session person_session(const Arguments& arguments, const database::Store& store);
 /// The id of the person that --person names; empty without it. Throws InputError.
 std::string person_named(const Arguments& arguments, const database::Store& store,

@@ -42,12 +42,13 @@ std::string device_from_environment() {
 /// Owns the store, the tasks and the attempts' threads; devices are handled by the rig.
 class Services : public ui::ApplicationServices {
   public:
-    explicit Services(std::string folder) : folder_(std::move(folder)) {
+    Services(std::string folder, std::string store) : folder_(std::move(folder)), named_(std::move(store)) {
         for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
         curriculum_ = installed_curriculum();
     }
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override {
+        if (!demo && !named_.empty()) return named_;
         if (folder_.empty()) return database::Store::default_path(demo);
         return (std::filesystem::path(folder_) / (demo ? "demo.db" : "fulcrum.db")).string();
     }
@@ -288,7 +289,7 @@ class Services : public ui::ApplicationServices {
         std::random_device device;
         return 2000 + device() % (1000U * 1'000'000U);
     }
-    std::string folder_;
+    std::string folder_, named_;  ///< of the stores; the store that the command line names
     std::vector<TaskDefinition> tasks_;
     /// Everything that decides what an attempt is worth.
     std::vector<database::AssetFile> assets_of(const database::Session& session, const LoadedTask& loaded,
@@ -322,13 +323,14 @@ std::string version_line() {
     return fulcrum::program_version;
 }
 
-std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder) {
-    return std::make_unique<Services>(data_folder);
+std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder,
+                                                       const std::string& store) {
+    return std::make_unique<Services>(data_folder, store);
 }
 
-int run_window() {
+int run_window(const std::string& store) {
     const char* folder = std::getenv("FULCRUM_DATA");
-    const auto services = make_services(folder != nullptr ? folder : "");
+    const auto services = make_services(folder != nullptr ? folder : "", store);
     const ui::Appearance look = ui::stored_appearance();
     auto& screen = *qobject_cast<QApplication*>(QCoreApplication::instance());
     ui::apply_theme(screen, look.theme);

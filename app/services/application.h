@@ -9,11 +9,13 @@
 
 namespace fulcrum::app {
 
-/// Opens the window and runs until it is closed; the exit status.
-int run_window();
+/// Opens the window and runs until it is closed; the exit status. `store`: as in make_services().
+int run_window(const std::string& store = {});
 std::string version_line();
 
-/// `data_folder`: folder of the stores; empty: the user's data folder.
-std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder = {});
+/// `data_folder`: folder of the stores; empty: the user's data folder. `store`: the file, or the address of a
+/// programme server, in place of the store there; empty: that store.
+std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder = {},
+                                                       const std::string& store = {});
 
 }  // namespace fulcrum::app

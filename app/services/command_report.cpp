@@ -84,7 +84,7 @@ Command report_command() {
             "",
             0,
             0,
-            "Writes a progress report of a person, a cohort or an attempt; needs --as.",
+            "Writes a progress report of a person, a cohort or an attempt; needs --as, or a programme server.",
             joined({{"--person", "LOGIN", "A report of this person."},
                     {"--cohort", "NAME", "A report of this cohort."},
                     {"--attempt", "ID", "A report of this attempt."},

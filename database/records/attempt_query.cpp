@@ -126,14 +126,15 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
     if (filter.state && !voided) sql += " AND v.attempt_id IS NULL AND a.state = ?";
     if (!filter.include_voided) sql += " AND v.attempt_id IS NULL";
     if (!filter.include_synthetic) sql += " AND p.kind = 'real'";
-    sql += " ORDER BY a.started DESC, a.id LIMIT ?";
+    sql += " ORDER BY a.started DESC, a.id";
+    if (filter.limit >= 0) sql += " LIMIT ?";
     Query rows(store.connection(), sql);
     bind_visible_people(rows, session, Operation::read_attempt);
     if (!filter.person_id.empty()) rows.bind(filter.person_id);
     if (!filter.task_id.empty()) rows.bind(filter.task_id);
     if (!filter.cohort_id.empty()) rows.bind(filter.cohort_id);
     if (filter.state && !voided) rows.bind(std::string(row_of(attempt_states, *filter.state).name));
-    rows.bind(filter.limit < 0 ? -1 : filter.limit);
+    if (filter.limit >= 0) rows.bind(filter.limit);
     std::vector<AttemptSummary> attempts;
     while (rows.next()) attempts.push_back(summary_of_row(rows));
     return attempts;

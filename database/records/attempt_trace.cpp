@@ -120,9 +120,8 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, bool events
 
 QString has_trace_here(const QString& attempt) {
     return QString(
-               "(%1.station_id = (SELECT value FROM setting WHERE key = 'this_station') OR EXISTS (SELECT 1 "
-               "FROM "
-               "trace_chunk here WHERE here.attempt_id = %1.id))")
+               "(%1.station_id = COALESCE((SELECT value FROM setting WHERE key = 'this_station'), '') OR "
+               "EXISTS (SELECT 1 FROM trace_chunk here WHERE here.attempt_id = %1.id))")
         .arg(attempt);
 }
 

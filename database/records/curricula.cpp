@@ -17,29 +17,54 @@ std::string first_version(const Curriculum& newest) {
     return newest.id + "@1";
 }
 
-/// As followed(), not checked.
-std::vector<FollowedCurriculum> history(Connection& connection, const std::string& person_id,
-                                        const Curriculum& newest) {
-    std::vector<FollowedCurriculum> result;
-    FollowedCurriculum first;
-    first.name = newest.name();
-    {
-        Query attempt(connection,
-                      "SELECT curriculum FROM attempt WHERE person_id = ? ORDER BY started, id LIMIT 1");
-        attempt.bind(person_id);
-        if (attempt.next()) {
-            first.name = attempt.text(0).empty() ? first_version(newest) : attempt.text(0);
+/// As followed(), not checked, of the people (table `p`) for whom `whose` holds with this value.
+std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& connection, const QString& whose,
+                                                                 const std::string& value,
+                                                                 const Curriculum& newest) {
+    std::map<std::string, std::vector<FollowedCurriculum>> result;
+    Query attempts(connection,
+                   "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id = p.id ORDER BY "
+                   "a.started, a.id LIMIT 1) FROM person p WHERE " +
+                       whose);
+    attempts.bind(value);
+    while (attempts.next()) {
+        FollowedCurriculum first;
+        first.name = newest.name();
+        if (!attempts.is_null(1)) {
+            first.name = attempts.text(1).empty() ? first_version(newest) : attempts.text(1);
             // Before attempts named it there was one version, of whichever curriculum is installed.
-            if (attempt.text(0).empty() && newest.version_named(first.name) == nullptr)
+            if (attempts.text(1).empty() && newest.version_named(first.name) == nullptr)
                 first.name = newest.name();
         }
+        result[attempts.text(0)].push_back(std::move(first));
     }
-    result.push_back(std::move(first));
     Query moves(connection,
-                "SELECT m.curriculum, m.time, p.display_name, m.reason FROM curriculum_move m JOIN person p "
-                "ON p.id = m.author_id WHERE m.person_id = ? ORDER BY m.time, m.id");
-    moves.bind(person_id);
-    while (moves.next()) result.push_back({moves.text(0), moves.integer(1), moves.text(2), moves.text(3)});
+                "SELECT m.person_id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m "
+                "JOIN person p ON p.id = m.person_id JOIN person w ON w.id = m.author_id WHERE " +
+                    whose + " ORDER BY m.time, m.id");
+    moves.bind(value);
+    while (moves.next())
+        result[moves.text(0)].push_back({moves.text(1), moves.integer(2), moves.text(3), moves.text(4)});
+    return result;
+}
+
+std::vector<FollowedCurriculum> history(Connection& connection, const std::string& person_id,
+                                        const Curriculum& newest) {
+    auto of_person = histories(connection, "p.id = ?", person_id, newest);
+    const auto found = of_person.find(person_id);
+    if (found != of_person.end()) return std::move(found->second);
+    FollowedCurriculum first;
+    first.name = newest.name();
+    return {std::move(first)};
+}
+
+std::vector<CurriculumAssignment> assignments_of(const std::vector<FollowedCurriculum>& followed,
+                                                 const Curriculum& newest) {
+    std::vector<CurriculumAssignment> result;
+    for (const FollowedCurriculum& one : followed) {
+        const Curriculum* version = newest.version_named(one.name);
+        result.push_back({one.since, version == nullptr ? &newest : version});
+    }
     return result;
 }
 
@@ -63,11 +88,17 @@ std::vector<FollowedCurriculum> Curricula::followed(const Session& session, cons
 
 std::vector<CurriculumAssignment> Curricula::assignments(const Session& session, const std::string& person_id,
                                                          const Curriculum& newest) const {
-    std::vector<CurriculumAssignment> result;
-    for (const FollowedCurriculum& one : followed(session, person_id, newest)) {
-        const Curriculum* version = newest.version_named(one.name);
-        result.push_back({one.since, version == nullptr ? &newest : version});
-    }
+    return assignments_of(followed(session, person_id, newest), newest);
+}
+
+std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_in(
+    const Session& session, const std::string& cohort_id, const Curriculum& newest) const {
+    store_.require(session, Operation::read_cohort_table, Subject::cohort(cohort_id));
+    std::map<std::string, std::vector<CurriculumAssignment>> result;
+    for (const auto& [person, followed] :
+         histories(store_.connection(), "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
+                   cohort_id, newest))
+        result[person] = assignments_of(followed, newest);
     return result;
 }
 

@@ -38,6 +38,10 @@ class Curricula {
     /// place (check() reports it).
     std::vector<CurriculumAssignment> assignments(const Session& session, const std::string& person_id,
                                                   const Curriculum& newest) const;
+    /// The same of every member of a cohort. Checked as read_cohort_table.
+    std::map<std::string, std::vector<CurriculumAssignment>> assignments_in(const Session& session,
+                                                                            const std::string& cohort_id,
+                                                                            const Curriculum& newest) const;
     /// The version that the person follows now.
     const Curriculum& in_force(const Session& session, const std::string& person_id,
                                const Curriculum& newest) const;

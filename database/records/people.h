@@ -57,6 +57,12 @@ class People {
     /// Takes about 0.1 s.
     Session sign_in(const std::string& login, const std::string& password,
                     std::optional<Role> role = {}) const;
+    /// Of a programme server: the person whose account the connection was made with; the server has checked
+    /// the password. Throws SignInRefused role_not_held.
+    Session account_session(std::optional<Role> role = {}) const;
+    /// The same after asking for the account's password again; sign_in() at a server.
+    Session account_session(const std::string& login, const std::string& password,
+                            std::optional<Role> role) const;
     /// The same person in another role they hold. Throws AccessDenied.
     Session act_as(const Session& session, Role role) const;
     /// A synthetic person of a demo store in a role they hold; no password. Throws AccessDenied elsewhere.

@@ -178,6 +178,22 @@ void check_answers(const ObserverForm& form, const FormAnswers& answers, const s
                          QT_TRANSLATE_NOOP("errors", "shorten it"));
 }
 
+/// The one row that is written at a server, with a right of its own: without it somebody could look an
+/// attempt up there and then rate it "blind" at a station.
+void note_seen_at_server(Connection& server, const Session& rater, const std::string& attempt_id,
+                         UtcMilliseconds now) {
+    if (has_seen(server, rater, attempt_id)) return;
+    Transaction transaction(server);
+    server.execute("SET TRANSACTION READ WRITE");
+    Query(server,
+          "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
+        .bind(attempt_id)
+        .bind(rater.person_id())
+        .bind(now)
+        .run();
+    transaction.commit();
+}
+
 }  // namespace
 
 std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) const {
@@ -266,8 +282,13 @@ bool Ratings::is_blind(const Session& rater, const std::string& attempt_id) cons
 
 void Ratings::note_seen(const Session& rater, const std::string& attempt_id) const {
     const std::string person = person_of(store_, attempt_id);
-    if (store_.is_read_only() || !store_.allowed(rater, Operation::rate, Subject::person(person))) return;
     Connection& connection = store_.connection();
+    if (store_.is_server()) {
+        if (scope_of(rater.role(), Operation::rate) != Scope::none && person != rater.person_id())
+            note_seen_at_server(connection, rater, attempt_id, store_.now());
+        return;
+    }
+    if (store_.is_read_only() || !store_.allowed(rater, Operation::rate, Subject::person(person))) return;
     if (has_seen(connection, rater, attempt_id) && !is_blind(rater, attempt_id)) return;
     Transaction transaction(connection);
     if (!has_seen(connection, rater, attempt_id))

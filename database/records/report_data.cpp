@@ -33,44 +33,67 @@ PersonName name_of(const Store& store, const std::string& person_id) {
             person_kind_of(row.text(3), row.text(0)) != PersonKind::real};
 }
 
-/// Versions that the values are based on, gathered over the attempts that enter them.
-class Provenance {
+/// One program gives one set of metric versions for a task: asked once, not for every attempt.
+class MetricVersions {
   public:
-    explicit Provenance(const Store& store) : store_(store) {}
-    void add(const AttemptSummary& attempt) {
+    explicit MetricVersions(const Store& store) : store_(store) {}
+    const std::set<std::string>& of(const AttemptSummary& attempt) {
         const AttemptMeta& meta = attempt.meta;
-        programs_.insert(meta.program_version);
-        if (!meta.limits.empty()) sets_.insert(meta.limits);
-        // One program gives one set of metric versions for a task: asked once, not for every attempt.
         const std::array<std::string, 4> key{meta.program_version, meta.task_id,
                                              std::to_string(meta.task_version),
                                              row_of(device_classes, meta.device_class).name};
-        if (seen_.count(key) > 0) return;
+        std::set<std::string>& known = known_[key];
+        if (!known.empty() || (!attempt.passed && attempt.not_scored_because.empty())) return known;
         Query rows(store_.connection(),
                    "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
                    "WHERE s.attempt_id = ? AND s.in_force = 1");
         rows.bind(attempt.meta.id);
-        while (rows.next()) {
-            metrics_.insert(rows.text(0) + "@" + rows.text(1));
-            seen_.insert(key);
-        }
+        while (rows.next()) known.insert(rows.text(0) + "@" + rows.text(1));
+        return known;
+    }
+
+  private:
+    const Store& store_;
+    std::map<std::array<std::string, 4>, std::set<std::string>> known_;
+};
+
+/// Versions that the values are based on, gathered over the attempts that enter them.
+class Provenance {
+  public:
+    /// Over the attempts (table `a`) for which `whose` holds with this value.
+    Provenance(const Store& store, MetricVersions& versions, const char* whose, const std::string& value)
+        : store_(store), versions_(versions), whose_(whose), value_(value) {}
+    void add(const AttemptSummary& attempt) {
+        programs_.insert(attempt.meta.program_version);
+        if (!attempt.meta.limits.empty()) sets_.insert(attempt.meta.limits);
+        const std::set<std::string>& versions = versions_.of(attempt);
+        metrics_.insert(versions.begin(), versions.end());
     }
     template <typename Report>
-    void write(Report& report) const {
+    void write(Report& report, const std::string& audit_head) const {
         report.metric_versions.assign(metrics_.begin(), metrics_.end());
         report.benchmark_sets = named_sets();
         report.program_versions.assign(programs_.begin(), programs_.end());
-        report.audit_head = Audit(store_).head();
+        report.audit_head = audit_head;
+    }
+    template <typename Report>
+    void write(Report& report) const {
+        write(report, Audit(store_).head());
     }
 
   private:
     /// With the beginning of the SHA-256 of each set's file, as assessed attempts used it: a name alone says
     /// nothing about the limits.
     std::vector<std::string> named_sets() const {
+        if (sets_.empty()) return {};
         std::map<std::string, std::set<std::string>> digests;
+        // Files whose names begin with "benchmarks/".
         Query rows(store_.connection(),
-                   "SELECT DISTINCT a.limits, f.digest FROM attempt_asset f JOIN attempt a ON a.id = "
-                   "f.attempt_id WHERE a.mode = 'assessed' AND substr(f.file, 1, 11) = 'benchmarks/'");
+                   QString("SELECT DISTINCT a.limits, f.digest FROM attempt a JOIN attempt_asset f ON "
+                           "f.attempt_id = a.id AND f.file > 'benchmarks/' AND f.file < 'benchmarks0' WHERE "
+                           "a.mode = 'assessed' AND ") +
+                       whose_);
+        rows.bind(value_);
         while (rows.next()) digests[rows.text(0)].insert(rows.text(1).substr(0, 16));
         std::vector<std::string> sets;
         for (const std::string& name : sets_) {
@@ -85,8 +108,10 @@ class Provenance {
     }
 
     const Store& store_;
+    MetricVersions& versions_;
+    const char* whose_;
+    std::string value_;
     std::set<std::string> metrics_, sets_, programs_;
-    std::set<std::array<std::string, 4>> seen_;
 };
 
 void count(CohortRow& row, const AttemptSummary& attempt) {
@@ -165,19 +190,75 @@ AttemptFilter all_of_person(const std::string& person_id) {
     return filter;
 }
 
-PersonStandings standings_of(const Store& store, const Session& session, const PersonName& person,
-                             const std::vector<AttemptSummary>& attempts, const Curriculum& curriculum,
-                             std::int64_t at) {
-    const std::vector<CurriculumAssignment> followed =
-        Curricula(store).assignments(session, person.id, curriculum);
-    PersonStandings standings =
-        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at, followed,
-                         asks_for_ratings(curriculum) ? released_ratings(store.connection(), person.id)
-                                                      : std::vector<ReleasedRating>());
+/// What decides about standings apart from attempts.
+struct Decisions {
+    std::vector<CurriculumAssignment> followed;
+    std::vector<OverrideRow> overrides;
+    std::vector<ReleasedRating> ratings;  ///< empty where the curriculum asks for none
+};
+
+Decisions decisions_of(const Store& store, const Session& session, const std::string& person_id,
+                       const Curriculum& curriculum) {
+    Decisions decisions = {Curricula(store).assignments(session, person_id, curriculum),
+                           read_overrides(store.connection(), person_id),
+                           {}};
+    if (asks_for_ratings(curriculum)) decisions.ratings = released_ratings(store.connection(), person_id);
+    return decisions;
+}
+
+PersonStandings standings_of(const PersonName& person, const std::vector<AttemptSummary>& attempts,
+                             const Curriculum& curriculum, std::int64_t at, const Decisions& decisions) {
+    PersonStandings standings = person_standings(attempts, decisions.overrides, curriculum, at,
+                                                 decisions.followed, decisions.ratings);
     standings.person_id = person.id;
     standings.login = person.login;
     standings.name = person.name;
     return standings;
+}
+
+/// Of all members of a cohort, in as many queries as for one, and one more each where ratings are asked for.
+std::map<std::string, Decisions> decisions_in(const Store& store, const Session& session,
+                                              const std::string& cohort_id, const Curriculum& curriculum) {
+    std::map<std::string, Decisions> result;
+    for (auto& [person, followed] : Curricula(store).assignments_in(session, cohort_id, curriculum))
+        result[person].followed = std::move(followed);
+    for (OverrideRow& row : read_overrides(store.connection(), {})) {
+        const auto person = result.find(row.person_id);
+        if (person != result.end()) person->second.overrides.push_back(std::move(row));
+    }
+    if (asks_for_ratings(curriculum))
+        for (auto& [person, decisions] : result)
+            decisions.ratings = released_ratings(store.connection(), person);
+    return result;
+}
+
+/// By person, newest first.
+std::map<std::string, std::vector<AttemptSummary>> attempts_in(const Store& store, const Session& session,
+                                                               const std::string& cohort_id,
+                                                               bool include_voided) {
+    AttemptFilter filter = all_of_person({});
+    filter.cohort_id = cohort_id;
+    filter.include_voided = include_voided;
+    std::map<std::string, std::vector<AttemptSummary>> result;
+    for (AttemptSummary& attempt : query_attempts(store, session, filter)) {
+        std::vector<AttemptSummary>& list = result[attempt.meta.person_id];
+        list.push_back(std::move(attempt));
+    }
+    return result;
+}
+
+/// Members by name.
+std::vector<PersonName> members_of(const Store& store, const std::string& cohort_id) {
+    Query rows(
+        store.connection(),
+        "SELECT p.id, p.login, p.display_name, p.kind FROM cohort_member m "
+        "JOIN person p ON p.id = m.person_id WHERE m.cohort_id = ? ORDER BY p.display_name, p.login_key");
+    rows.bind(cohort_id);
+    std::vector<PersonName> people;
+    while (rows.next())
+        people.push_back({rows.text(0), rows.text(1), rows.text(2),
+                          person_kind_of(rows.text(3), rows.text(0)) != PersonKind::real});
+    return people;
 }
 
 void add_tasks(std::vector<std::string>& tasks, const std::vector<AttemptSummary>& attempts) {
@@ -209,7 +290,6 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
     table.cohort_id = cohort_id;
     table.as_of = store_.now();
     table.tasks = options.tasks;
-    std::vector<PersonName> people;
     {
         Query name(store_.connection(), "SELECT name FROM cohort WHERE id = ?");
         name.bind(cohort_id);
@@ -218,25 +298,26 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
                              {QT_TRANSLATE_NOOP("errors", "no cohort %1"), cohort_id},
                              QT_TRANSLATE_NOOP("errors", "list the cohorts and name one of them"));
         table.cohort_name = name.text(0);
-        Query rows(
-            store_.connection(),
-            "SELECT p.id, p.login, p.display_name, p.kind FROM cohort_member m "
-            "JOIN person p ON p.id = m.person_id WHERE m.cohort_id = ? ORDER BY p.display_name, p.login_key");
-        rows.bind(cohort_id);
-        while (rows.next())
-            people.push_back({rows.text(0), rows.text(1), rows.text(2),
-                              person_kind_of(rows.text(3), rows.text(0)) != PersonKind::real});
     }
+    std::vector<PersonName> people = members_of(store_, cohort_id);
     const bool with_synthetic = options.include_synthetic || store_.is_demo();
     std::vector<PersonName> shown;
     std::vector<std::vector<AttemptSummary>> attempts;
-    Provenance provenance(store_);
+    std::map<std::string, std::vector<AttemptSummary>> of_person =
+        attempts_in(store_, session, cohort_id, false);
+    std::map<std::string, Decisions> decisions;
+    if (options.curriculum != nullptr)
+        decisions = decisions_in(store_, session, cohort_id, *options.curriculum);
+    MetricVersions versions(store_);
+    Provenance provenance(store_, versions,
+                          "a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
+                          cohort_id);
     for (PersonName& person : people) {
         if (person.synthetic && !with_synthetic) {
             ++table.left_out_synthetic;
             continue;
         }
-        attempts.push_back(query_attempts(store_, session, all_of_person(person.id)));
+        attempts.push_back(std::move(of_person[person.id]));
         shown.push_back(std::move(person));
         if (options.tasks.empty()) add_tasks(table.tasks, attempts.back());
     }
@@ -251,8 +332,8 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
             if (attempt.counting) provenance.add(attempt);
         }
         if (options.curriculum != nullptr)
-            table.standings.push_back(
-                standings_of(store_, session, shown[i], attempts[i], *options.curriculum, table.as_of));
+            table.standings.push_back(standings_of(shown[i], attempts[i], *options.curriculum, table.as_of,
+                                                   decisions[shown[i].id]));
     }
     if (options.curriculum != nullptr) table.curriculum = options.curriculum->name();
     provenance.write(table);
@@ -264,39 +345,41 @@ PersonStandings Reports::standings(const Session& session, const std::string& pe
     const Operation operation =
         purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
     store_.require(session, operation, Subject::person(person_id));
-    return standings_of(store_, session, name_of(store_, person_id),
-                        query_attempts(store_, session, all_of_person(person_id)), curriculum, store_.now());
+    return standings_of(name_of(store_, person_id), query_attempts(store_, session, all_of_person(person_id)),
+                        curriculum, store_.now(), decisions_of(store_, session, person_id, curriculum));
 }
 
-PersonProgress Reports::person_progress(const Session& session, const std::string& person_id,
-                                        const std::string& task_id, ReportPurpose purpose) const {
-    const Operation operation =
-        purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
-    store_.require(session, operation, Subject::person(person_id));
-    const PersonName person = name_of(store_, person_id);
+namespace {
+
+/// What stays the same for all tasks of a person.
+struct PersonSource {
+    PersonName person;
+    std::vector<AttemptSummary> attempts;    ///< oldest first
+    std::map<std::string, ScoreRow> scores;  ///< in force, by attempt; empty: the report shows no metrics
+    ReleasedForms released;                  ///< empty where the report is not to be exported
+};
+
+void sort_by_start(std::vector<AttemptSummary>& attempts) {
+    std::sort(attempts.begin(), attempts.end(), [](const AttemptSummary& a, const AttemptSummary& b) {
+        return std::tie(a.meta.started, a.meta.id) < std::tie(b.meta.started, b.meta.id);
+    });
+}
+
+PersonProgress progress_of(PersonSource& source, const std::string& task_id, Provenance& provenance) {
+    const PersonName& person = source.person;
     PersonProgress progress;
     progress.person_id = person.id;
     progress.login = person.login;
     progress.name = person.name;
     progress.synthetic = person.synthetic;
     progress.task_id = task_id;
-    AttemptFilter filter = all_of_person(person_id);
-    filter.task_id = task_id;
-    filter.include_voided = true;
-    std::vector<AttemptSummary> attempts = query_attempts(store_, session, filter);
-    std::sort(attempts.begin(), attempts.end(), [](const AttemptSummary& a, const AttemptSummary& b) {
-        return std::tie(a.meta.started, a.meta.id) < std::tie(b.meta.started, b.meta.id);
-    });
-    Provenance provenance(store_);
     std::map<DeviceClass, ProgressSeries, ByName> by_class;
     CohortRow overall;
-    ReleasedForms released;
-    if (purpose == ReportPurpose::exported) released = released_forms(store_, session, person_id, task_id);
-    for (const AttemptSummary& attempt : attempts) {
-        if (attempt.recorded_state == AttemptState::running) continue;
+    for (const AttemptSummary& attempt : source.attempts) {
+        if (attempt.meta.task_id != task_id || attempt.recorded_state == AttemptState::running) continue;
         if (attempt.voided_at > 0) {
             progress.voided.push_back({attempt.meta.id, attempt.meta.started, attempt.voided_at});
-            for (const RatingRow& rating : released[attempt.meta.id])
+            for (const RatingRow& rating : source.released[attempt.meta.id])
                 progress.voided.back().ratings.push_back(rating.id);
             continue;
         }
@@ -320,25 +403,117 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
         point.provisional = attempt.provisional;
         point.not_scored_because = attempt.not_scored_because;
         point.points = attempt.points;
-        std::string score_id;
-        {
-            Query row(store_.connection(), "SELECT id FROM score WHERE attempt_id = ? AND in_force = 1");
-            row.bind(attempt.meta.id);
-            if (row.next()) score_id = row.text(0);
-        }
-        if (!score_id.empty()) {
-            ScoreRow score = read_score(store_.connection(), score_id);
+        const auto found = source.scores.find(attempt.meta.id);
+        if (found != source.scores.end()) {
+            ScoreRow& score = found->second;
             point.pathology = pathology_of(score);
             point.metrics = std::move(score.metrics);
             point.gates = std::move(score.gates);
         }
-        point.ratings = std::move(released[attempt.meta.id]);
+        point.ratings = std::move(source.released[attempt.meta.id]);
         series.points.push_back(std::move(point));
     }
     progress.state = overall.state;
     for (auto& [device_class, series] : by_class) progress.series.push_back(std::move(series));
+    return progress;
+}
+
+/// Rows, progress and standings of one person from the same attempts.
+PersonData data_of(PersonSource& source, const PersonDataOptions& options, const Decisions& decisions,
+                   std::int64_t at, Provenance& provenance) {
+    PersonData data;
+    data.person_id = source.person.id;
+    data.login = source.person.login;
+    data.name = source.person.name;
+    data.synthetic = source.person.synthetic;
+    std::vector<AttemptSummary> standing;
+    for (const AttemptSummary& attempt : source.attempts)
+        if (attempt.voided_at == 0) standing.push_back(attempt);
+    data.rows = rows_of(source.person, options.tasks, standing, source.released);
+    if (options.curriculum != nullptr)
+        data.standings = standings_of(source.person, standing, *options.curriculum, at, decisions);
+    for (const std::string& task : options.tasks)
+        data.progress.push_back(progress_of(source, task, provenance));
+    return data;
+}
+
+}  // namespace
+
+PersonProgress Reports::person_progress(const Session& session, const std::string& person_id,
+                                        const std::string& task_id, ReportPurpose purpose) const {
+    const Operation operation =
+        purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
+    store_.require(session, operation, Subject::person(person_id));
+    AttemptFilter filter = all_of_person(person_id);
+    filter.task_id = task_id;
+    filter.include_voided = true;
+    PersonSource source{
+        name_of(store_, person_id),
+        query_attempts(store_, session, filter),
+        read_scores_in_force(store_.connection(), "a.person_id = ? AND a.task_id = ?", {person_id, task_id}),
+        {}};
+    if (purpose == ReportPurpose::exported)
+        source.released = released_forms(store_, session, person_id, task_id);
+    sort_by_start(source.attempts);
+    MetricVersions versions(store_);
+    Provenance provenance(store_, versions, "a.person_id = ?", person_id);
+    PersonProgress progress = progress_of(source, task_id, provenance);
     provenance.write(progress);
     return progress;
+}
+
+PersonData Reports::person_data(const Session& session, const std::string& person_id,
+                                const PersonDataOptions& options) const {
+    store_.require(session, Operation::export_person, Subject::person(person_id));
+    AttemptFilter filter = all_of_person(person_id);
+    filter.include_voided = true;
+    PersonSource source{name_of(store_, person_id),
+                        query_attempts(store_, session, filter),
+                        {},
+                        released_forms(store_, session, person_id)};
+    sort_by_start(source.attempts);
+    if (options.with_metrics)
+        source.scores = read_scores_in_force(store_.connection(), "a.person_id = ?", {person_id});
+    Decisions decisions;
+    if (options.curriculum != nullptr)
+        decisions = decisions_of(store_, session, person_id, *options.curriculum);
+    MetricVersions versions(store_);
+    Provenance provenance(store_, versions, "a.person_id = ?", person_id);
+    PersonData data = data_of(source, options, decisions, store_.now(), provenance);
+    provenance.write(data);
+    return data;
+}
+
+bool Reports::each_of_cohort(const Session& session, const std::string& cohort_id,
+                             const PersonDataOptions& options,
+                             const std::function<bool(PersonData&&, double)>& visit) const {
+    store_.require(session, Operation::export_cohort, Subject::cohort(cohort_id));
+    store_.require(session, Operation::export_person);
+    if (scope_of(session.role(), Operation::export_person) != Scope::programme)
+        throw AccessDenied(operation_name(Operation::export_person), role_name(session.role()),
+                           QT_TRANSLATE_NOOP("errors", "outside this role's people"));
+    std::map<std::string, std::vector<AttemptSummary>> of_person =
+        attempts_in(store_, session, cohort_id, true);
+    std::map<std::string, Decisions> decisions;
+    if (options.curriculum != nullptr)
+        decisions = decisions_in(store_, session, cohort_id, *options.curriculum);
+    const std::string head = Audit(store_).head();
+    const std::vector<PersonName> people = members_of(store_, cohort_id);
+    MetricVersions versions(store_);
+    for (std::size_t i = 0; i < people.size(); ++i) {
+        if (people[i].synthetic && !store_.is_demo()) continue;
+        PersonSource source{
+            people[i], std::move(of_person[people[i].id]), {}, released_forms(store_, session, people[i].id)};
+        sort_by_start(source.attempts);
+        if (options.with_metrics)
+            source.scores = read_scores_in_force(store_.connection(), "a.person_id = ?", {people[i].id});
+        Provenance provenance(store_, versions, "a.person_id = ?", people[i].id);
+        PersonData data = data_of(source, options, decisions[people[i].id], store_.now(), provenance);
+        provenance.write(data, head);
+        const double done = static_cast<double>(i + 1) / static_cast<double>(people.size());
+        if (!visit(std::move(data), done)) return false;
+    }
+    return true;
 }
 
 std::optional<PathologyReport> pathology_of(const ScoreRow& score) {
@@ -355,7 +530,8 @@ AttemptReport Reports::attempt_report(const Session& session, const std::string&
         store_.require(session, Operation::export_person, Subject::person(report.attempt.meta.person_id));
     report.score = attempts.score(session, attempt_id);
     if (report.score) report.pathology = pathology_of(*report.score);
-    Provenance provenance(store_);
+    MetricVersions versions(store_);
+    Provenance provenance(store_, versions, "a.id = ?", attempt_id);
     provenance.add(report.attempt);
     provenance.write(report);
     return report;

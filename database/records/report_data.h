@@ -4,6 +4,7 @@
 // one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +96,22 @@ struct PersonProgress {
     std::string audit_head;
 };
 
+/// All that an exported report says of a person, from one reading of the attempts.
+struct PersonData {
+    std::string person_id, login, name;
+    bool synthetic = false;
+    std::vector<CohortRow> rows;           ///< by task, then device class
+    std::vector<PersonProgress> progress;  ///< one a task; their provenance is below
+    std::optional<PersonStandings> standings;
+    std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::string audit_head;
+};
+struct PersonDataOptions {
+    std::vector<std::string> tasks;
+    const Curriculum* curriculum = nullptr;  ///< null: no standings
+    bool with_metrics = true;  ///< false: points of the progress have no metrics, gates and pathology
+};
+
 /// The pathology report that a score holds; empty where the task leaves no specimen. Screens, paper and
 /// exports all read it here. Throws InputError where it cannot be read.
 std::optional<PathologyReport> pathology_of(const ScoreRow& score);
@@ -119,6 +136,14 @@ class Reports {
     PersonProgress person_progress(const Session& session, const std::string& person_id,
                                    const std::string& task_id,
                                    ReportPurpose purpose = ReportPurpose::screen) const;
+    /// Checked as export_person.
+    PersonData person_data(const Session& session, const std::string& person_id,
+                           const PersonDataOptions& options) const;
+    /// Of each member of a cohort, by name, with how far it is (0 to 1); false once `visit` said so. Checked
+    /// as export_cohort and export_person.
+    bool each_of_cohort(const Session& session, const std::string& cohort_id,
+                        const PersonDataOptions& options,
+                        const std::function<bool(PersonData&&, double)>& visit) const;
     AttemptReport attempt_report(const Session& session, const std::string& attempt_id,
                                  ReportPurpose purpose = ReportPurpose::screen) const;
     /// Where a person stands in a curriculum, as in cohort_table.

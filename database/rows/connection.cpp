@@ -88,8 +88,8 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     execute("PRAGMA synchronous = FULL");
 }
 
-Connection::Connection(const ServerAddress& server)
-    : path_(server.text()), name_(unique_connection_name()), is_server_(true) {
+Connection::Connection(const ServerAddress& server, bool read_only, const std::string& password)
+    : path_(server.text()), name_(unique_connection_name()), read_only_(read_only), is_server_(true) {
     database_ = QSqlDatabase::addDatabase("QPSQL", QString::fromStdString(name_));
     if (!database_.isValid()) {
         throw StoreError(StoreErrorKind::failed,
@@ -100,6 +100,7 @@ Connection::Connection(const ServerAddress& server)
     if (!server.database.empty()) database_.setDatabaseName(QString::fromStdString(server.database));
     if (!server.user.empty()) database_.setUserName(QString::fromStdString(server.user));
     if (server.port != 0) database_.setPort(server.port);
+    if (!password.empty()) database_.setPassword(QString::fromStdString(password));
     database_.setConnectOptions(QString::fromStdString(server.options()));
     if (!database_.open()) {
         const std::string said = database_.lastError().text().simplified().toStdString();
@@ -107,7 +108,22 @@ Connection::Connection(const ServerAddress& server)
         QSqlDatabase::removeDatabase(QString::fromStdString(name_));
         fail_to_connect(path_, said);
     }
+    set_up_server();
+}
+
+void Connection::set_up_server() {
     execute("SET client_min_messages = warning");  // the driver prints notices
+    if (read_only_) execute("SET SESSION CHARACTERISTICS AS TRANSACTION READ ONLY");
+}
+
+bool Connection::reconnected(const QSqlError& error) {
+    const QString state = error.nativeErrorCode();
+    const bool lost = state.isEmpty() || state.startsWith("08") || state.startsWith("57P");
+    if (!lost || !read_only_ || depth_ > 0) return false;
+    database_.close();
+    if (!database_.open()) return false;
+    set_up_server();
+    return true;
 }
 
 Connection::~Connection() {
@@ -281,10 +297,15 @@ void Query::run() {
     ran_ = true;
     if (connection_.is_server()) {
         connection_.begin_statement();
-        if (!query_.exec(with_values())) connection_.fail(query_.lastError());
-        return;
+        if (!query_.exec(with_values())) {
+            if (!connection_.reconnected(query_.lastError())) connection_.fail(query_.lastError());
+            query_ = QSqlQuery(connection_.database());
+            if (!query_.exec(with_values())) connection_.fail(query_.lastError());
+        }
+    } else if (!query_.exec()) {
+        connection_.fail(query_.lastError());
     }
-    if (!query_.exec()) connection_.fail(query_.lastError());
+    columns_ = query_.record().count();  // made anew at each call
 }
 
 Query& Query::again() {
@@ -300,9 +321,8 @@ void Query::read_ahead() {
         if (query_.lastError().isValid()) connection_.fail(query_.lastError());
         return;
     }
-    const int columns = query_.record().count();
-    ahead_.resize(static_cast<std::size_t>(columns));
-    for (int column = 0; column < columns; ++column) {
+    ahead_.resize(static_cast<std::size_t>(columns_));
+    for (int column = 0; column < columns_; ++column) {
         QVariant value = query_.value(column);
         // The driver for PostgreSQL gives integers from 0 up as unsigned ones.
         if (value.type() == QVariant::ULongLong) value.convert(QVariant::LongLong);

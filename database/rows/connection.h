@@ -25,8 +25,11 @@ class Connection {
   public:
     /// Opens the file; throws StoreError. `create` false: the file must exist.
     Connection(const std::string& path, bool read_only, bool create, int busy_timeout_ms);
-    /// Connects to a programme server. Throws StoreError unreachable.
-    explicit Connection(const ServerAddress& server);
+    /// Connects to a programme server, with `password` or with the one that libpq finds. Throws StoreError
+    /// unreachable. `read_only`: the server refuses every write, and a lost connection is made again at the
+    /// next statement.
+    explicit Connection(const ServerAddress& server, bool read_only = false,
+                        const std::string& password = {});
     ~Connection();
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
@@ -55,6 +58,9 @@ class Connection {
     void begin_statement() const {
         if (watcher_) watcher_();
     }
+    void set_up_server();
+    /// After a failed statement: the connection was lost, nothing depended on it, and there is a new one.
+    bool reconnected(const QSqlError& error);
     std::string path_, name_;
     bool read_only_ = false, is_server_ = false;
     int busy_timeout_ms_ = 0;
@@ -111,6 +117,7 @@ class Query {
     std::vector<QVariant> values_;  // bound to it
     QSqlQuery query_;
     bool ran_ = false, has_ahead_ = false;
+    int columns_ = 0;
     std::vector<QVariant> row_, ahead_;
 };
 

@@ -66,6 +66,10 @@ ServerAddress ServerAddress::parse(const std::string& text) {
     return address;
 }
 
+bool ServerAddress::is_address(const std::string& text) {
+    return text.rfind("postgresql://", 0) == 0 || text.rfind("postgres://", 0) == 0;
+}
+
 std::string ServerAddress::text() const {
     const bool socket = !host.empty() && host[0] == '/';
     std::string result = "postgresql://" + (user.empty() ? "" : user + "@") + (socket ? "" : host);
@@ -112,7 +116,8 @@ void fail_to_connect(const std::string& server, const std::string& said) {
             "errors", "have the administrator of the server make it: createdb, then `fulcrum server create`");
     else if (contains(said, "role \"") && contains(said, "does not exist"))
         hint = QT_TRANSLATE_NOOP(
-            "errors", "name the account that the administrator of the server made for this station");
+            "errors",
+            "name the account that the administrator of the server made for this station or this person");
     else if (contains(said, "SSL"))
         hint = QT_TRANSLATE_NOOP(
             "errors", "the connection must be encrypted: have the server's administrator turn ssl on");
@@ -127,14 +132,14 @@ void fail_on_server(const std::string& server, const std::string& state, const s
     };
     if (state.empty() || kind == "08" || kind == "57")
         fail(StoreErrorKind::unreachable, QT_TRANSLATE_NOOP("errors", "the connection was lost"),
-             QT_TRANSLATE_NOOP("errors", "nothing is lost; sync again when the server can be reached"));
+             QT_TRANSLATE_NOOP("errors", "nothing is lost; try again when the server can be reached"));
     if (state == "42501")
         fail(StoreErrorKind::read_only,
              QT_TRANSLATE_NOOP("errors", "this account of the server may not do that"),
              QT_TRANSLATE_NOOP(
                  "errors",
-                 "a station's account has to be a member of fulcrum_station; create and erase need the "
-                 "database's owner"));
+                 "a station's account has to be a member of fulcrum_station, a person's is made by `fulcrum "
+                 "server grant`; create, grant and erase need the database's owner"));
     if (kind == "23" || state == "P0001")
         fail(StoreErrorKind::conflict, QT_TRANSLATE_NOOP("errors", "refused by a rule of the server"),
              QT_TRANSLATE_NOOP("errors",

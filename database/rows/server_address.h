@@ -13,6 +13,8 @@ struct ServerAddress {
 
     /// Throws StoreError bad_value: another scheme, a password in it, an unknown parameter.
     static ServerAddress parse(const std::string& text);
+    /// True for what parse() is for: it names a server, not a file.
+    static bool is_address(const std::string& text);
     /// As people write it; without parameters that were not given.
     std::string text() const;
     /// True for a socket of this machine and its loopback.

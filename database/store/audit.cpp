@@ -190,7 +190,36 @@ void Audit::erase_payloads(const Session& actor, const std::vector<std::int64_t>
     transaction.commit();
 }
 
+namespace {
+
+struct StationHead {
+    std::string station_id;
+    Bytes hash, public_half;
+};
+
+std::vector<StationHead> heads_on_server(Connection& server) {
+    Query rows(server, "SELECT station_id, hash, public_half FROM audit_heads() ORDER BY station_id");
+    std::vector<StationHead> heads;
+    while (rows.next()) heads.push_back({rows.text(0), rows.bytes(1), rows.bytes(2)});
+    return heads;
+}
+
+}  // namespace
+
+std::string server_audit_head(Connection& server) {
+    const std::vector<StationHead> heads = heads_on_server(server);
+    if (heads.size() == 1) return to_hex(heads.front().hash);
+    std::string all;
+    for (const StationHead& one : heads) all += one.station_id + " " + to_hex(one.hash) + "\n";
+    return to_hex(heads.empty() ? Bytes(hash_size, 0) : blake2b(Bytes(all.begin(), all.end())));
+}
+
 std::string Audit::signing_key() const {
+    if (store_.is_server()) {
+        const std::vector<StationHead> heads = heads_on_server(store_.connection());
+        const bool one = heads.size() == 1 && !heads.front().public_half.empty();
+        return one ? key_fingerprint(heads.front().public_half) : std::string();
+    }
     if (store_.found_schema() < with_signatures) return {};
     Query last(store_.connection(),
                "SELECT s.public_half FROM audit_entry e LEFT JOIN audit_signature s ON s.station_id = "
@@ -239,6 +268,7 @@ std::vector<Sentence> verify_audit_signatures(Connection& connection, const std:
 }
 
 std::string Audit::head() const {
+    if (store_.is_server()) return server_audit_head(store_.connection());
     Query last(store_.connection(),
                "SELECT hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
     last.bind(store_.station_id());

@@ -45,6 +45,10 @@ std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows eras
 std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own,
                                               std::int64_t& count);
 
+/// Of a programme server: the newest hash of the one station that has sent its log, else the BLAKE2b of one
+/// line "STATION HASH" for each, by id.
+std::string server_audit_head(Connection& server);
+
 class Audit {
   public:
     explicit Audit(const Store& store) : store_(store) {}

@@ -18,10 +18,10 @@ static_assert(in_order(kinds));
 
 std::vector<OverrideRow> read_overrides(Connection& connection, const std::string& person_id) {
     Query rows(connection,
-               "SELECT o.id, o.person_id, o.task_id, o.kind, o.author_id, o.time, o.reason, p.display_name "
-               "FROM standing_override o JOIN person p ON p.id = o.author_id "
-               "WHERE ? IN ('', o.person_id) ORDER BY o.time DESC, o.id");
-    rows.bind(person_id);
+               QString("SELECT o.id, o.person_id, o.task_id, o.kind, o.author_id, o.time, o.reason, "
+                       "p.display_name FROM standing_override o JOIN person p ON p.id = o.author_id ") +
+                   (person_id.empty() ? "" : "WHERE o.person_id = ? ") + "ORDER BY o.time DESC, o.id");
+    if (!person_id.empty()) rows.bind(person_id);
     std::vector<OverrideRow> result;
     while (rows.next()) {
         OverrideRow row;

@@ -10,6 +10,11 @@
 namespace fulcrum::database {
 namespace {
 
+struct ScoreOfAttempt {
+    std::string attempt_id;
+    ScoreRow score;
+};
+
 void write_row(Connection& connection, const std::string& attempt_id, const ScoreRow& score) {
     Query(connection,
           "INSERT INTO score (id, attempt_id, computed, program_version, limits, in_force, passed, "
@@ -93,62 +98,135 @@ void write_errors(Connection& connection, const ScoreRow& score) {
     }
 }
 
-void read_gates(Connection& connection, ScoreRow& score) {
-    Query gates(connection,
-                "SELECT metric, hand, tissue, kind, value, unit, limit_value, limit_source, z, points, "
-                "passed, provisional, "
-                "not_passed_because FROM gate WHERE score_id = ? ORDER BY number");
-    gates.bind(score.id);
+/// Scores (table `s`) of attempts (table `a`) for which `where` holds with these values.
+class ScoreReader {
+  public:
+    ScoreReader(Connection& connection, const QString& where, const std::vector<std::string>& values)
+        : connection_(connection), where_(where), values_(values) {}
+
+    std::vector<ScoreOfAttempt> read() {
+        read_rows();
+        if (scores_.empty()) return {};
+        read_gates();
+        read_metrics();
+        read_errors();
+        Query reports = rows("t.report", "pathology t", "");
+        while (reports.next())
+            if (ScoreRow* score = find(reports)) score->pathology = reports.text(1);
+        return std::move(scores_);
+    }
+
+  private:
+    /// Columns of a table `t` that belongs to scores, after the score's id.
+    Query rows(const char* columns, const char* table, const char* order) {
+        Query query(connection_, QString("SELECT s.id, %1 FROM attempt a JOIN score s ON s.attempt_id = a.id "
+                                         "JOIN %2 ON t.score_id = s.id WHERE %3%4")
+                                     .arg(columns, table, where_, order));
+        for (const std::string& value : values_) query.bind(value);
+        return query;
+    }
+    ScoreRow* find(const Query& query) {
+        const std::string id = query.text(0);
+        if (id != last_id_) {
+            const auto found = place_.find(id);
+            last_ = found == place_.end() ? nullptr : &scores_[found->second].score;
+            last_id_ = id;
+        }
+        return last_;
+    }
+    void read_rows();
+    void read_gates();
+    void read_metrics();
+    void read_errors();
+
+    Connection& connection_;
+    QString where_;
+    const std::vector<std::string>& values_;
+    std::vector<ScoreOfAttempt> scores_;
+    std::map<std::string, std::size_t> place_;
+    std::string last_id_;
+    ScoreRow* last_ = nullptr;
+};
+
+constexpr const char* by_number = " ORDER BY s.id, t.number";
+
+void ScoreReader::read_rows() {
+    Query row(connection_,
+              QString("SELECT s.id, s.computed, s.program_version, s.limits, s.in_force, s.passed, "
+                      "s.not_scored_because, s.points, s.advice, a.id FROM attempt a JOIN score s "
+                      "ON s.attempt_id = a.id WHERE ") +
+                  where_);
+    for (const std::string& value : values_) row.bind(value);
+    while (row.next()) {
+        ScoreRow score;
+        score.id = row.text(0);
+        score.computed = row.integer(1);
+        score.program_version = row.text(2);
+        score.limits = row.text(3);
+        score.in_force = row.flag(4);
+        score.passed = row.optional_flag(5);
+        score.not_scored_because = statement_of(row.text(6));
+        score.points = row.optional_real(7);
+        score.advice = statement_of(row.text(8));
+        place_[score.id] = scores_.size();
+        scores_.push_back({row.text(9), std::move(score)});
+    }
+}
+
+void ScoreReader::read_gates() {
+    Query gates = rows(
+        "t.metric, t.hand, t.tissue, t.kind, t.value, t.unit, t.limit_value, t.limit_source, t.z, "
+        "t.points, t.passed, t.provisional, t.not_passed_because",
+        "gate t", by_number);
     while (gates.next()) {
+        ScoreRow* score = find(gates);
+        if (score == nullptr) continue;
         GateRow gate;
-        gate.metric = gates.text(0);
-        gate.hand = gates.text(1);
-        gate.tissue = gates.text(2);
-        gate.kind = enum_of(gates.text(3), gate_kinds, "gate " + gate.metric + " of score " + score.id);
-        gate.value = gates.optional_real(4);
-        gate.unit = gates.text(5);
-        gate.limit = gates.optional_real(6);
-        gate.limit_source = gates.text(7);
-        gate.z = gates.optional_real(8);
-        gate.points = gates.optional_real(9);
-        gate.passed = gates.optional_flag(10);
-        gate.provisional = gates.flag(11);
-        gate.not_passed_because = statement_of(gates.text(12));
-        score.gates.push_back(std::move(gate));
+        gate.metric = gates.text(1);
+        gate.hand = gates.text(2);
+        gate.tissue = gates.text(3);
+        gate.kind = enum_of(gates.text(4), gate_kinds, "gate " + gate.metric + " of score " + score->id);
+        gate.value = gates.optional_real(5);
+        gate.unit = gates.text(6);
+        gate.limit = gates.optional_real(7);
+        gate.limit_source = gates.text(8);
+        gate.z = gates.optional_real(9);
+        gate.points = gates.optional_real(10);
+        gate.passed = gates.optional_flag(11);
+        gate.provisional = gates.flag(12);
+        gate.not_passed_because = statement_of(gates.text(13));
+        score->gates.push_back(std::move(gate));
     }
 }
 
-void read_metrics(Connection& connection, ScoreRow& score) {
-    Query metrics(
-        connection,
-        "SELECT id, version, hand, tissue, value, absent_because, unit, direction, evidence FROM metric "
-        "WHERE score_id = ? ORDER BY number");
-    metrics.bind(score.id);
+void ScoreReader::read_metrics() {
+    Query metrics =
+        rows("t.id, t.version, t.hand, t.tissue, t.value, t.absent_because, t.unit, t.direction, t.evidence",
+             "metric t", by_number);
     while (metrics.next()) {
+        ScoreRow* score = find(metrics);
+        if (score == nullptr) continue;
         MetricRow metric;
-        metric.id = metrics.text(0);
-        metric.version = static_cast<int>(metrics.integer(1));
-        metric.hand = metrics.text(2);
-        metric.tissue = metrics.text(3);
-        metric.value = metrics.optional_real(4);
-        metric.absent_because = statement_of(metrics.text(5));
-        metric.unit = metrics.text(6);
-        metric.direction = enum_of(metrics.text(7), metric_directions,
-                                   "direction of metric " + metric.id + " of score " + score.id);
-        metric.evidence = parse_intervals(metrics.text(8));
-        score.metrics.push_back(std::move(metric));
+        metric.id = metrics.text(1);
+        metric.version = static_cast<int>(metrics.integer(2));
+        metric.hand = metrics.text(3);
+        metric.tissue = metrics.text(4);
+        metric.value = metrics.optional_real(5);
+        metric.absent_because = statement_of(metrics.text(6));
+        metric.unit = metrics.text(7);
+        metric.direction = enum_of(metrics.text(8), metric_directions,
+                                   "direction of metric " + metric.id + " of score " + score->id);
+        metric.evidence = parse_intervals(metrics.text(9));
+        score->metrics.push_back(std::move(metric));
     }
 }
 
-void read_errors(Connection& connection, ScoreRow& score) {
-    Query errors(
-        connection,
-        "SELECT time_s, kind, hand, tissue, text FROM critical_error WHERE score_id = ? ORDER BY number");
-    errors.bind(score.id);
-    while (errors.next()) {
-        score.critical_errors.push_back(
-            {errors.real(0), errors.text(1), errors.text(2), errors.text(3), errors.text(4)});
-    }
+void ScoreReader::read_errors() {
+    Query errors = rows("t.time_s, t.kind, t.hand, t.tissue, t.text", "critical_error t", by_number);
+    while (errors.next())
+        if (ScoreRow* score = find(errors))
+            score->critical_errors.push_back(
+                {errors.real(1), errors.text(2), errors.text(3), errors.text(4), errors.text(5)});
 }
 
 }  // namespace
@@ -187,29 +265,16 @@ std::string write_score(const Store& store, const Session& session, const std::s
 }
 
 ScoreRow read_score(Connection& connection, const std::string& score_id) {
-    ScoreRow score;
-    Query row(connection,
-              "SELECT id, computed, program_version, limits, in_force, passed, not_scored_because, points, "
-              "advice FROM score "
-              "WHERE id = ?");
-    row.bind(score_id);
-    if (!row.next()) return score;
-    score.id = row.text(0);
-    score.computed = row.integer(1);
-    score.program_version = row.text(2);
-    score.limits = row.text(3);
-    score.in_force = row.flag(4);
-    score.passed = row.optional_flag(5);
-    score.not_scored_because = statement_of(row.text(6));
-    score.points = row.optional_real(7);
-    score.advice = statement_of(row.text(8));
-    read_gates(connection, score);
-    read_metrics(connection, score);
-    read_errors(connection, score);
-    Query pathology(connection, "SELECT report FROM pathology WHERE score_id = ?");
-    pathology.bind(score_id);
-    if (pathology.next()) score.pathology = pathology.text(0);
-    return score;
+    std::vector<ScoreOfAttempt> found = ScoreReader(connection, "s.id = ?", {score_id}).read();
+    return found.empty() ? ScoreRow() : std::move(found.front().score);
+}
+
+std::map<std::string, ScoreRow> read_scores_in_force(Connection& connection, const QString& whose,
+                                                     const std::vector<std::string>& values) {
+    std::map<std::string, ScoreRow> scores;
+    for (ScoreOfAttempt& one : ScoreReader(connection, "s.in_force = 1 AND " + whose, values).read())
+        scores.emplace(std::move(one.attempt_id), std::move(one.score));
+    return scores;
 }
 
 }  // namespace fulcrum::database

@@ -2,7 +2,9 @@
 // Scores as rows, and the digest that the audit chain keeps of each. Internal to the database.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "database/rows/attempt_records.h"
 #include "database/rows/connection.h"
@@ -16,6 +18,10 @@ std::string write_score(const Store& store, const Session& session, const std::s
                         ScoreRow score);
 /// Empty id if there is no such score.
 ScoreRow read_score(Connection& connection, const std::string& score_id);
+/// By attempt, of the attempts (table `a`) for which `whose` holds with these values: five queries, however
+/// many there are.
+std::map<std::string, ScoreRow> read_scores_in_force(Connection& connection, const QString& whose,
+                                                     const std::vector<std::string>& values);
 /// BLAKE2b-256 over every field, hex.
 std::string score_digest(const std::string& attempt_id, const ScoreRow& score);
 

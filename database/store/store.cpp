@@ -12,6 +12,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/schema/migration.h"
+#include "database/schema/server_version.h"
 #include "database/store/audit.h"
 #include "database/store/store_file.h"
 #include "database/store/store_state.h"
@@ -74,6 +75,7 @@ int Store::schema_version() {
 }
 
 bool Store::exists(const std::string& path) {
+    if (ServerAddress::is_address(path)) return true;
     std::error_code error;
     return std::filesystem::exists(path, error) && !is_unfinished(path);
 }
@@ -95,6 +97,7 @@ Store Store::open_or_create(const std::string& path, bool demo, StoreOptions opt
 }
 
 Store Store::create(const std::string& path, bool demo, StoreOptions options) {
+    if (ServerAddress::is_address(path)) fail_as_not_a_file(path);
     NewStoreFile file(path);
     {
         auto state = std::make_unique<State>();
@@ -173,7 +176,19 @@ void enter_records(const Store& store) {
 
 }  // namespace
 
+Store Store::open_server(const std::string& address, StoreOptions options) {
+    auto state = std::make_unique<State>();
+    options.read_only = true;
+    state->options = with_clocks(std::move(options));
+    state->connection = std::make_unique<Connection>(ServerAddress::parse(address), true);
+    state->path = state->connection->path();
+    state->station_id = require_server(*state->connection);
+    state->schema = latest_schema_version();
+    return Store(std::move(state));
+}
+
 Store Store::open(const std::string& path, StoreOptions options) {
+    if (ServerAddress::is_address(path)) return open_server(path, std::move(options));
     require_readable_file(path, options.read_only);
     auto state = std::make_unique<State>();
     state->path = path;
@@ -223,6 +238,9 @@ const std::string& Store::path() const noexcept {
 }
 bool Store::is_read_only() const noexcept {
     return state_->options.read_only;
+}
+bool Store::is_server() const noexcept {
+    return state_->connection->is_server();
 }
 const StationKey& Store::key(std::int64_t next_row) const {
     if (!state_->key) state_->key = StationKey::of(state_->station_id, next_row);

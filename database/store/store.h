@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The station's store: one SQLite file (WAL, foreign keys, user_version migrations). Needs a QCoreApplication
+// The station's store: one SQLite file (WAL, foreign keys, user_version migrations); or, to be read only, the
+// programme server (PostgreSQL), named by its address in place of the file. Needs a QCoreApplication
 // (Qt loads the driver as a plugin). One Store is one connection: use it on the thread that opened it; other
 // threads open their own on the same path.
 //
@@ -78,11 +79,12 @@ class Store {
     static Store create(const std::string& path, bool demo = false, StoreOptions options = {});
     /// Opens, migrates (one transaction a step; a copy FILE.before-vN is kept), and closes interrupted
     /// attempts, unless read_only. Throws StoreError missing, not_a_store, newer_schema, older_schema,
-    /// read_only, locked, corrupt.
+    /// read_only, locked, corrupt; of a programme server's address unreachable.
     static Store open(const std::string& path, StoreOptions options = {});
     /// Opens the store, or makes it if there is none.
     static Store open_or_create(const std::string& path, bool demo = false, StoreOptions options = {});
-    /// A file of that name exists and is not an unfinished store (which create() replaces).
+    /// A file of that name exists and is not an unfinished store (which create() replaces), or it is the
+    /// address of a server.
     static bool exists(const std::string& path);
     /// The schema version this program writes.
     static int schema_version();
@@ -93,8 +95,11 @@ class Store {
     Store& operator=(Store&&) noexcept;
     ~Store();
 
+    /// The file, or the server's address: what open() takes.
     const std::string& path() const noexcept;
     bool is_read_only() const noexcept;
+    /// The programme server: what all stations have sent, read only. People::account_session() signs in.
+    bool is_server() const noexcept;
     bool is_demo() const;
     const std::string& station_id() const noexcept;
     UtcMilliseconds now() const;
@@ -133,6 +138,7 @@ class Store {
   private:
     struct State;
     explicit Store(std::unique_ptr<State> state);
+    static Store open_server(const std::string& address, StoreOptions options);
     std::unique_ptr<State> state_;
 };
 

@@ -33,6 +33,29 @@ bool writes(Operation operation) {
     }
 }
 
+/// What a programme server is asked through a Store. Whoever wants to write does it at a station, and what
+/// concerns the server itself is the business of `fulcrum server`.
+bool is_for_servers(Operation operation) {
+    switch (operation) {
+        case Operation::list_people:
+        case Operation::list_cohorts:
+        case Operation::read_attempt:
+        case Operation::read_trace:
+        case Operation::read_progress:
+        case Operation::read_cohort_table:
+        case Operation::read_comment:
+        case Operation::read_requests:
+        case Operation::export_person:
+        case Operation::export_cohort:
+        case Operation::read_tissues:
+        case Operation::read_ratings:
+        case Operation::read_goals:
+            return true;
+        default:
+            return false;
+    }
+}
+
 /// Empty if the session is still valid; else why not.
 Sentence why_session_ended(const Store& store, const Session& session, Operation operation) {
     if (session.station_id() != store.station_id())
@@ -85,6 +108,10 @@ Sentence refusal(const Store& store, const Session& session, Operation operation
     if (!ended.empty()) return ended;
     if (scope_of(session.role(), operation) == Scope::none)
         return QT_TRANSLATE_NOOP("errors", "not in this role");
+    if (store.is_server() && !is_for_servers(operation))
+        return QT_TRANSLATE_NOOP("errors",
+                                 "the programme server is only read here; do it at a station, with its own "
+                                 "store");
     if (writes(operation) && store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1") {
         return QT_TRANSLATE_NOOP("errors", "the demo takes practice attempts only");
     }

@@ -88,7 +88,16 @@ void fail_file(const std::string& path, int error) {
                      QT_TRANSLATE_NOOP("errors", "choose a folder that this user can write"));
 }
 
+void fail_as_not_a_file(const std::string& address) {
+    throw StoreError(
+        StoreErrorKind::bad_value,
+        {QT_TRANSLATE_NOOP("errors", "%1: this is a programme server, not a file"), address},
+        QT_TRANSLATE_NOOP("errors",
+                          "name the station's own store; `fulcrum server` has the commands for a server"));
+}
+
 void require_readable_file(const std::string& path, bool read_only) {
+    if (ServerAddress::is_address(path)) fail_as_not_a_file(path);
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) {
         throw StoreError(StoreErrorKind::missing,

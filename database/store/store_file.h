@@ -21,6 +21,8 @@ void require_readable_file(const std::string& path, bool read_only);
 void require_finished(Connection& connection);
 /// Same question about a file. False for a file that is missing or cannot be read.
 bool is_unfinished(const std::string& path);
+/// Throws StoreError bad_value: this is the address of a server.
+[[noreturn]] void fail_as_not_a_file(const std::string& address);
 /// Throws the StoreError that an error of the file system means.
 [[noreturn]] void fail_file(const std::string& path, int error);
 

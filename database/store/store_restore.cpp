@@ -189,6 +189,7 @@ void take_place(const std::string& copy, const std::string& path) {
 
 Replaced restore_store(const std::string& from, const std::string& path, const SignInToCopy& sign_in,
                        StoreOptions options) {
+    if (ServerAddress::is_address(path)) fail_as_not_a_file(path);
     require_readable_file(from, true);
     std::error_code ignored;
     if (files::exists(path) && files::equivalent(from, path, ignored))

@@ -7,6 +7,7 @@
 #include "database/records/people_rows.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/schema/server_version.h"
 #include "database/store/audit.h"
 #include "database/store/store_state.h"
 #include "database/sync/erasure.h"
@@ -127,9 +128,7 @@ std::vector<Unit> Exchange::transferable(const Units& units, std::vector<Unit> r
     const auto rest =
         std::stable_partition(read.begin(), read.end(), [&](const Unit& unit) { return !waits(unit); });
     if (rest != read.end())
-        waiting_[std::string(units.table().title) +
-                 (way == Way::up ? " of this station" : " of the server")] +=
-            static_cast<std::int64_t>(read.end() - rest);
+        waiting_[{units.table().title, way}] += static_cast<std::int64_t>(read.end() - rest);
     read.erase(rest, read.end());
     auto& keys = known_[way == Way::up ? 0 : 1];
     const auto own = keys.find(units.table().table);
@@ -213,12 +212,13 @@ void Exchange::exchange_versioned(const Units& units) {
         if (units.table().unique == nullptr) return false;
         const auto found = owner.find(state.unique);
         if (found == owner.end() || found->second == key) return false;
-        const std::string conflict =
-            std::string(units.table().title) + ": \"" + state.unique +
-            "\" is the name of one at this station and of another one on the server; neither "
-            "is transferred until one of them is renamed";
-        if (std::find(result.conflicts.begin(), result.conflicts.end(), conflict) == result.conflicts.end())
-            result.conflicts.push_back(conflict);
+        // Found once for each side.
+        if (names_taken_.insert(std::string(units.table().table) + " " + state.unique).second)
+            result.conflicts.push_back(
+                {QT_TRANSLATE_NOOP("errors",
+                                   "%1: \"%2\" is the name of one at this station and of another one on the "
+                                   "server; neither is transferred until one of them is renamed"),
+                 units.table().title, state.unique});
         return true;
     };
     for (const auto& [key, state] : here) {
@@ -232,9 +232,10 @@ void Exchange::exchange_versioned(const Units& units) {
         down.push_back(key);
         if (is_changed_here(key))
             result.conflicts.push_back(
-                std::string(units.table().title) + ": \"" + (state.unique.empty() ? key : state.unique) +
-                "\" was changed here and on the server; the server's is kept, and the audit log "
-                "has both");
+                {QT_TRANSLATE_NOOP("errors",
+                                   "%1: \"%2\" was changed here and on the server; the server's is kept, and "
+                                   "the audit log has both"),
+                 units.table().title, state.unique.empty() ? key : state.unique});
     }
     for (const auto& [key, state] : there)
         if (here.count(key) == 0 && !taken(key, state, owners_here)) down.push_back(key);
@@ -286,9 +287,16 @@ void Exchange::push_audit() {
 }
 
 void Exchange::finish() {
-    for (const auto& [title, number] : waiting_)
-        result.conflicts.push_back(title + ": " + std::to_string(number) +
-                                   " wait until what they belong to can be transferred");
+    for (const auto& [what, number] : waiting_)
+        result.conflicts.push_back(
+            {what.second == Way::up
+                 ? QT_TRANSLATE_NOOP("errors",
+                                     "%1 of this station that wait until what they belong to can be "
+                                     "transferred: %2")
+                 : QT_TRANSLATE_NOOP("errors",
+                                     "%1 of the server that wait until what they belong to can be "
+                                     "transferred: %2"),
+             what.first.c_str(), number});
     if (result.transferred() == 0 && result.erased == 0) return;
     std::int64_t pushed = 0, pulled = 0;
     for (const SyncCount& one : result.counts) {
@@ -296,7 +304,8 @@ void Exchange::finish() {
         pulled += one.pulled;
     }
     std::string conflicts;
-    for (const std::string& one : result.conflicts) conflicts += (conflicts.empty() ? "" : "; ") + one;
+    for (const std::string& one : english_of(result.conflicts))
+        conflicts += (conflicts.empty() ? "" : "; ") + one;
     Audit(store_).append(store_.station_session(), store_.station_id(), "sync.finish",
                          json_object({{"server", server_id_},
                                       {"sent", std::to_string(pushed)},

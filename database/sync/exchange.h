@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "database/sync/sync.h"
@@ -48,7 +49,8 @@ class Exchange {
     const SyncOptions& options_;
     std::string server_id_;
     std::map<std::string, std::set<std::string>> known_[2];  ///< by table: keys that the receiving side has
-    std::map<std::string, std::int64_t> waiting_;            ///< by what they are
+    std::map<std::pair<std::string, Way>, std::int64_t> waiting_;  ///< by title
+    std::set<std::string> names_taken_;
     std::size_t step_ = 0, steps_ = 1;
 };
 

@@ -4,11 +4,15 @@
 #include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "database/records/people_rows.h"
+#include "database/schema/server_version.h"
 #include "database/store/audit.h"
 #include "database/store/record_digests.h"
+#include "database/store/server_roles.h"
 #include "database/sync/erasure.h"
 #include "database/sync/server_schema.h"
 
@@ -83,6 +87,7 @@ ServerCheck check_programme_server(const ServerAddress& address) {
         check.stations = counts.integer(0);
         check.audit_rows = counts.integer(1);
     }
+    check.audit_head = server_audit_head(server);
     AuditRows erased;
     Query rows(server, "SELECT station_id, sequence FROM erased_payload");
     while (rows.next()) erased[rows.text(0)].insert(rows.integer(1));
@@ -91,6 +96,55 @@ ServerCheck check_programme_server(const ServerAddress& address) {
         check.problems.push_back(std::move(problem));
     check_server_records(server, check);
     return check;
+}
+
+ServerAccount grant_at_programme_server(const ServerAddress& address, const std::string& login) {
+    Connection server(address);
+    require_server(server);
+    Transaction transaction(server);
+    ServerAccount account;
+    {
+        Query person(
+            server,
+            "SELECT id, login, display_name, active FROM person WHERE login_key = ? AND kind = 'real'");
+        person.bind(login_key(login));
+        if (!person.next())
+            throw StoreError(
+                StoreErrorKind::not_found,
+                {QT_TRANSLATE_NOOP("errors", "%1: has no person with the login %2"), address.text(), login},
+                QT_TRANSLATE_NOOP("errors", "sync the station that knows the person first"));
+        account.name = person.text(0);
+        account.login = person.text(1);
+        account.display_name = person.text(2);
+        if (person.flag(3))
+            for (const Role role : roles_of(server, account.name))
+                if (std::count(std::begin(server_roles), std::end(server_roles), role) > 0)
+                    account.roles.push_back(role);
+    }
+    {
+        Query there(server, "SELECT 1 FROM pg_roles WHERE rolname = ?");
+        there.bind(account.name);
+        account.made = !there.next();
+    }
+    if (account.made && account.roles.empty())
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "%1 is not an active trainee, educator or director"), account.login},
+            QT_TRANSLATE_NOOP("errors",
+                              "accounts of a server are for these; give the person the role first"));
+    const QString name = '"' + QString::fromStdString(account.name).replace('"', "\"\"") + '"';
+    if (account.made) server.execute("CREATE ROLE " + name + " LOGIN");
+    for (const Role role : server_roles) {
+        const bool held = std::find(account.roles.begin(), account.roles.end(), role) != account.roles.end();
+        if (!held && account.made) continue;
+        server.execute(QString(held ? "GRANT %1 TO %2" : "REVOKE %1 FROM %2")
+                           .arg(QString::fromStdString(server_group(role)), name));
+    }
+    transaction.commit();
+    ServerAddress own = address;
+    own.user = account.name;
+    account.address = own.text();
+    return account;
 }
 
 std::vector<ErasedRows> erase_at_programme_server(const ServerAddress& address, const std::string& person_id,

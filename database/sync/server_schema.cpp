@@ -4,12 +4,11 @@
 #include <QRegularExpression>
 
 #include "database/rows/crypto.h"
+#include "database/schema/server_version.h"
 #include "database/sync/server_rights.h"
 
 namespace fulcrum::database {
 namespace {
-
-constexpr int oldest_postgresql = 120000;  // as server_version_num has it
 
 /// A trigger that refuses, as all of ours do, becomes a function of the same name.
 QString trigger_for_server(const QRegularExpressionMatch& trigger) {
@@ -51,37 +50,6 @@ constexpr const char* owned[][2] = {{"person", "id"},
                                     {"curriculum_move", "person_id"},
                                     {"personal_goal", "person_id"}};
 
-bool has_table(Connection& server, const char* name) {
-    Query row(server,
-              "SELECT 1 FROM information_schema.tables WHERE table_schema = 'public' AND table_name = ?");
-    row.bind(name);
-    return row.next();
-}
-
-/// 0: it has none of our tables.
-int found_schema(Connection& server) {
-    if (!has_table(server, "programme_server")) return 0;
-    Query row(server, "SELECT schema FROM programme_server");
-    return row.next() ? static_cast<int>(row.integer(0)) : 0;
-}
-
-void require_version(Connection& server) {
-    Query row(server, "SELECT current_setting('server_version_num')::int, current_setting('server_version')");
-    if (row.next() && row.integer(0) < oldest_postgresql)
-        throw StoreError(
-            StoreErrorKind::older_schema,
-            {QT_TRANSLATE_NOOP("errors", "%1: PostgreSQL %2 is too old"), server.path(), row.text(1)},
-            QT_TRANSLATE_NOOP("errors", "upgrade the server to PostgreSQL 12 or newer"));
-}
-
-[[noreturn]] void fail_as_newer(const Connection& server, int found) {
-    throw StoreError(
-        StoreErrorKind::newer_schema,
-        {QT_TRANSLATE_NOOP("errors", "%1: made by a newer program (schema %2, this program knows %3)"),
-         server.path(), found, latest_schema_version()},
-        QT_TRANSLATE_NOOP("errors", "update Fulcrum on this station, then sync again; nothing is lost"));
-}
-
 }  // namespace
 
 QString step_for_server(const QString& step) {
@@ -109,12 +77,12 @@ QString step_for_server(const QString& step) {
 }
 
 ServerSchema create_server(Connection& server, std::int64_t now, int target) {
-    require_version(server);
+    require_postgresql_version(server);
     Transaction transaction(server);
     server.execute("SELECT pg_advisory_xact_lock(" + QString::number(application_id) + ")");
-    ServerSchema schema{found_schema(server), target};
-    if (schema.from > schema.to) fail_as_newer(server, schema.from);
-    if (schema.from == 0 && has_table(server, "person"))
+    ServerSchema schema{found_server_schema(server), target};
+    if (schema.from > schema.to) fail_as_newer_server(server, schema.from);
+    if (schema.from == 0 && has_server_table(server, "person"))
         throw StoreError(StoreErrorKind::not_a_store,
                          {QT_TRANSLATE_NOOP("errors", "%1: has tables of another program"), server.path()},
                          QT_TRANSLATE_NOOP("errors", "make a database of its own (createdb) and name that"));
@@ -138,28 +106,6 @@ ServerSchema create_server(Connection& server, std::int64_t now, int target) {
     set_server_rights(server);
     transaction.commit();
     return schema;
-}
-
-std::string require_server(Connection& server) {
-    require_version(server);
-    const int found = found_schema(server), known = latest_schema_version();
-    if (found == 0)
-        throw StoreError(StoreErrorKind::missing,
-                         {QT_TRANSLATE_NOOP("errors", "%1: is not a programme server"), server.path()},
-                         Sentence(QT_TRANSLATE_NOOP(
-                                      "errors", "have its administrator run `fulcrum server create --to %1`"),
-                                  server.path()));
-    if (found > known) fail_as_newer(server, found);
-    if (found < known)
-        throw StoreError(StoreErrorKind::older_schema,
-                         {QT_TRANSLATE_NOOP("errors", "%1: schema %2 is older than this program's %3"),
-                          server.path(), found, known},
-                         Sentence(QT_TRANSLATE_NOOP("errors",
-                                                    "have its administrator run `fulcrum server create --to "
-                                                    "%1` with this program; nothing is lost"),
-                                  server.path()));
-    Query row(server, "SELECT id FROM programme_server");
-    return row.next() ? row.text(0) : std::string();
 }
 
 }  // namespace fulcrum::database

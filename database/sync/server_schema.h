@@ -18,7 +18,5 @@ QString step_for_server(const QString& step);
 /// Makes or upgrades the tables, in one transaction; `now`: ms since 1970. Throws StoreError: newer_schema,
 /// not_a_store (tables of something else), read_only. `target`: the schema to reach.
 ServerSchema create_server(Connection& server, std::int64_t now, int target = latest_schema_version());
-/// The server's id. Throws StoreError: missing (create it first), newer_schema, older_schema.
-std::string require_server(Connection& server);
 
 }  // namespace fulcrum::database

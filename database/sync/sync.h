@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "database/rows/errors.h"
 #include "database/rows/server_address.h"
 #include "database/store/store.h"
 
@@ -22,10 +23,10 @@ struct SyncCount {
 struct SyncResult {
     bool complete = true;     ///< false: stopped by `stop`; the next run completes it
     std::int64_t erased = 0;  ///< people whom the server's list of erasures names and who were still here
-    std::vector<SyncCount> counts;       ///< tables of which something was transferred
-    std::int64_t audit_rows = 0;         ///< pushed
-    std::vector<std::string> conflicts;  ///< sentences: what was decided, or waits for somebody
-    double clock_ahead_s = 0;            ///< of the server: this station's clock
+    std::vector<SyncCount> counts;    ///< tables of which something was transferred
+    std::int64_t audit_rows = 0;      ///< pushed
+    std::vector<Sentence> conflicts;  ///< what was decided, or waits for somebody
+    double clock_ahead_s = 0;         ///< of the server: this station's clock
     std::int64_t transferred() const;
 };
 

@@ -59,6 +59,7 @@ constexpr WordsOf operations[] = {
 constexpr WordsOf reasons[] = {
     {"not in this role", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This role does not include it.")},
     {"the demo takes practice attempts only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The demonstration accepts practice attempts only.")},
+    {"the programme server is only read here; do it at a station, with its own store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The programme server is only read here. Do it at a station.")},
     {"outside this role's people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The person is not in your care.")},
     {"not allowed on one's own attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You may not do this to your own attempt.")},
     {"signed in to another store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You are signed in to another programme. Sign in again.")},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/report.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -28,12 +27,6 @@ std::vector<ReportTask> titles_of(const std::vector<std::string>& ids,
         titles.push_back(std::move(shown));
     }
     return titles;
-}
-
-void add_all(std::vector<std::string>& to, const std::vector<std::string>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-    std::sort(to.begin(), to.end());
-    to.erase(std::unique(to.begin(), to.end()), to.end());
 }
 
 std::vector<std::string> ids_of(const std::vector<TaskDefinition>& tasks) {
@@ -97,37 +90,41 @@ ReportFormat parse_report_format(const std::string& name) {
                      {QT_TRANSLATE_NOOP("errors", "use one of %1"), names_of(report_formats)});
 }
 
+namespace {
+
+PersonReport report_of(database::PersonData data, ReportProvenance provenance,
+                       const std::vector<TaskDefinition>& tasks) {
+    PersonReport report;
+    report.provenance = std::move(provenance);
+    report.provenance.audit_head = std::move(data.audit_head);
+    report.provenance.metric_versions = std::move(data.metric_versions);
+    report.provenance.benchmark_sets = std::move(data.benchmark_sets);
+    report.provenance.program_versions = std::move(data.program_versions);
+    report.person_id = std::move(data.person_id);
+    report.login = std::move(data.login);
+    report.name = std::move(data.name);
+    report.synthetic = data.synthetic;
+    report.tasks = titles_of(ids_of(tasks), tasks);
+    report.rows = std::move(data.rows);
+    report.progress = std::move(data.progress);
+    report.standings = std::move(data.standings);
+    return report;
+}
+
+}  // namespace
+
 PersonReport gather_person(const database::Store& store, const database::Session& session,
                            const std::string& person_id, const std::vector<TaskDefinition>& tasks,
                            const std::string& program_version, const Curriculum* curriculum) {
-    const database::Reports reports(store);
-    PersonReport report;
-    if (curriculum != nullptr)
-        report.standings =
-            reports.standings(session, person_id, *curriculum, database::ReportPurpose::exported);
-    report.provenance = provenance_of(store, session, program_version);
-    report.person_id = person_id;
-    report.tasks = titles_of(ids_of(tasks), tasks);
-    report.rows = reports.person_table(session, person_id, ids_of(tasks), database::ReportPurpose::exported);
-    for (const TaskDefinition& task : tasks) {
-        report.progress.push_back(
-            reports.person_progress(session, person_id, task.id, database::ReportPurpose::exported));
-        const database::PersonProgress& last = report.progress.back();
-        report.login = last.login;
-        report.name = last.name;
-        report.synthetic = last.synthetic;
-        report.provenance.audit_head = last.audit_head;
-        add_all(report.provenance.metric_versions, last.metric_versions);
-        add_all(report.provenance.benchmark_sets, last.benchmark_sets);
-        add_all(report.provenance.program_versions, last.program_versions);
-    }
-    return report;
+    return report_of(
+        database::Reports(store).person_data(session, person_id, {ids_of(tasks), curriculum, true}),
+        provenance_of(store, session, program_version), tasks);
 }
 
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
-                                          const std::string& program_version, bool with_people,
+                                          const std::string& program_version, PeoplePages people,
                                           const Progress& progress, const Curriculum* curriculum) {
     CohortReport report;
     report.provenance = provenance_of(store, session, program_version);
@@ -142,17 +139,14 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
     report.provenance.metric_versions = report.table.metric_versions;
     report.provenance.benchmark_sets = report.table.benchmark_sets;
     report.provenance.program_versions = report.table.program_versions;
-    if (!with_people) return report;
-    std::vector<std::string> people;
-    for (const database::CohortRow& row : report.table.rows) {
-        if (people.empty() || people.back() != row.person_id) people.push_back(row.person_id);
-    }
-    for (std::size_t i = 0; i < people.size(); ++i) {
-        const double done = static_cast<double>(i) / static_cast<double>(people.size());
-        if (progress && !progress(0.5 * done, {})) return std::nullopt;
-        report.people.push_back(gather_person(store, session, people[i], tasks, program_version, curriculum));
-        report.people.back().provenance.as_of = report.provenance.as_of;
-    }
+    if (people == PeoplePages::none) return report;
+    const bool all = database::Reports(store).each_of_cohort(
+        session, cohort_id, {ids_of(tasks), curriculum, people == PeoplePages::with_metrics},
+        [&](database::PersonData&& data, double done) {
+            report.people.push_back(report_of(std::move(data), report.provenance, tasks));
+            return !progress || progress(0.5 * done, {});
+        });
+    if (!all) return std::nullopt;
     return report;
 }
 
@@ -247,9 +241,11 @@ std::vector<std::string> write_report(const database::Store& store, const databa
         if (stopped(0.6)) return {};
         return write_person(report, request);
     }
-    const bool with_people = request.format == ReportFormat::pdf || request.format == ReportFormat::xapi;
+    const PeoplePages people = request.format == ReportFormat::pdf    ? PeoplePages::without_metrics
+                               : request.format == ReportFormat::xapi ? PeoplePages::with_metrics
+                                                                      : PeoplePages::none;
     const std::optional<CohortReport> report = gather_cohort(
-        store, session, request.cohort_id, tasks, program_version, with_people, progress, request.curriculum);
+        store, session, request.cohort_id, tasks, program_version, people, progress, request.curriculum);
     return report ? write_cohort(*report, request, progress) : std::vector<std::string>();
 }
 

@@ -81,12 +81,14 @@ PersonReport gather_person(const database::Store& store, const database::Session
 AttemptPaper gather_attempt(const database::Store& store, const database::Session& session,
                             const std::string& attempt_id, const std::vector<TaskDefinition>& tasks,
                             const std::string& program_version);
-/// Tells its progress; an empty optional when it was stopped. Only the PDF prints the people's pages; the
-/// others need no more than the table (`with_people` false).
+/// What a cohort's report has of each person: the PDF pages, statements for a record store the metrics too,
+/// the others no more than the table.
+enum class PeoplePages { none, without_metrics, with_metrics };
+/// Tells its progress; an empty optional when it was stopped.
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
-                                          const std::string& program_version, bool with_people,
+                                          const std::string& program_version, PeoplePages people,
                                           const Progress& progress = {},
                                           const Curriculum* curriculum = nullptr);
 

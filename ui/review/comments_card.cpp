@@ -95,7 +95,9 @@ void CommentsCard::fill() {
             list_->addLayout(row);
         }
         // Shown is read.
-        if (own && !draft && comment.read == 0) {
+        if (own && !draft && comment.read == 0 &&
+            context_.allowed(database::Operation::mark_comment_read,
+                             database::Subject::person(context_.session().person_id()))) {
             context_.guarded(
                 [&] { database::Reviews(context_.store()).mark_read(context_.session(), comment.id); });
         }

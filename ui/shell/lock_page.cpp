@@ -33,9 +33,9 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     job_ = new JobBar;
     card_layout(card)->addWidget(job_);
     auto* row = new QHBoxLayout;
-    QPushButton* other = make_button(tr("Switch user"), "lock_switch_user");
+    other_ = make_button(tr("Switch user"), "lock_switch_user");
     unlock_ = make_button(tr("Unlock"), "unlock", "primary");
-    row->addWidget(other);
+    row->addWidget(other_);
     row->addStretch();
     row->addWidget(unlock_);
     card_layout(card)->addLayout(row);
@@ -46,7 +46,7 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     middle->addStretch(1);
     layout->addLayout(middle);
     layout->addStretch();
-    connect(other, &QPushButton::clicked, this, &LockPage::switch_user);
+    connect(other_, &QPushButton::clicked, this, &LockPage::switch_user);
     connect(unlock_, &QPushButton::clicked, this, &LockPage::unlock);
     connect(password_, &QLineEdit::returnPressed, this, &LockPage::unlock);
 }
@@ -58,6 +58,9 @@ void LockPage::enter() {
     notice_->clear();
     problem_->clear();
     password_->clear();
+    const bool server = context().store().is_server();
+    other_->setVisible(!server);
+    password_->setPlaceholderText(server ? tr("Password of the server's account") : tr("Password"));
     password_->setVisible(!demo);
     (demo ? static_cast<QWidget*>(unlock_) : password_)->setFocus();
 }

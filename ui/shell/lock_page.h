@@ -28,7 +28,7 @@ class LockPage : public Page {
     void unlock();
     QLabel *who_, *notice_, *problem_;
     QLineEdit* password_;
-    QPushButton* unlock_;
+    QPushButton *unlock_, *other_;
     JobBar* job_;
 };
 

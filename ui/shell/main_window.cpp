@@ -10,6 +10,7 @@
 #include <typeinfo>
 
 #include "database/records/people.h"
+#include "ui/page/error_text.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/first_start_page.h"
 #include "ui/shell/lock_page.h"
@@ -113,9 +114,10 @@ QWidget* MainWindow::build_banner() {
     banner_->setProperty("role", "banner");
     auto* row = new QHBoxLayout(banner_);
     row->setContentsMargins(16, 3, 16, 3);
-    auto* words = make_label(tr("Demonstration: the people are not real, and neither are their attempts."));
-    words->setAlignment(Qt::AlignCenter);
-    row->addWidget(words);
+    banner_text_ = make_label({});
+    banner_text_->setObjectName(QStringLiteral("banner_text"));
+    banner_text_->setAlignment(Qt::AlignCenter);
+    row->addWidget(banner_text_);
     banner_->hide();
     return banner_;
 }
@@ -265,6 +267,26 @@ void MainWindow::connect_first_pages() {
     connect(sign_in, &SignInPage::leave_demo, this, &MainWindow::start, Qt::UniqueConnection);
 }
 
+void MainWindow::show_banner() {
+    const database::Store* store = context_.services().store();
+    const bool shown = store != nullptr && (store->is_demo() || store->is_server());
+    if (shown)
+        banner_text_->setText(
+            store->is_demo() ? tr("Demonstration: the people are not real, and neither are their attempts.")
+                             : tr("Programme server, read only: attempts, ratings and decisions are made at "
+                                  "the stations."));
+    banner_->setVisible(shown);
+}
+
+bool MainWindow::on_server() {
+    return context_.services().store() != nullptr && context_.store().is_server();
+}
+
+void MainWindow::open_server() {
+    context_.set_session(database::People(context_.store()).account_session());
+    show_home();
+}
+
 void MainWindow::start() {
     connect_first_pages();
     auto* first = page<FirstStartPage>();
@@ -274,13 +296,18 @@ void MainWindow::start() {
         const bool ready = context_.services().store() != nullptr && !context_.store().is_demo() &&
                            context_.store().has_administrator();
         first->show_trouble({}, {});
-        if (ready) {
+        if (on_server()) {
+            open_server();
+        } else if (ready) {
             show_sign_in();
         } else {
             show_page(first);
         }
     } catch (const database::StoreError& error) {
         first->show_trouble(sentence_text(error.problem_sentence()), sentence_text(error.hint_sentence()));
+        show_page(first);
+    } catch (const database::SignInRefused& error) {
+        first->show_trouble(error_text(error), {});
         show_page(first);
     }
 }
@@ -346,7 +373,7 @@ void MainWindow::show_page(Page* next) {
     const bool before_sign_in = !context_.signed_in();
     top_bar_->setVisible(context_.services().store() != nullptr && !before_sign_in);
     rail_->setVisible(!theatre && !before_sign_in && !rail_buttons_.empty());
-    banner_->setVisible(context_.services().store() != nullptr && context_.store().is_demo());
+    show_banner();
     role_->setEnabled(!theatre);
     for (auto& [button, entry] : rail_buttons_) {
         const QSignalBlocker quiet(button);
@@ -393,6 +420,8 @@ void MainWindow::show_session() {
         role_->addItem(tr("Acting as %1").arg(role_text(database::role_name(held))), static_cast<int>(held));
         if (held == session.role()) role_->setCurrentIndex(role_->count() - 1);
     }
+    // The server signs in, when the program starts.
+    switch_user_->setVisible(!on_server());
     fill_rail();
 }
 
@@ -409,7 +438,7 @@ void MainWindow::fill_rail() {
                 [this, entry] { show_page(page(entry->type, entry->make)); });
     }
     rail_layout_->addStretch();
-    if (!context_.session().is_demo()) {
+    if (!context_.session().is_demo() && !on_server()) {
         QPushButton* password = make_button(tr("Change password"), "rail_password", "rail");
         connect(password, &QPushButton::clicked, this, [this] { show_page(page<PasswordPage>()); });
         rail_layout_->addWidget(password);

@@ -72,6 +72,10 @@ class MainWindow : public QMainWindow {
     void show_page(Page* page);
     void show_home();
     void show_sign_in();
+    void show_banner();
+    bool on_server();
+    /// With the person whose account the address names.
+    void open_server();
     void fill_rail();
     /// As wide as its longest title needs.
     void fit_rail();
@@ -94,7 +98,7 @@ class MainWindow : public QMainWindow {
     QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;
     QWidget* message_area_ = nullptr;
     ElidedLabel *programme_ = nullptr, *person_ = nullptr;
-    QLabel* message_text_ = nullptr;
+    QLabel *message_text_ = nullptr, *banner_text_ = nullptr;
     QTimer message_timer_;
     QComboBox* role_ = nullptr;
     QPushButton *switch_user_ = nullptr, *theme_ = nullptr;

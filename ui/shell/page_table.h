@@ -16,6 +16,7 @@ struct PageEntry {
     std::vector<database::Role> roles;  ///< who sees it
     std::type_index type;               ///< the page's class: entries of one class share the page
     Page* (*make)(Context& context);
+    bool at_station_only = false;  ///< for what is done at a station: not shown for a programme server
 };
 
 /// In the order of the rail; a role's first entry is the page it starts on.

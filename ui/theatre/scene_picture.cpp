@@ -56,7 +56,7 @@ QString ScenePicture::file_of(ApplicationServices& services, const TaskDefinitio
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(QByteArray::fromStdString(services.scene_text(task, variant)));
     hash.addData(QByteArray::fromStdString(services.program_version()));
-    return QFileInfo(text(services.store_path(false))).absolutePath() +
+    return QFileInfo(text(services.store_path(true))).absolutePath() +
            QStringLiteral("/pictures/%1-%2.png")
                .arg(text(task.id), QString::fromLatin1(hash.result().toHex().left(16)));
 }

@@ -10,7 +10,10 @@
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
 #include "database/store/accepted_assets.h"
+#include "database/sync/programme_server.h"
+#include "database/sync/sync.h"
 #include "tests/database/access_expectation.h"
+#include "tests/database/postgresql_server.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -123,7 +126,7 @@ class EveryCell : public ::testing::Test {
 
     /// The store's call for an operation on a target; nothing where the operation has no such target.
     std::function<void()> call(Operation operation, const Session& session, const Target& target) {
-        const Store& store = *programme.store;
+        const Store& store = *asked();
         const People people(store);
         const Attempts attempts(store);
         const Reviews reviews(store);
@@ -166,7 +169,7 @@ class EveryCell : public ::testing::Test {
                 return [=] {
                     AttemptMeta meta = example_meta(target.person);
                     if (target.name == "robot") meta.device_class = DeviceClass::synthetic;
-                    const Recorder recorder(programme.path, session, meta, programme.clock.options());
+                    const Recorder recorder(asked()->path(), session, meta, programme.clock.options());
                 };
             case Operation::read_attempt:
                 return [=] {
@@ -196,8 +199,8 @@ class EveryCell : public ::testing::Test {
                     [=] { attempts.reassign(session, target.attempt, programme.id("ben"), "wrong person"); };
             case Operation::decide_standing:
                 return [=] {
-                    Standings(*programme.store)
-                        .decide(session, target.person, "B1", StandingOverride::Kind::unlocked, "moved here");
+                    Standings(*asked()).decide(session, target.person, "B1", StandingOverride::Kind::unlocked,
+                                               "moved here");
                 };
             case Operation::request_correction:
                 return [=] { attempts.request_correction(session, target.attempt, "this was not me"); };
@@ -211,13 +214,13 @@ class EveryCell : public ::testing::Test {
                     reports.cohort_table(session, target.cohort, {}, ReportPurpose::exported);
                 };
             case Operation::view_audit:
-                return [=] { Audit(*programme.store).entries(session); };
+                return [=] { Audit(*asked()).entries(session); };
             case Operation::check_store:
-                return [=] { programme.store->check(session); };
+                return [=] { asked()->check(session); };
             case Operation::backup:
                 return [=] {
-                    programme.store->backup(
-                        session, programme.folder.filePath(QString::number(++backups)).toStdString());
+                    asked()->backup(session,
+                                    programme.folder.filePath(QString::number(++backups)).toStdString());
                 };
             case Operation::manage_settings:
                 return [=] { people.set_sign_in_picker(session, false); };
@@ -229,23 +232,23 @@ class EveryCell : public ::testing::Test {
                 };
             case Operation::accept_assets:
                 return [=] {
-                    AcceptedAssets(*programme.store)
-                        .accept(session, {"benchmarks/A2.json", std::to_string(++backups)}, "our experts");
+                    AcceptedAssets(*asked()).accept(
+                        session, {"benchmarks/A2.json", std::to_string(++backups)}, "our experts");
                 };
             case Operation::rate:
-                return [=] { Ratings(*programme.store).begin(session, target.attempt, goals()); };
+                return [=] { Ratings(*asked()).begin(session, target.attempt, goals()); };
             case Operation::read_ratings:
-                return [=] { Ratings(*programme.store).of_attempt(session, target.attempt); };
+                return [=] { Ratings(*asked()).of_attempt(session, target.attempt); };
             case Operation::release_ratings:
-                return [=] { Ratings(*programme.store).release(session, target.attempt); };
+                return [=] { Ratings(*asked()).release(session, target.attempt); };
             case Operation::set_goal:
                 // One's own is set; another's is refused when it is to be dropped. A robot has none.
                 if (target.goal.empty()) return F();
                 if (target.person == session.person_id())
-                    return [=] { Goals(*programme.store).set(session, weekly(), 20'000); };
-                return [=] { Goals(*programme.store).drop(session, target.goal); };
+                    return [=] { Goals(*asked()).set(session, weekly(), 20'000); };
+                return [=] { Goals(*asked()).drop(session, target.goal); };
             case Operation::read_goals:
-                return [=] { Goals(*programme.store).of_person(session, target.person); };
+                return [=] { Goals(*asked()).of_person(session, target.person); };
         }
         return F();
     }
@@ -259,11 +262,36 @@ class EveryCell : public ::testing::Test {
                operation == Operation::set_tissues || operation == Operation::accept_assets;
     }
 
+    /// The store whose answers are looked at.
+    const Store* asked() const { return server_store ? &*server_store : programme.store.get(); }
+    bool expects(Operation operation, const Session& session, const Target& target, Subject& subject) const;
+    void expect_server_answers(const Session& session, Operation operation, const Target& target) const;
+
     Programme programme;
+    std::optional<Store> server_store;
     std::string other_cohort;
     std::vector<Target> targets;
     int backups = 0;
 };
+
+bool EveryCell::expects(Operation operation, const Session& session, const Target& target,
+                        Subject& subject) const {
+    Relation relation = target.relation_to(session, programme);
+    const bool about_cohort = operation == Operation::list_cohorts ||
+                              operation == Operation::read_cohort_table ||
+                              operation == Operation::manage_cohorts || operation == Operation::export_cohort;
+    if (about_cohort) {
+        relation.in_cohort = session.login() == "educator" && target.cohort == programme.cohort;
+        relation.own =
+            (session.login() == "ann" || session.login() == "educator") && target.cohort == programme.cohort;
+    }
+    const Scope scope = expected_scope(operation, session.role());
+    const bool own_forbidden = relation.own && expected_never_own(operation);
+    subject = about_nobody(operation) ? Subject::nothing()
+              : about_cohort          ? Subject::cohort(target.cohort)
+                                      : Subject::person(target.person);
+    return about_nobody(operation) ? scope != Scope::none : covers(scope, relation) && !own_forbidden;
+}
 
 TEST_F(EveryCell, TheStoreAnswersAsTheTableSays) {
     std::vector<Session> sessions = {programme.session("ann"), programme.session("educator"),
@@ -281,23 +309,8 @@ TEST_F(EveryCell, TheStoreAnswersAsTheTableSays) {
                 const std::string cell = std::string(operation_name(operation)) + " as " +
                                          role_name(session.role()) + " (" + session.login() + ") on " +
                                          target.name;
-                Relation relation = target.relation_to(session, programme);
-                const bool about_cohort =
-                    operation == Operation::list_cohorts || operation == Operation::read_cohort_table ||
-                    operation == Operation::manage_cohorts || operation == Operation::export_cohort;
-                if (about_cohort) {
-                    relation.in_cohort = session.login() == "educator" && target.cohort == programme.cohort;
-                    relation.own = (session.login() == "ann" || session.login() == "educator") &&
-                                   target.cohort == programme.cohort;
-                }
-                const Scope scope = expected_scope(operation, session.role());
-                const bool own_forbidden = relation.own && expected_never_own(operation);
-                const bool expected = about_nobody(operation) ? scope != Scope::none
-                                                              : covers(scope, relation) && !own_forbidden;
-
-                const Subject subject = about_nobody(operation) ? Subject::nothing()
-                                        : about_cohort          ? Subject::cohort(target.cohort)
-                                                                : Subject::person(target.person);
+                Subject subject;
+                const bool expected = expects(operation, session, target, subject);
                 EXPECT_EQ(programme.store->allowed(session, operation, subject), expected) << cell;
 
                 const std::int64_t rows_before = Audit(*programme.store).count();
@@ -319,6 +332,96 @@ TEST_F(EveryCell, TheStoreAnswersAsTheTableSays) {
     }
     EXPECT_GT(allowed, 150);
     EXPECT_GT(refused, 250);
+}
+
+/// What is only done at a station, or with `fulcrum server`.
+bool at_stations_only(Operation operation) {
+    switch (operation) {
+        case Operation::list_people:
+        case Operation::list_cohorts:
+        case Operation::read_attempt:
+        case Operation::read_trace:
+        case Operation::read_progress:
+        case Operation::read_cohort_table:
+        case Operation::read_comment:
+        case Operation::read_requests:
+        case Operation::export_person:
+        case Operation::export_cohort:
+        case Operation::read_tissues:
+        case Operation::read_ratings:
+            return false;
+        default:
+            return true;
+    }
+}
+
+void EveryCell::expect_server_answers(const Session& session, Operation operation,
+                                      const Target& target) const {
+    const auto action = const_cast<EveryCell*>(this)->call(operation, session, target);
+    if (!action) return;
+    Subject subject;
+    const bool at_station = expects(operation, session, target, subject);
+    // Simulated people are not on a server.
+    const bool expected =
+        at_station && !at_stations_only(operation) && (target.name != "robot" || about_nobody(operation));
+    const std::string cell = std::string(operation_name(operation)) + " as " + role_name(session.role()) +
+                             " (" + session.login() + ") on " + target.name;
+    EXPECT_EQ(server_store->allowed(session, operation, subject), expected) << cell;
+    if (expected) {
+        EXPECT_NO_THROW(action()) << cell;
+        return;
+    }
+    // What the row policies hide is not there at all.
+    try {
+        action();
+        EXPECT_EQ(operation, Operation::list_people) << cell;  // whom one may not see, it does not find
+        EXPECT_FALSE(People(*server_store).find(session, target.person)) << cell;
+    } catch (const AccessDenied&) {
+    } catch (const StoreError& error) {
+        EXPECT_EQ(error.kind(), StoreErrorKind::not_found) << cell << ": " << error.what();
+    }
+}
+
+TEST_F(EveryCell, AProgrammeServerAnswersAsTheTableSaysAndWritesNothing) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    PostgresqlServer& postgresql = *PostgresqlServer::of_this_process();
+    const ServerAddress server = postgresql.new_database();
+    sync_with_server(*programme.store, programme.session("administrator"), server);
+    const auto rows = [&] {
+        Connection connection(server);
+        std::string all;
+        for (const char* table : {"attempt", "score", "comment", "attempt_void", "rating", "person", "cohort",
+                                  "standing_override", "audit_entry"}) {
+            Query count(connection, QString("SELECT COUNT(*) FROM %1").arg(table));
+            all += count.next() ? count.text(0) + " " : "";
+        }
+        return all;
+    };
+    const std::string before = rows();
+    int roles = 0;
+    for (const char* login : {"ann", "educator", "director", "other_educator"}) {
+        const ServerAccount account = grant_at_programme_server(server, login);
+        server_store.emplace(Store::open(account.address, programme.clock.options()));
+        ASSERT_TRUE(server_store->is_server());
+        for (const Role role : account.roles) {
+            ++roles;
+            const Session session = People(*server_store).account_session(role);
+            EXPECT_EQ(session.login(), login);
+            for (int i = 0; i < operation_count; ++i)
+                for (const Target& target : targets)
+                    if (std::string(login) != "other_educator")
+                        expect_server_answers(session, static_cast<Operation>(i), target);
+            // Past the program: the connection itself takes no write.
+            for (const char* sql : {"UPDATE score SET points = 100", "DELETE FROM attempt",
+                                    "INSERT INTO erasure (person_id, time) VALUES ('x', 1)"})
+                EXPECT_THROW(server_store->connection().execute(sql), StoreError) << sql;
+        }
+    }
+    EXPECT_EQ(roles, 5) << "the educator trains as well";
+    EXPECT_EQ(rows(), before);
+    // An administrator looks after accounts and stations, which a server has none of.
+    EXPECT_EQ(error_kind([&] { grant_at_programme_server(server, "administrator"); }),
+              StoreErrorKind::bad_value);
 }
 
 TEST_F(EveryCell, ListsLeaveOutWhatTheRoleMayNotSee) {

@@ -45,7 +45,8 @@ TEST_F(SyncConflict, OfEqualVersionsTheServersIsKeptAndTheConflictNamed) {
     sync(a);
     const SyncResult second = sync(b);
     ASSERT_EQ(second.conflicts.size(), 1U);
-    EXPECT_NE(second.conflicts[0].find("\"ben\" was changed here and on the server"), std::string::npos);
+    EXPECT_NE(second.conflicts[0].words().find("\"ben\" was changed here and on the server"),
+              std::string::npos);
     EXPECT_EQ(name_of(*b.store, ben), "Ben A");
     EXPECT_TRUE(sync(b).conflicts.empty());
     expect_sound(*b.store);
@@ -83,7 +84,7 @@ TEST_F(SyncConflict, ALoginThatTwoPeopleHaveWaitsAndEverythingElseIsTransferred)
     sync(a);
     const SyncResult result = sync(b);
     ASSERT_EQ(result.conflicts.size(), 3U);  // the login; the attempt and the score that wait
-    EXPECT_NE(result.conflicts[0].find("\"carl\""), std::string::npos);
+    EXPECT_NE(result.conflicts[0].words().find("\"carl\""), std::string::npos);
     sync(a);
     EXPECT_EQ(Attempts(*a.store).score(a.session("ann"), ann)->points, 66);
     EXPECT_EQ(name_of(*b.store, carl.person_id()), "Carl of B");

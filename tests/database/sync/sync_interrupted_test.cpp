@@ -255,12 +255,19 @@ TEST_F(ServerTables, ATraineesAccountSeesOwnRowsOnlyAndWritesNone) {
     }
     EXPECT_EQ(count(*ann, "attempt"), 2);
     EXPECT_EQ(count(*ann, "attempt WHERE person_id <> '" + a.id("ann") + "'"), 0);
-    EXPECT_EQ(count(*ann, "person"), 1);
+    // Herself, and by name the educator who commented, voided and rated.
+    EXPECT_EQ(count(*ann, "person"), 2);
+    EXPECT_EQ(count(*ann, "person WHERE id = '" + a.id("educator") + "'"), 1);
+    EXPECT_EQ(count(*ann, "cohort_member WHERE person_id <> '" + a.id("ann") + "'"), 0);
+    EXPECT_EQ(count(*ann, "audit_entry WHERE operation <> 'attempt.practice'"), 0);
     // Nothing that a client can set makes her somebody else.
     for (const std::string& sql :
          {std::string("SET ROLE owner"), std::string("SET row_security = off; SELECT COUNT(*) FROM attempt"),
           std::string("SELECT * FROM credential"), std::string("SELECT * FROM audit_payload"),
-          std::string("SELECT * FROM cohort_member"), std::string("UPDATE score SET points = 100"),
+          std::string("SELECT verifier FROM credential"),
+          std::string("SELECT recovery_verifier FROM programme"),
+          std::string("INSERT INTO rating_seen VALUES ('x', 'y', 1)"),
+          std::string("SELECT * FROM rating_seen"), std::string("UPDATE score SET points = 100"),
           std::string("DELETE FROM attempt"), std::string("INSERT INTO erasure VALUES ('x', 1)")})
         EXPECT_EQ(error_kind([&] { ann->execute(QString::fromStdString(sql)); }), StoreErrorKind::read_only)
             << sql;

@@ -4384,10 +4384,6 @@
         <translation>lassen Sie sie vom Administrator des Servers anlegen: createdb, dann `fulcrum server create`</translation>
     </message>
     <message>
-        <source>name the account that the administrator of the server made for this station</source>
-        <translation>nennen Sie das Konto, das der Administrator des Servers für diese Station angelegt hat</translation>
-    </message>
-    <message>
         <source>the connection must be encrypted: have the server&apos;s administrator turn ssl on</source>
         <translation>die Verbindung muss verschlüsselt sein: Lassen Sie den Administrator des Servers ssl einschalten</translation>
     </message>
@@ -4400,16 +4396,8 @@
         <translation>die Verbindung ging verloren</translation>
     </message>
     <message>
-        <source>nothing is lost; sync again when the server can be reached</source>
-        <translation>nichts ist verloren; gleichen Sie wieder ab, sobald der Server erreichbar ist</translation>
-    </message>
-    <message>
         <source>this account of the server may not do that</source>
         <translation>dieses Konto des Servers darf das nicht</translation>
-    </message>
-    <message>
-        <source>a station&apos;s account has to be a member of fulcrum_station; create and erase need the database&apos;s owner</source>
-        <translation>das Konto einer Station muss zu fulcrum_station gehören; zum Anlegen und Löschen ist der Eigentümer der Datenbank nötig</translation>
     </message>
     <message>
         <source>refused by a rule of the server</source>
@@ -4938,6 +4926,158 @@
     <message>
         <source>name the store of the programme</source>
         <translation>nennen Sie den Datenbestand des Programms</translation>
+    </message>
+    <message>
+        <source>the server&apos;s account &quot;%1&quot; %2; have the owner of the server&apos;s database run `fulcrum server grant LOGIN`, and connect with the account that it names</source>
+        <translation>das Konto „%1“ des Servers %2; lassen Sie den Eigentümer der Datenbank `fulcrum server grant LOGIN` ausführen, und verbinden Sie sich mit dem Konto, das dieser Befehl nennt</translation>
+    </message>
+    <message>
+        <source>is not that of an active person</source>
+        <translation>gehört keiner aktiven Person</translation>
+    </message>
+    <message>
+        <source>has no role that this person holds</source>
+        <translation>hat keine Rolle, die diese Person innehat</translation>
+    </message>
+    <message>
+        <source>name the account that the administrator of the server made for this station or this person</source>
+        <translation>nennen Sie das Konto, das der Administrator des Servers für diese Station oder diese Person angelegt hat</translation>
+    </message>
+    <message>
+        <source>nothing is lost; try again when the server can be reached</source>
+        <translation>nichts ist verloren; versuchen Sie es wieder, sobald der Server erreichbar ist</translation>
+    </message>
+    <message>
+        <source>a station&apos;s account has to be a member of fulcrum_station, a person&apos;s is made by `fulcrum server grant`; create, grant and erase need the database&apos;s owner</source>
+        <translation>das Konto einer Station muss Mitglied von fulcrum_station sein, das einer Person legt `fulcrum server grant` an; create, grant und erase verlangen den Eigentümer der Datenbank</translation>
+    </message>
+    <message>
+        <source>the programme server is only read here; do it at a station, with its own store</source>
+        <translation>der Programmserver wird hier nur gelesen; tun Sie es an einer Station mit deren eigenem Speicher</translation>
+    </message>
+    <message>
+        <source>%1: this is a programme server, not a file</source>
+        <translation>%1: das ist ein Programmserver, keine Datei</translation>
+    </message>
+    <message>
+        <source>name the station&apos;s own store; `fulcrum server` has the commands for a server</source>
+        <translation>nennen Sie den eigenen Speicher der Station; die Befehle für einen Server sind `fulcrum server`</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is the name of one at this station and of another one on the server; neither is transferred until one of them is renamed</source>
+        <translation>%1: „%2“ heißt eines an dieser Station und ein anderes auf dem Server; keines wird übertragen, bis eines umbenannt ist</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; was changed here and on the server; the server&apos;s is kept, and the audit log has both</source>
+        <translation>%1: „%2“ wurde hier und auf dem Server geändert; das des Servers gilt, und das Protokoll hat beide</translation>
+    </message>
+    <message>
+        <source>%1 of this station that wait until what they belong to can be transferred: %2</source>
+        <translation>%1 dieser Station, die warten, bis das übertragen werden kann, wozu sie gehören: %2</translation>
+    </message>
+    <message>
+        <source>%1 of the server that wait until what they belong to can be transferred: %2</source>
+        <translation>%1 des Servers, die warten, bis das übertragen werden kann, wozu sie gehören: %2</translation>
+    </message>
+    <message>
+        <source>%1: has no person with the login %2</source>
+        <translation>%1: hat keine Person mit dem Anmeldenamen %2</translation>
+    </message>
+    <message>
+        <source>sync the station that knows the person first</source>
+        <translation>gleichen Sie zuerst die Station ab, die diese Person kennt</translation>
+    </message>
+    <message>
+        <source>%1 is not an active trainee, educator or director</source>
+        <translation>%1 ist weder Lernende(r) noch Ausbilder noch Programmleitung oder ist nicht aktiv</translation>
+    </message>
+    <message>
+        <source>accounts of a server are for these; give the person the role first</source>
+        <translation>Konten eines Servers sind für diese Rollen; geben Sie der Person zuerst eine davon</translation>
+    </message>
+    <message>
+        <source>programme</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>stations</source>
+        <translation>Stationen</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>cohorts</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>accepted files</source>
+        <translation>anerkannte Dateien</translation>
+    </message>
+    <message>
+        <source>forms</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>scores</source>
+        <translation>Wertungen</translation>
+    </message>
+    <message>
+        <source>voids</source>
+        <translation>Aufhebungen</translation>
+    </message>
+    <message>
+        <source>reassignments</source>
+        <translation>Umbuchungen</translation>
+    </message>
+    <message>
+        <source>comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>corrections asked for</source>
+        <translation>erbetene Berichtigungen</translation>
+    </message>
+    <message>
+        <source>decisions on standings</source>
+        <translation>Entscheidungen über den Stand</translation>
+    </message>
+    <message>
+        <source>moves of curriculum</source>
+        <translation>Wechsel des Curriculums</translation>
+    </message>
+    <message>
+        <source>ratings</source>
+        <translation>Bewertungen</translation>
+    </message>
+    <message>
+        <source>released ratings</source>
+        <translation>freigegebene Bewertungen</translation>
+    </message>
+    <message>
+        <source>who saw names of attempts to be rated</source>
+        <translation>Angaben, wer Namen zu bewertender Versuche sah</translation>
+    </message>
+    <message>
+        <source>has no meaning with a programme server</source>
+        <translation>hat bei einem Programmserver keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>put the password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a file in PGPASSFILE</source>
+        <translation>tragen Sie das Passwort in ~/.pgpass ein (HOST:PORT:DATABASE:USER:PASSWORD, Modus 0600), oder nennen Sie eine solche Datei in PGPASSFILE</translation>
+    </message>
+    <message>
+        <source>the server&apos;s account belongs to %1</source>
+        <translation>das Konto des Servers gehört %1</translation>
+    </message>
+    <message>
+        <source>leave --as out, or name the account of that person in the address</source>
+        <translation>lassen Sie --as weg, oder nennen Sie in der Adresse das Konto dieser Person</translation>
     </message>
 </context>
 <context>
@@ -9225,6 +9365,10 @@ Kennzahlen: %2</translation>
         <source>Unlocking …</source>
         <translation>Wird entsperrt …</translation>
     </message>
+    <message>
+        <source>Password of the server&apos;s account</source>
+        <translation>Passwort des Serverkontos</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MainWindow</name>
@@ -9267,6 +9411,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Change password</source>
         <translation>Passwort ändern</translation>
+    </message>
+    <message>
+        <source>Programme server, read only: attempts, ratings and decisions are made at the stations.</source>
+        <translation>Programmserver, nur lesen: Versuche, Bewertungen und Entscheidungen geschehen an den Stationen.</translation>
     </message>
 </context>
 <context>
@@ -11799,6 +11947,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>see this person&apos;s goals</source>
         <translation>die Ziele dieser Person sehen</translation>
+    </message>
+    <message>
+        <source>The programme server is only read here. Do it at a station.</source>
+        <translation>Der Programmserver wird hier nur gelesen. Tun Sie es an einer Station.</translation>
     </message>
 </context>
 <context>

@@ -3,26 +3,6 @@
 <!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <TS version="2.1" language="en_GB" sourcelanguage="en">
 <context>
-    <name>fulcrum::ui::PracticeView</name>
-    <message numerus="yes">
-        <source>%1, week of %2: %n attempts</source>
-        <translation>
-            <numerusform>%1, week of %2: %n attempt</numerusform>
-            <numerusform>%1, week of %2: %n attempts</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::PassRuleDesigner</name>
-    <message numerus="yes">
-        <source>%n passes in a row</source>
-        <translation>
-            <numerusform>%n pass</numerusform>
-            <numerusform>%n passes in a row</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>fulcrum::ui::CurriculumPage</name>
     <message numerus="yes">
         <source>passes on %n variants</source>
@@ -74,6 +54,26 @@
         <translation>
             <numerusform>%n account was made.</numerusform>
             <numerusform>%n accounts were made.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PassRuleDesigner</name>
+    <message numerus="yes">
+        <source>%n passes in a row</source>
+        <translation>
+            <numerusform>%n pass</numerusform>
+            <numerusform>%n passes in a row</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PracticeView</name>
+    <message numerus="yes">
+        <source>%1, week of %2: %n attempts</source>
+        <translation>
+            <numerusform>%1, week of %2: %n attempt</numerusform>
+            <numerusform>%1, week of %2: %n attempts</numerusform>
         </translation>
     </message>
 </context>
