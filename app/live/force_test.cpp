@@ -10,6 +10,7 @@ namespace fulcrum::app {
 namespace {
 
 constexpr std::int64_t command_period = 1'000'000;  // ns
+constexpr std::int64_t kept_for = 2'000'000'000;    // ns
 constexpr double round_s = 3;                       // three axes
 constexpr int ending_ticks = 40;                    // with force 0, so that the last one is rendered
 
@@ -47,7 +48,7 @@ bool ForceTest::command(int hand, const GentleForce& force) noexcept {
     if (client_->state().report[hand].read(report))
         rendered_.store(std::max(rendered_.load(),
                                  std::hypot(std::hypot(report.force[0], report.force[1]), report.force[2])));
-    return !stop_.load(std::memory_order_relaxed);
+    return !stop_.load(std::memory_order_relaxed) && one.time - kept_.load() < kept_for;
 }
 
 void ForceTest::run() noexcept {

@@ -32,6 +32,8 @@ class ForceTest {
     /// The force is 0 when it returns, or 50 ms later at the latest where the daemon does not run.
     void stop();
 
+    /// Called by the window while it works: without it for 2 s the test stops, since nobody could stop it.
+    void keep() { kept_.store(monotonic_ns()); }
     bool runs() const { return runs_.load(); }
     int hand() const { return hand_.load(); }
     int axis() const { return axis_.load(); }
@@ -46,6 +48,7 @@ class ForceTest {
     std::shared_ptr<DaemonClient> client_;
     ForceCommand sent_[2];
     std::atomic<bool> stop_{false}, runs_{true};
+    std::atomic<std::int64_t> kept_{monotonic_ns()};
     std::atomic<int> hand_{0}, axis_{0};
     std::atomic<double> asked_{0}, largest_asked_{0}, rendered_{0}, progress_{0};
     std::thread thread_;

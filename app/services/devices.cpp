@@ -116,6 +116,7 @@ bool Devices::start_force_test() {
 
 ui::ForceTestState Devices::force_test() const {
     if (test_ == nullptr) return {};
+    test_->keep();
     return {test_->runs(),          test_->hand() == 0 ? "left" : "right",
             test_->axis(),          test_->asked(),
             test_->largest_asked(), test_->rendered(),

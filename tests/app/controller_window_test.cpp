@@ -3,12 +3,15 @@
 // FULCRUM_WHOLE_CONTROLLER a synthetic expert completes A2 and B1 by sticks and triggers (minutes).
 #include <gtest/gtest.h>
 
+#include <QProcess>
 #include <QSettings>
+#include <nlohmann/json.hpp>
 
 #include "assessment/operators/operator.h"
 #include "sim_core/controllers/sdl_library.h"
 #include "sim_core/instrument/mouse_mapping.h"
 #include "tests/app/controller_hand.h"
+#include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
 
@@ -117,6 +120,46 @@ TEST_F(ControllerWindow, EachStickMovesItsHandAndAnUnpluggedControllerPausesTheA
     ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw > 0; }));
     abandon();
     expect_stored(AttemptState::abandoned);
+}
+
+class ControllerCommand : public FakeController, public ::testing::Test {
+  protected:
+    /// Exit status; standard output and error are kept.
+    int run(const QStringList& arguments) {
+        QProcess process;
+        process.start(QString::fromStdString(program_path()), arguments);
+        EXPECT_TRUE(process.waitForFinished(30000));
+        output = process.readAllStandardOutput();
+        error = process.readAllStandardError();
+        return process.exitCode();
+    }
+    QByteArray output, error;
+};
+
+TEST_F(ControllerCommand, TestsAControllerWithoutAWindow) {
+    page->controller[0].axis[axis_left_x] = 16000;
+    page->controller[0].axis[axis_right_trigger] = 32767;
+    page->controller[0].buttons = 1U << button_east;
+    ASSERT_EQ(run({"devices", "--test", "controller", "--seconds", "2", "--rumble", "--json"}), 0)
+        << error.toStdString();
+    const auto document = nlohmann::json::parse(output.toStdString());
+    EXPECT_EQ(document.at("device").at("title"), "Fake Pad");
+    EXPECT_EQ(document.at("device_class"), "controller");
+    EXPECT_GT(document.at("rate_hz").get<double>(), 100);
+    EXPECT_LT(document.at("rate_hz").get<double>(), 260);
+    EXPECT_NEAR(document.at("left").at("to_the_right").at(1).get<double>(), 0.488, 0.01);
+    EXPECT_EQ(document.at("left").at("stick_was_in_middle"), false);
+    EXPECT_EQ(document.at("right").at("trigger").at(1), 1.0);
+    EXPECT_EQ(document.at("buttons"), nlohmann::json::array({"east"}));
+    EXPECT_EQ(document.at("rumbled"), true);
+    EXPECT_GE(page->controller[0].rumbles, 5U);
+    EXPECT_EQ(run({"devices", "--test", "controller", "--force"}), 2);
+    EXPECT_TRUE(error.contains("use --rumble")) << error.toStdString();
+    EXPECT_EQ(run({"devices", "--test", "controller:Other"}), 2);
+    EXPECT_TRUE(error.contains("none of the name Other is connected")) << error.toStdString();
+    EXPECT_EQ(run({"devices"}), 0);
+    EXPECT_TRUE(output.contains("game controller: can be used\n    Fake Pad")) << output.toStdString();
+    EXPECT_EQ(page->misuse, 0U);
 }
 
 TEST_F(ControllerWindow, OneThatCannotBeOpenedSaysWhyAndNothingBegins) {

@@ -196,9 +196,8 @@ void DeviceTest::show_readings(const DeviceReadings* readings, bool trouble) {
     shake_->setVisible(readings->controller.has_value());
     const bool runs = devices.force_test().runs;
     if (runs && trouble) devices.stop_force_test();
-    force_->setVisible(readings->gives_force && !runs);
+    gives_force_ = readings->gives_force;
     force_->setEnabled(!trouble);
-    stop_->setVisible(runs);
     show_force();
 }
 
@@ -216,6 +215,7 @@ void DeviceTest::show_force() {
                          .arg(decimal(now.largest_asked, 2), decimal(now.rendered, 2))
                    : tr("The test was stopped. The force is 0.");
     }
+    force_->setVisible(gives_force_ && !now.runs);
     stop_->setVisible(now.runs);
     force_line_->setText(line);
     force_line_->setVisible(!line.isEmpty());

@@ -43,7 +43,7 @@ class DeviceTest : public QWidget {
     FrameCheck* frame_;
     QComboBox *motion_, *slot_[3];
     QCheckBox* rumble_;
-    bool was_open_ = false, forced_ = false;
+    bool was_open_ = false, forced_ = false, gives_force_ = false;
 };
 
 }  // namespace fulcrum::ui

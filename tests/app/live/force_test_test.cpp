@@ -58,6 +58,7 @@ TEST_F(ForceTestOfTheDaemon, RendersAGentleForceToEachHandAndEndsWithNone) {
     while (test.runs()) {
         usleep(2000);
         client->poll();
+        test.keep();
         for (int h = 0; h < 2; ++h) {
             const double now = rendered(h);
             largest = std::max(largest, now);
@@ -93,6 +94,15 @@ TEST_F(ForceTestOfTheDaemon, IsOverWithin50MillisecondsOfBeingStopped) {
     EXPECT_LT(worst, 50);
     RecordProperty("force_0_after_ms", std::to_string(worst));
     std::printf("force 0 at most %.1f ms after the stop\n", worst);
+}
+
+TEST_F(ForceTestOfTheDaemon, IsOverWhenTheWindowDoesNotWork) {
+    ForceTest test(client);
+    const std::int64_t begin = monotonic_ns();
+    ASSERT_TRUE(fulcrum::test::until([&] { return rendered(0) > 0.05; }));
+    ASSERT_TRUE(fulcrum::test::until([&] { return !test.runs(); }));
+    EXPECT_LT(monotonic_ns() - begin, 2'500'000'000);
+    EXPECT_EQ(rendered(0), 0);
 }
 
 TEST_F(ForceTestOfTheDaemon, IsOverWhenTheDeviceProcessIsKilled) {
