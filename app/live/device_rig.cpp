@@ -17,7 +17,11 @@ constexpr int late_ticks = 5;
 DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, CommandPage& command,
                      const DeviceFacts& facts, const Scene& scene, std::shared_ptr<Rig> others,
                      const SlotUse& use, double scale)
-    : owner_(std::move(owner)), state_(state), command_(command), others_(std::move(others)) {
+    : owner_(std::move(owner)),
+      state_(state),
+      command_(command),
+      others_(std::move(others)),
+      motion_(use.motion) {
     const int slots[device_slots] = {use.left, use.right, use.scope};
     for (int i = 0; i < device_slots; ++i) {
         Driven& driven = driven_[i];
@@ -45,6 +49,10 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
         if (const auto& force = facts.force[driven.slot]) {
             force_[i] = *force;
             force_[i]->scale = scale;
+            force_[i]->damping /= motion_ * motion_;
+            force_[i]->stiffness /= motion_ * motion_;
+            force_[i]->peak /= motion_;
+            force_[i]->continuous /= motion_;
         }
     }
 }
@@ -73,7 +81,7 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) n
         driven.roll_origin = pose.roll;
     }
     if (driven.begun) {
-        reading.handle += turned(position - driven.origin);
+        reading.handle += motion_ * turned(position - driven.origin);
         reading.roll += pose.roll - driven.roll_origin;
         const bool closed = !is_scope && (pose.jaw <= 0.05 || (pose.buttons & button_primary) != 0);
         reading.jaw = is_scope || closed ? 0 : std::min(pose.jaw, 1.0) * driven.opening;
@@ -103,7 +111,7 @@ void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
 void DeviceRig::write_force(Hand hand, const Vector3& force) {
     const auto h = static_cast<std::size_t>(hand);
     if (!force_[h]) return;
-    const Vector3 on_device = turned(driven_[h].trocar.rotation.transpose() * force);
+    const Vector3 on_device = motion_ * turned(driven_[h].trocar.rotation.transpose() * force);
     ForceCommand& command = sent_[h];
     ++command.sequence;
     command.time = monotonic_ns();

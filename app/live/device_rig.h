@@ -4,8 +4,11 @@
 // rig moves.
 //
 // Mapping: where the device is when it is read first is where the instrument begins; from there the handle
-// follows the device 1:1. Seen by the person the device's frame is that of the handle: to the right is -x of
-// the trocar's frame, up is +y, away from the person is +z, into the body.
+// follows the device, 1:1 unless a person chose another scale. Seen by the person the device's frame is that
+// of the handle: to the right is -x of the trocar's frame, up is +y, away from the person is +z, into the
+// body. With another scale of the movement m the device gets m times the force, so that the work is the same
+// on both sides; seen from the instrument its damping and stiffness are those of the device over m^2, its
+// forces over m.
 //
 // Real-time loop: no lock, allocation, system call (but the clock) or exception.
 #pragma once
@@ -21,6 +24,7 @@ namespace fulcrum::app {
 /// What a device's slot moves.
 struct SlotUse {
     int left = 0, right = 1, scope = scope_slot;  ///< slot of the device, or -1: the other rig moves it
+    double motion = 1;                            ///< movement of an instrument over that of its device
 };
 
 class DeviceRig : public Rig {
@@ -59,6 +63,7 @@ class DeviceRig : public Rig {
     const StatePage& state_;
     CommandPage& command_;
     std::shared_ptr<Rig> others_;
+    double motion_;
     Driven driven_[device_slots];  // left, right, scope
     std::optional<ForceOutput> force_[hand_count];
     ForceCommand sent_[hand_count];

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/live/force_test.h"
 #include "app/live/real_time.h"
 
 namespace fulcrum::app {
@@ -17,14 +18,6 @@ constexpr double us = 1e-3;                 // per ns
 struct Histograms {
     DurationHistogram reader_wake, device_wake, pose_age, force_delay;
 };
-
-/// N, at a time after the begin: along x, y, z in turn, each second from 0 up and back.
-Vector3 gentle_force(double time, double peak) {
-    const double in_second = time - std::floor(time);
-    Vector3 force = Vector3::Zero();
-    force[static_cast<Eigen::Index>(std::fmod(time, 3))] = peak * (1 - std::abs(2 * in_second - 1));
-    return force;
-}
 
 void run(DaemonClient& client, double peak, const std::atomic<bool>& stop, DeviceTrial& trial,
          Histograms& histograms) {
@@ -55,7 +48,9 @@ void run(DaemonClient& client, double peak, const std::atomic<bool>& stop, Devic
             histograms.pose_age.add(static_cast<double>(now - pose.time) * us);
             before[i] = pose;
         }
-        const Vector3 force = gentle_force(static_cast<double>(now - begin) * 1e-9, peak);
+        const GentleForce gentle = gentle_force(static_cast<double>(now - begin) * 1e-9, peak);
+        Vector3 force = Vector3::Zero();
+        force[gentle.axis] = gentle.size;
         ++command.sequence;
         for (int axis = 0; axis < 3; ++axis) command.force[axis] = force[axis];
         for (int h = 0; h < 2; ++h) {

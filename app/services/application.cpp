@@ -192,6 +192,23 @@ class Services : public ui::ApplicationServices {
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
         return devices_.hands(scene, std::move(others));
     }
+    std::shared_ptr<GameController> game_controller() override { return devices_.game_controller(); }
+    bool rumble_wanted() const override { return Devices::rumble_wanted(); }
+    void set_rumble_wanted(bool wanted) override { Devices::set_rumble_wanted(wanted); }
+    void open_device() override { devices_.open_now(); }
+    void choose_device(const std::string& kind) override { devices_.choose(kind); }
+    bool device_can_be_chosen() const override { return device_from_environment().empty(); }
+    double motion_scale(const std::string& kind) const override { return Devices::motion_scale(kind); }
+    void set_motion_scale(const std::string& kind, double scale) override {
+        Devices::set_motion_scale(kind, scale);
+    }
+    ui::SlotChoice slot_choice(const std::string& kind) const override { return Devices::slot_choice(kind); }
+    void set_slot_choice(const std::string& kind, const ui::SlotChoice& choice) override {
+        Devices::set_slot_choice(kind, choice);
+    }
+    bool start_force_test() override { return devices_.start_force_test(); }
+    void stop_force_test() override { devices_.stop_force_test(); }
+    ui::ForceTestState force_test() override { return devices_.force_test(); }
     Sentence device_trouble() override { return devices_.trouble(); }
     std::function<std::vector<ui::ListedDevice>()> list_devices() override { return devices_of_machine(); }
     std::optional<ui::DeviceReadings> device_readings() override { return devices_.readings(); }
@@ -314,7 +331,7 @@ class Services : public ui::ApplicationServices {
     Curriculum curriculum_;
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
-    Devices devices_{device_from_environment()};
+    Devices devices_{device_from_environment().empty() ? Devices::chosen() : device_from_environment()};
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/live/device_trial.h"
+#include "app/services/controller_trial.h"
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
 #include "app/services/program.h"
@@ -101,7 +102,26 @@ bool present_nowhere(const DaemonClient& client, const DeviceTrial& trial) {
     return true;
 }
 
+int test_controller(const Arguments& arguments, const std::string& named) {
+    if (arguments.has("--force"))
+        throw UsageError("--force",
+                         QT_TRANSLATE_NOOP("errors", "is not possible: this device renders no force"),
+                         QT_TRANSLATE_NOOP("errors", "use --rumble"));
+    const auto seconds = static_cast<double>(arguments.integer("--seconds", 5, 1, 3600));
+    const ControllerTrial trial = try_controller(named, seconds, arguments.has("--rumble"));
+    if (arguments.has("--json"))
+        print_json(controller_json(trial));
+    else
+        print_controller(trial);
+    return trial.connected ? 0 : 1;
+}
+
 int test_device(const Arguments& arguments, const std::string& specification) {
+    if (specification == "controller" || specification.rfind("controller:", 0) == 0)
+        return test_controller(arguments, specification);
+    if (arguments.has("--rumble"))
+        throw UsageError("--rumble", QT_TRANSLATE_NOOP("errors", "is for game controllers"),
+                         QT_TRANSLATE_NOOP("errors", "leave it out"));
     const auto seconds = static_cast<double>(arguments.integer("--seconds", 5, 1, 3600));
     DaemonClient client(hapticd_program(), specification);
     double peak = 0;
@@ -126,7 +146,7 @@ int test_device(const Arguments& arguments, const std::string& specification) {
 
 int run_devices(const Arguments& arguments) {
     if (const auto specification = arguments.value("--test")) return test_device(arguments, *specification);
-    for (const char* option : {"--seconds", "--force"})
+    for (const char* option : {"--seconds", "--force", "--rumble"})
         if (arguments.has(option))
             throw UsageError(option, QT_TRANSLATE_NOOP("errors", "has no meaning without --test"),
                              QT_TRANSLATE_NOOP("errors", "name a device: --test DEVICE"));
@@ -147,10 +167,11 @@ Command devices_command() {
             0,
             "Lists the devices for the hands: what is connected, what is not, why and what to do.",
             {{"--test", "DEVICE",
-              "Open this device (touch, force-dimension, virtual:SCRIPT.json) and measure rate, jitter and "
-              "delays."},
+              "Open this device (touch, force-dimension, controller, virtual:SCRIPT.json) and measure rate, "
+              "jitter and delays."},
              {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
              {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},
+             {"--rumble", "", "Let a game controller rumble for half a second."},
              json_option()},
             run_devices};
 }

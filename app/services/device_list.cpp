@@ -8,6 +8,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "sim_core/controllers/sdl_library.h"
 #include "sim_core/devices/daemon_client.h"
 #include "ui/theatre/two_mice.h"
 
@@ -74,6 +75,47 @@ ListedDevice driven_by_library(const VendorDriver& driver, const Machine& machin
     return listed;
 }
 
+ListedDevice game_controllers(const ControllerLook& look) {
+    using namespace controllers;
+    ListedDevice listed{"controller",
+                        QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller"),
+                        DeviceClass::controller,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {}};
+    bool known = false;
+    for (const ConnectedController& one : look.connected) {
+        listed.found.push_back(one.name);
+        known = known || one.known;
+    }
+    listed.state = known                  ? DeviceState::usable
+                   : listed.found.empty() ? DeviceState::absent
+                                          : DeviceState::connected;
+    if (look.library.state != LibraryState::ready) {
+        listed.state = DeviceState::absent;
+        listed.why = sdl_problem(look.library.state);
+        listed.detail = look.library.detail;
+        listed.what_to_do = sdl_hint(look.library.state);
+    } else if (known) {
+        listed.found.emplace_back("FULCRUM_DEVICE=controller");
+    } else if (!listed.found.empty()) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL does not know its sticks and buttons");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list", "set SDL_GAMECONTROLLERCONFIG to its mapping, or use another controller");
+    } else {
+        listed.why = look.failure.empty() ? QT_TRANSLATE_NOOP("fulcrum::device_list", "none is connected")
+                                          : QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL 2 does not start");
+        listed.detail = look.failure;
+        listed.what_to_do =
+            QT_TRANSLATE_NOOP("fulcrum::device_list",
+                              "connect one by cable or Bluetooth and switch it on; your account "
+                              "needs the right to read /dev/input/event*");
+    }
+    return listed;
+}
+
 }  // namespace
 
 std::function<std::vector<ListedDevice>()> devices_of_machine() {
@@ -88,6 +130,7 @@ std::function<std::vector<ListedDevice>()> devices_of_machine() {
     machine.look = [daemon = machine.daemon](const std::string& kind) {
         return look_at_library(daemon, kind);
     };
+    machine.controllers = GameController::look;
     return [machine] { return list_devices(machine); };
 }
 
@@ -133,6 +176,7 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
                              : QT_TRANSLATE_NOOP("fulcrum::device_list", "connect a second mouse");
     }
     listed.push_back(two);
+    if (machine.controllers) listed.push_back(game_controllers(machine.controllers()));
 
     ListedDevice scripted{"virtual",
                           QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual device: a script"),

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/controllers/game_controller.h"
 #include "sim_core/devices/vendor_drivers.h"
 #include "ui/services/device_service.h"
 
@@ -24,6 +25,7 @@ struct Machine {
     std::vector<std::string> mice;                        ///< names of the mice that can be read one by one
     std::function<bool(const std::string&)> may_open;     ///< this person may read and write the file
     std::function<LibraryLook(const std::string&)> look;  ///< at the library for a kind of device
+    std::function<ControllerLook()> controllers;
 };
 std::vector<ListedDevice> list_devices(const Machine& machine);
 /// Those of this machine, as `fulcrum devices` lists them. The screen is asked at once, on the window's

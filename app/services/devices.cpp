@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/live/device_rig.h"
+#include "sim_core/devices/vendor_drivers.h"
 
 namespace fulcrum::app {
 
@@ -15,11 +16,20 @@ DeviceClass class_of(const DeviceFacts& facts) {
 Devices::Devices(std::string specification) : specification_(std::move(specification)) {}
 
 namespace {
-constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual";
+constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller";
+constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
 std::string kind_of(const std::string& specification) {
     return specification.substr(0, specification.find(':'));
+}
+
+QString motion_key(const std::string& kind) {
+    return QStringLiteral("motion_scale/") +
+           (kind.empty() ? QStringLiteral("mouse") : QString::fromStdString(kind));
+}
+QString slot_key(const std::string& kind) {
+    return QStringLiteral("hands/") + QString::fromStdString(kind);
 }
 
 QString scale_key(const std::string& kind) {
@@ -28,8 +38,11 @@ QString scale_key(const std::string& kind) {
 }  // namespace
 
 void Devices::open() {
-    if (specification_.empty() || specification_ == two_mice || specification_ == virtual_mice) return;
+    if (specification_.empty() || specification_ == two_mice || specification_ == virtual_mice ||
+        kind_of(specification_) == controller)
+        return;
     if (client_ != nullptr && client_->poll() != DaemonClient::Health::ended) return;
+    test_.reset();
     client_.reset();  // the one that ended, before another takes the device
     client_ = std::make_shared<DaemonClient>(hapticd_program(), specification_);
     counted_at_ = -1;
@@ -45,7 +58,79 @@ void Devices::set_force_scale(const std::string& kind, double scale) {
     QSettings().setValue(scale_key(kind), std::clamp(scale, ui::least_force_scale, 1.0));
 }
 
+double Devices::motion_scale(const std::string& kind) {
+    bool is_number = false;
+    const double scale = QSettings().value(motion_key(kind), 1.0).toDouble(&is_number);
+    return is_number && scale >= ui::least_motion_scale && scale <= ui::largest_motion_scale ? scale : 1;
+}
+
+void Devices::set_motion_scale(const std::string& kind, double scale) {
+    QSettings().setValue(motion_key(kind),
+                         std::clamp(scale, ui::least_motion_scale, ui::largest_motion_scale));
+}
+
+ui::SlotChoice Devices::slot_choice(const std::string& kind) {
+    const QStringList kept = QSettings().value(slot_key(kind)).toString().split(QLatin1Char(' '));
+    int parts[device_slots] = {0, 1, scope_slot};
+    for (int i = 0; i < device_slots && kept.size() == device_slots; ++i) {
+        bool is_number = false;
+        parts[i] = kept[i].toInt(&is_number);
+        const bool twice = parts[i] >= 0 && std::find(parts, parts + i, parts[i]) != parts + i;
+        if (!is_number || parts[i] < -1 || parts[i] >= device_slots || twice) return {};
+    }
+    return {parts[0], parts[1], parts[2]};
+}
+
+void Devices::set_slot_choice(const std::string& kind, const ui::SlotChoice& choice) {
+    QSettings().setValue(slot_key(kind),
+                         QStringLiteral("%1 %2 %3").arg(choice.left).arg(choice.right).arg(choice.scope));
+}
+
+std::string Devices::chosen() {
+    const std::string kind = QSettings().value(QLatin1String(chosen_key)).toString().toStdString();
+    const bool known = kind == two_mice || kind == controller || vendor_driver(kind) != nullptr;
+    return known ? kind : std::string();
+}
+
+void Devices::choose(const std::string& kind) {
+    QSettings().setValue(QLatin1String(chosen_key), QString::fromStdString(kind));
+    if (chosen() == specification_) return;
+    test_.reset();
+    pad_.reset();
+    client_.reset();
+    specification_ = chosen();
+}
+
+void Devices::open_now() {
+    open();
+    game_controller();
+}
+
+bool Devices::start_force_test() {
+    const bool can = client_ != nullptr && client_->poll() == DaemonClient::Health::good &&
+                     (client_->facts().force[0] || client_->facts().force[1]);
+    test_.reset();
+    if (can) test_ = std::make_unique<ForceTest>(client_);
+    return can;
+}
+
+ui::ForceTestState Devices::force_test() const {
+    if (test_ == nullptr) return {};
+    test_->keep();
+    return {test_->runs(),          test_->hand() == 0 ? "left" : "right",
+            test_->axis(),          test_->asked(),
+            test_->largest_asked(), test_->rendered(),
+            test_->progress()};
+}
+
 std::optional<ui::DeviceReadings> Devices::readings() {
+    if (pad_ != nullptr) {
+        ui::DeviceReadings now;
+        now.controller = pad_->readings();
+        now.rate = now.controller->rate;
+        if (now.rate > 0) now.worst_delay = now.controller->worst_gap;
+        return now;
+    }
     if (client_ == nullptr || client_->poll() != DaemonClient::Health::good) return std::nullopt;
     constexpr const char* names[device_slots] = {"left", "right", "scope"};
     ui::DeviceReadings now;
@@ -61,6 +146,13 @@ std::optional<ui::DeviceReadings> Devices::readings() {
     const std::int64_t at = monotonic_ns();
     if (counted_at_ >= 0 && count >= counted_ && at > counted_at_)
         now.rate = static_cast<double>(count - counted_) / (1e-9 * static_cast<double>(at - counted_at_));
+    LoopReport loop;
+    if (client_->state().loop.read(loop) && loop.ticks > 0)
+        now.worst_delay = 1e-9 * static_cast<double>(loop.worst_late);
+    FaultReport fault;
+    now.needs_calibration = client_->state().fault.read(fault) &&
+                            fault.fault == static_cast<std::uint64_t>(DeviceFault::needs_calibration);
+    now.gives_force = client_->facts().force[0] || client_->facts().force[1];
     counted_ = count;
     counted_at_ = at;
     return now;
@@ -78,6 +170,12 @@ ui::DeviceInUse Devices::in_use() const {
         return device;
     }
     device.kind = kind_of(specification_);
+    if (device.kind == controller) {
+        device.device_class = DeviceClass::controller;
+        device.title =
+            pad_ != nullptr ? pad_->name() : QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller");
+        return device;
+    }
     device.device_class = client_ != nullptr ? class_of(client_->facts()) : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
     return device;
@@ -86,11 +184,35 @@ ui::DeviceInUse Devices::in_use() const {
 std::shared_ptr<Rig> Devices::hands(const Scene& scene, std::shared_ptr<Rig> others) {
     open();
     if (client_ == nullptr) return others;
-    return std::make_shared<DeviceRig>(client_, client_->state(), client_->command(), client_->facts(), scene,
-                                       std::move(others), SlotUse{}, force_scale(kind_of(specification_)));
+    test_.reset();
+    const std::string kind = kind_of(specification_);
+    const ui::SlotChoice use = slot_choice(kind);
+    return std::make_shared<DeviceRig>(
+        client_, client_->state(), client_->command(), client_->facts(), scene, std::move(others),
+        SlotUse{use.left, use.right, use.scope, motion_scale(kind)}, force_scale(kind));
+}
+
+std::shared_ptr<GameController> Devices::game_controller() {
+    if (kind_of(specification_) != controller) return nullptr;
+    // One that was not found again may have another name now: over Bluetooth, or another controller.
+    if (pad_ != nullptr && pad_->readings().connected) return pad_;
+    pad_.reset();
+    const std::size_t colon = specification_.find(':');
+    pad_ =
+        GameController::open(colon == std::string::npos ? std::string() : specification_.substr(colon + 1));
+    return pad_;
+}
+
+bool Devices::rumble_wanted() {
+    return QSettings().value(QLatin1String(rumble_key), true).toBool();
+}
+
+void Devices::set_rumble_wanted(bool wanted) {
+    QSettings().setValue(QLatin1String(rumble_key), wanted);
 }
 
 Sentence Devices::trouble() {
+    if (pad_ != nullptr) return pad_->trouble();
     if (client_ == nullptr) return {};
     client_->poll();
     return client_->message();

@@ -12,7 +12,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double poll_period = 1.0 / 60;  // s
-constexpr double fastest = 0.12;          // m/s of the handle, a stick pushed as far as it goes
+constexpr double fastest = stick_handle_speed;
 constexpr int steps_of_stick = 127;       // from the middle to one side
 constexpr int dead_steps = 19;            // 15 %: the middle of a stick is not exact
 constexpr double thumb_noise = 0.02;      // of a stick's range, standard deviation while it is pushed
@@ -22,7 +22,6 @@ constexpr double close_to_goal = 0.6e-3;  // m of the handle: the thumb has no r
 constexpr double planned_ahead = 6e-3;    // m of the handle
 constexpr double scope_near = 3e-3;       // m of the scope's handle
 constexpr double trigger_steps = 255;     // of a trigger
-constexpr double trigger_closed = 0.7;    // of a trigger's range: the jaws are closed, further on they press
 constexpr std::uint64_t thumb_stream = 0x7468756d62;
 
 /// What a stick reports for a wanted share (-1 to 1) of the fastest speed, and the share that it gives.

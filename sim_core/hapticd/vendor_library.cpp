@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/hapticd/vendor_library.h"
 
-#include <dlfcn.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 #include "sim_core/hapticd/force_dimension_library.h"
@@ -16,29 +14,7 @@ namespace fulcrum::hapticd {
 
 LibraryLook load_library(const VendorDriver& driver, const std::vector<std::string>& names,
                          const std::vector<Symbol>& symbols) {
-    std::vector<std::string> tried = names;
-    if (const char* const named = std::getenv(driver.variable)) tried = {named};
-    void* library = nullptr;
-    LibraryLook look;
-    for (const std::string& name : tried) {
-        library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (library != nullptr) break;
-        const char* const error = dlerror();
-        const std::string said = error != nullptr ? error : "unknown";
-        // "NAME: cannot open shared object file: …" names the file that was not found.
-        const bool absent = said.find("cannot open shared object file") != std::string::npos;
-        const LibraryState state = !absent                    ? LibraryState::unusable
-                                   : said.rfind(name, 0) == 0 ? LibraryState::missing
-                                                              : LibraryState::incomplete;
-        if (look.detail.empty() || (look.state == LibraryState::missing && state != look.state))
-            look = {state, said};
-    }
-    if (library == nullptr) return look;
-    for (const Symbol& one : symbols) {
-        *one.address = dlsym(library, one.name);
-        if (*one.address == nullptr) return {LibraryState::outdated, one.name};
-    }
-    return {};
+    return load_run_time_library(driver.variable, names, symbols);
 }
 
 void require_ready(const VendorDriver& driver, const LibraryLook& look) {

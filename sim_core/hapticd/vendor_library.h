@@ -6,20 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/run_time_library.h"
 #include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::hapticd {
-
-/// A function of a library and where its address is put.
-struct Symbol {
-    const char* name;
-    void** address;
-};
-template <typename Function>
-Symbol symbol(const char* name, Function*& function) {
-    return {name, reinterpret_cast<void**>(&function)};
-}
 
 /// Loads the library that the driver's variable names, else the first of `names` that exists, and finds every
 /// symbol. It stays loaded: the makers' libraries are not made to be closed.

@@ -14,7 +14,9 @@ inline constexpr double key_handle_speed = 0.07;     ///< m/s
 inline constexpr double key_insertion_speed = 0.05;  ///< m/s
 inline constexpr double key_camera_speed = 0.045;    ///< m/s of the scope's handle
 inline constexpr double key_turn_speed = 1.8;        ///< rad/s of a shaft, a light post, a camera head
-inline constexpr double open_jaw_share = 0.6;        ///< of the opening, while no button is pressed
+inline constexpr double stick_handle_speed = 0.12;   ///< m/s of the handle, a stick pushed as far as it goes
+inline constexpr double trigger_closed = 0.7;  ///< of a trigger's range: closed; further on the jaws press
+inline constexpr double open_jaw_share = 0.6;  ///< of the opening, while no button is pressed
 
 /// The handle of an instrument at the given insertion along its nominal shaft.
 DeviceReading start_reading(double shaft_length, double insertion, double jaw);

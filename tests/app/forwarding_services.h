@@ -33,6 +33,23 @@ class ForwardingServices : public ui::ApplicationServices {
                                            DeviceClass device_class, const std::string& variant) override {
         return own_->judged_limits(session, task_id, device_class, variant);
     }
+    void open_device() override { own_->open_device(); }
+    void choose_device(const std::string& kind) override { own_->choose_device(kind); }
+    bool device_can_be_chosen() const override { return own_->device_can_be_chosen(); }
+    double motion_scale(const std::string& kind) const override { return own_->motion_scale(kind); }
+    void set_motion_scale(const std::string& kind, double scale) override {
+        own_->set_motion_scale(kind, scale);
+    }
+    ui::SlotChoice slot_choice(const std::string& kind) const override { return own_->slot_choice(kind); }
+    void set_slot_choice(const std::string& kind, const ui::SlotChoice& choice) override {
+        own_->set_slot_choice(kind, choice);
+    }
+    bool start_force_test() override { return own_->start_force_test(); }
+    void stop_force_test() override { own_->stop_force_test(); }
+    ui::ForceTestState force_test() override { return own_->force_test(); }
+    std::shared_ptr<GameController> game_controller() override { return own_->game_controller(); }
+    bool rumble_wanted() const override { return own_->rumble_wanted(); }
+    void set_rumble_wanted(bool wanted) override { own_->set_rumble_wanted(wanted); }
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         ui::AttemptRequest asked = request;
         if (between) asked.rig = between(request.rig);

@@ -77,6 +77,29 @@ class FakeServices : public ApplicationServices {
         return found != scales.end() ? found->second : 1;
     }
     void set_force_scale(const std::string& kind, double scale) override { scales[kind] = scale; }
+    void open_device() override {
+        if (!readings) readings = readings_when_open;
+    }
+    void choose_device(const std::string& kind) override {
+        chosen = kind;
+        in_use.kind = kind == "mouse-keyboard" ? "" : kind;
+    }
+    bool device_can_be_chosen() const override { return can_choose; }
+    double motion_scale(const std::string& kind) const override {
+        const auto found = motions.find(kind);
+        return found != motions.end() ? found->second : 1;
+    }
+    void set_motion_scale(const std::string& kind, double scale) override { motions[kind] = scale; }
+    SlotChoice slot_choice(const std::string&) const override { return parts; }
+    void set_slot_choice(const std::string&, const SlotChoice& choice) override { parts = choice; }
+    bool rumble_wanted() const override { return rumbles; }
+    void set_rumble_wanted(bool wanted) override { rumbles = wanted; }
+    bool start_force_test() override {
+        tested.runs = true;
+        return true;
+    }
+    void stop_force_test() override { tested.runs = false; }
+    ForceTestState force_test() override { return tested; }
     std::string program_version() const override { return "0.1.0-test"; }
 
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
@@ -84,7 +107,12 @@ class FakeServices : public ApplicationServices {
     DeviceInUse in_use;
     Sentence trouble;  ///< of the device in use
     std::optional<DeviceReadings> readings;
-    std::map<std::string, double> scales;
+    std::map<std::string, double> scales, motions;
+    std::optional<DeviceReadings> readings_when_open;
+    std::string chosen;
+    bool can_choose = false, rumbles = true;
+    SlotChoice parts;
+    ForceTestState tested;
     AttemptControl control;
     mutable std::atomic<int> worlds_built{0};  ///< calls of world_at_start()
 

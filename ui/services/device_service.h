@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim_core/controllers/game_controller.h"
 #include "sim_core/numerics/name_table.h"
 #include "ui/services/attempt_session.h"
 
@@ -57,8 +59,34 @@ struct DeviceReadings {
         std::uint32_t buttons = 0;
     };
     std::vector<Slot> held;
-    double rate = 0;  ///< Hz, since the call before
+    double rate = 0;           ///< Hz, since the call before
+    double worst_delay = -1;   ///< s, longest delay of a reading; -1: not measured
+    bool gives_force = false;  ///< to at least one hand
+    bool needs_calibration = false;
+    std::optional<ControllerReadings> controller;  ///< of a game controller, which has no slots
 };
+
+/// The force test while it runs, and what came out.
+struct ForceTestState {
+    bool runs = false;
+    const char* hand = "";     ///< "left", "right"
+    int axis = 0;              ///< 0 to the right, 1 up, 2 towards the person
+    double asked = 0;          ///< N, now
+    double largest_asked = 0;  ///< N, so far
+    double rendered = 0;       ///< N, largest that the device reported to have rendered
+    double progress = 0;       ///< 0 to 1
+};
+
+/// Which part of a device moves what; -1: mouse and keyboard.
+struct SlotChoice {
+    int left = 0, right = 1, scope = 2;
+};
+inline bool operator==(const SlotChoice& a, const SlotChoice& b) {
+    return a.left == b.left && a.right == b.right && a.scope == b.scope;
+}
+
+/// Movement of an instrument over that of its device.
+inline constexpr double least_motion_scale = 0.5, largest_motion_scale = 2;
 
 /// Share of the model's force that a device may render: at least this, at most 1.
 inline constexpr double least_force_scale = 0.1;
@@ -70,13 +98,35 @@ class DeviceService {
     /// The hands of an attempt in `scene`: the device in use, opened where it is not, and `others` (mouse and
     /// keyboard) for what it does not have. Throws InputError where it does not open.
     virtual std::shared_ptr<Rig> hands(const Scene& /*scene*/, std::shared_ptr<Rig> others) { return others; }
+    /// The game controller that moves the hands, opened where it is not; null where another device does.
+    /// Throws InputError where none opens.
+    virtual std::shared_ptr<GameController> game_controller() { return nullptr; }
+    /// Whether controllers rumble on contact and on too much force; remembered.
+    virtual bool rumble_wanted() const { return true; }
+    virtual void set_rumble_wanted(bool /*wanted*/) {}
     /// What is wrong with the device in use and what to do; empty while nothing is.
     virtual Sentence device_trouble() { return {}; }
     /// The devices of this machine. The function that is returned does the work and may run on any thread.
     virtual std::function<std::vector<ListedDevice>()> list_devices() {
         return [] { return std::vector<ListedDevice>(); };
     }
-    /// Nothing while the device in use is not open: the first attempt opens it. Does not wait.
+    /// Opens the device in use without an attempt. Throws InputError.
+    virtual void open_device() {}
+    /// From now on attempts use the device of this kind (of list_devices()); remembered.
+    virtual void choose_device(const std::string& /*kind*/) {}
+    /// Whether choose_device() has an effect: an environment variable does not name the device.
+    virtual bool device_can_be_chosen() const { return false; }
+    /// For attempts that begin afterwards, with devices of this kind ("": mouse); remembered.
+    virtual double motion_scale(const std::string& /*kind*/) const { return 1; }
+    virtual void set_motion_scale(const std::string& /*kind*/, double /*scale*/) {}
+    virtual SlotChoice slot_choice(const std::string& /*kind*/) const { return {}; }
+    virtual void set_slot_choice(const std::string& /*kind*/, const SlotChoice& /*choice*/) {}
+    /// Gives the hands of the open device a force that rises slowly, to 0.1 N and then to 0.3 N, along each
+    /// axis in turn. False where it cannot.
+    virtual bool start_force_test() { return false; }
+    virtual void stop_force_test() {}
+    virtual ForceTestState force_test() { return {}; }
+    /// Nothing while the device in use is not open: an attempt or open_device() opens it. Does not wait.
     virtual std::optional<DeviceReadings> device_readings() { return std::nullopt; }
     /// For attempts that begin afterwards, with devices of this kind; remembered. 1 unless it was set.
     virtual double force_scale(const std::string& /*kind*/) const { return 1; }

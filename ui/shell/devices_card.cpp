@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/page/background_job.h"
+#include "ui/shell/device_test.h"
 #include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -56,6 +57,20 @@ QString slot_words(const DeviceReadings::Slot& slot) {
         .arg(slot.buttons);
 }
 
+QStringList controller_words(const ControllerReadings& pad) {
+    if (!pad.connected) return {DevicesCard::tr("%1: not connected").arg(text(pad.name))};
+    QStringList lines{text(pad.name)};
+    const QString names[] = {DevicesCard::tr("Left stick"), DevicesCard::tr("Right stick")};
+    for (int h = 0; h < 2; ++h)
+        lines << (pad.begun[h]
+                      ? DevicesCard::tr("%1: %2 % to the right, %3 % up, trigger %4 %")
+                            .arg(names[h], decimal(100 * pad.stick[h][0], 0),
+                                 decimal(100 * pad.stick[h][1], 0), decimal(100 * pad.trigger[h], 0))
+                      : DevicesCard::tr("%1: not in its middle since it was connected").arg(names[h]));
+    if (!pad.rumbles) lines << DevicesCard::tr("It does not rumble.");
+    return lines;
+}
+
 }  // namespace
 
 DevicesCard::DevicesCard(Context& context)
@@ -73,6 +88,8 @@ DevicesCard::DevicesCard(Context& context)
     for (QLabel* label : {use_, trouble_, readings_}) layout->addWidget(label);
     force_ = build_force();
     layout->addWidget(force_);
+    test_ = new DeviceTest(context);
+    layout->addWidget(test_);
     list_->setSpacing(6);
     layout->addLayout(list_);
     again_ = make_button(tr("Look again"), "look_for_devices");
@@ -125,14 +142,19 @@ void DevicesCard::hideEvent(QHideEvent* event) {
     QFrame::hideEvent(event);
     look_timer_.stop();
     readings_timer_.stop();
+    test_->stop();
 }
 
 void DevicesCard::show_use() {
     const DeviceInUse used = context_.services().device_in_use();
+    const QString title = device_words(used.title);
     use_->setText(
-        tr("In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum starts; "
-           "without it, mouse and keyboard are used.")
-            .arg(device_words(used.title)));
+        context_.services().device_can_be_chosen()
+            ? tr("In use: %1. It moves the hands from the next attempt on.").arg(title)
+            : tr("In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum "
+                 "starts; without it, the device is chosen here.")
+                  .arg(title));
+    test_->show_settings();
     force_->setVisible(!used.kind.empty() && used.device_class == DeviceClass::haptic);
     const double scale = context_.services().force_scale(used.kind);
     scale_->setCurrentIndex(scale_->findData(10 * static_cast<int>(std::lround(10 * scale))));
@@ -144,12 +166,22 @@ void DevicesCard::show_readings() {
     trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
     QStringList lines;
-    if (const auto now = devices.device_readings()) {
-        if (now->rate > 0) lines << tr("%1 readings per second").arg(decimal(now->rate, 0));
+    const auto now = devices.device_readings();
+    if (now) {
+        if (now->rate > 0)
+            lines << (now->worst_delay >= 0
+                          ? tr("%1 readings per second, at most %2 ms late")
+                                .arg(decimal(now->rate, 0), decimal(1e3 * now->worst_delay, 1))
+                          : tr("%1 readings per second").arg(decimal(now->rate, 0)));
         for (const DeviceReadings::Slot& slot : now->held) lines << slot_words(slot);
+        if (!now->held.empty())
+            lines << (now->needs_calibration ? tr("Calibration: needed") : tr("Calibration: valid"));
+        if (now->controller) lines << controller_words(*now->controller);
     } else if (!devices.device_in_use().kind.empty()) {
-        lines << tr("Its readings are shown here after the first attempt with it, which opens the device.");
+        lines << tr(
+            "Its readings are shown here while it is open: an attempt opens it, or the button below.");
     }
+    test_->show_readings(now ? &*now : nullptr, !trouble.isEmpty());
     readings_->setText(lines.join(QLatin1Char('\n')));
     readings_->setVisible(!lines.isEmpty());
 }
@@ -182,6 +214,19 @@ void DevicesCard::show_list(const std::vector<ListedDevice>& devices) {
         if (device.state == DeviceState::usable) set_tint(state, Tint::good);
         if (device.state == DeviceState::connected) set_tint(state, Tint::bad);
         list_->addWidget(state);
+        const bool choosable = device.state == DeviceState::usable && device.kind != "virtual" &&
+                               context_.services().device_can_be_chosen();
+        if (choosable) {
+            QPushButton* use = make_button(tr("Use for the hands"), "");
+            use->setObjectName(QStringLiteral("use_") + text(device.kind));
+            use->setAccessibleName(tr("Use %1 for the hands").arg(device_words(device.title)));
+            connect(use, &QPushButton::clicked, this, [this, kind = device.kind] {
+                context_.services().choose_device(kind);
+                show_use();
+                show_readings();
+            });
+            list_->addWidget(use, 0, Qt::AlignLeft);
+        }
         const QStringList lines = particulars(device);
         if (lines.isEmpty()) continue;
         QLabel* more = make_label(lines.join(QLatin1Char('\n')), "muted");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The devices for the hands: what is connected, what is not, why and what to do; the newest readings of the
-// one in use while it is open; and how much of the model's force it gives to the hand.
+// one in use; a test of it; how it moves the instruments and how much of the model's force it gives.
 #pragma once
 
 #include <QFrame>
@@ -16,6 +16,7 @@ class QVBoxLayout;
 namespace fulcrum::ui {
 
 class BackgroundJob;
+class DeviceTest;
 
 class DevicesCard : public QFrame {
     Q_OBJECT
@@ -36,6 +37,7 @@ class DevicesCard : public QFrame {
     Context& context_;
     QLabel *use_, *trouble_, *readings_;
     QWidget* force_;
+    DeviceTest* test_;
     QComboBox* scale_;
     QVBoxLayout* list_;
     QPushButton* again_;

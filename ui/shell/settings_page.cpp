@@ -6,6 +6,7 @@
 #include <QRadioButton>
 
 #include "ui/shell/devices_card.h"
+#include "ui/shell/keys_card.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -40,11 +41,12 @@ SettingsPage::SettingsPage(Context& context)
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Settings"), "title"));
     layout->addWidget(
-        make_label(tr("They are remembered, and are the same for everyone who uses this account of the "
-                      "computer."),
+        make_label(tr("They are remembered. All but the keys are the same for everyone who uses this "
+                      "account of the computer."),
                    "muted"));
     layout->addWidget(build_appearance());
     layout->addWidget(build_language());
+    layout->addWidget(new KeysCard(context));
     layout->addWidget(new DevicesCard(context));
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);

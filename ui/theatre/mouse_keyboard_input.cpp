@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theatre/mouse_keyboard_input.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -16,24 +15,31 @@ constexpr double closed_share = 0.3;  // of the opening: jaws below it were hold
 
 constexpr int longest_ramp = 400;  // ticks from one target to the next
 
-constexpr int pedal_key = Qt::Key_B, exchange_key = Qt::Key_T;
-
 struct KeyMove {
-    int key;
+    KeyAction action;
     int hand;  // 0 left, 1 right, 2 camera
     double right, up, in, roll, head = 0;
 };
+using A = KeyAction;
 constexpr KeyMove key_moves[] = {
-    {Qt::Key_A, 0, -1, 0, 0, 0},        {Qt::Key_D, 0, 1, 0, 0, 0},          {Qt::Key_W, 0, 0, 1, 0, 0},
-    {Qt::Key_S, 0, 0, -1, 0, 0},        {Qt::Key_R, 0, 0, 0, 1, 0},          {Qt::Key_F, 0, 0, 0, -1, 0},
-    {Qt::Key_Q, 0, 0, 0, 0, -1},        {Qt::Key_E, 0, 0, 0, 0, 1},          {Qt::Key_J, 1, -1, 0, 0, 0},
-    {Qt::Key_L, 1, 1, 0, 0, 0},         {Qt::Key_I, 1, 0, 1, 0, 0},          {Qt::Key_K, 1, 0, -1, 0, 0},
-    {Qt::Key_P, 1, 0, 0, 1, 0},         {Qt::Key_Semicolon, 1, 0, 0, -1, 0}, {Qt::Key_U, 1, 0, 0, 0, -1},
-    {Qt::Key_O, 1, 0, 0, 0, 1},         {Qt::Key_Left, 2, 1, 0, 0, 0},       {Qt::Key_Right, 2, -1, 0, 0, 0},
-    {Qt::Key_Up, 2, 0, -1, 0, 0},       {Qt::Key_Down, 2, 0, 1, 0, 0},       {Qt::Key_PageUp, 2, 0, 0, 1, 0},
-    {Qt::Key_PageDown, 2, 0, 0, -1, 0}, {Qt::Key_Home, 2, 0, 0, 0, -1},      {Qt::Key_End, 2, 0, 0, 0, 1},
-    {Qt::Key_Comma, 2, 0, 0, 0, 0, 1},  {Qt::Key_Period, 2, 0, 0, 0, 0, -1},
+    {A::left_left, 0, -1, 0, 0, 0},       {A::left_right, 0, 1, 0, 0, 0},
+    {A::left_up, 0, 0, 1, 0, 0},          {A::left_down, 0, 0, -1, 0, 0},
+    {A::left_in, 0, 0, 0, 1, 0},          {A::left_out, 0, 0, 0, -1, 0},
+    {A::left_turn_back, 0, 0, 0, 0, -1},  {A::left_turn, 0, 0, 0, 0, 1},
+    {A::right_left, 1, -1, 0, 0, 0},      {A::right_right, 1, 1, 0, 0, 0},
+    {A::right_up, 1, 0, 1, 0, 0},         {A::right_down, 1, 0, -1, 0, 0},
+    {A::right_in, 1, 0, 0, 1, 0},         {A::right_out, 1, 0, 0, -1, 0},
+    {A::right_turn_back, 1, 0, 0, 0, -1}, {A::right_turn, 1, 0, 0, 0, 1},
+    {A::scope_left, 2, 1, 0, 0, 0},       {A::scope_right, 2, -1, 0, 0, 0},
+    {A::scope_up, 2, 0, -1, 0, 0},        {A::scope_down, 2, 0, 1, 0, 0},
+    {A::scope_in, 2, 0, 0, 1, 0},         {A::scope_out, 2, 0, 0, -1, 0},
+    {A::post_back, 2, 0, 0, 0, -1},       {A::post, 2, 0, 0, 0, 1},
+    {A::head, 2, 0, 0, 0, 0, 1},          {A::head_back, 2, 0, 0, 0, 0, -1},
 };
+
+constexpr std::size_t bit(KeyAction action) {
+    return static_cast<std::size_t>(action);
+}
 
 }  // namespace
 
@@ -102,17 +108,22 @@ void MouseKeyboardInput::move_mouse(const QPointF& pixels, MouseUse use) {
     DeviceReading* reading = held_reading();
     if (reading == nullptr) return;
     if (use == MouseUse::turn) {
+        if (scope_alone_) tried_.set(2);
         reading->roll += pixels.x() * radians_per_pixel;
     } else if (use == MouseUse::turn_head && scope_alone_) {
+        tried_.set(3);
         reading->jaw -= pixels.x() * radians_per_pixel;
     } else if (use == MouseUse::move) {
+        tried_.set(0);
         shift_handle(*reading, held_trocar(),
-                     on_screen(pixels.x() * metres_per_pixel, -pixels.y() * metres_per_pixel));
+                     on_screen(sensitivity_ * pixels.x() * metres_per_pixel,
+                               -sensitivity_ * pixels.y() * metres_per_pixel));
     }
 }
 
 void MouseKeyboardInput::turn_wheel(double notches) {
     DeviceReading* reading = held_reading();
+    tried_.set(scope_alone_ ? 1 : 3);
     if (reading != nullptr) insert_handle(*reading, held_trocar(), notches * metres_per_notch);
 }
 
@@ -123,77 +134,90 @@ void MouseKeyboardInput::move_hand(Hand hand, const QPointF& pixels, double notc
     if (!scope_alone_ && !hand_[h].exists) return;
     DeviceReading& reading = scope_alone_ ? targets_.camera : targets_.hand[h];
     const Trocar& trocar = scope_alone_ ? camera_trocar_ : hand_[h].trocar;
-    shift_handle(reading, trocar, on_screen(pixels.x() * metres_per_pixel, -pixels.y() * metres_per_pixel));
+    shift_handle(reading, trocar,
+                 on_screen(sensitivity_ * pixels.x() * metres_per_pixel,
+                           -sensitivity_ * pixels.y() * metres_per_pixel));
     insert_handle(reading, trocar, notches * metres_per_notch);
     reading.roll += turned_notches * radians_per_notch;
+    note_moved(hand, !pixels.isNull());
+    if (notches != 0) tried_.set(2);
+    if (turned_notches != 0) tried_.set(3);
 }
 
 void MouseKeyboardInput::set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange) {
     Axis& axis = hand_[static_cast<std::size_t>(hand)];
     axis.jaws = jaws;
+    if (jaws) tried_.set(1);
     axis.pedal = pedal;
     axis.exchange = exchange;
 }
 
+void MouseKeyboardInput::note_moved(Hand hand, bool moved) {
+    if (!moved) return;
+    moved_[static_cast<std::size_t>(hand)] = true;
+    const bool all = (moved_[0] || !hand_[0].exists) && (moved_[1] || !hand_[1].exists);
+    if (scope_alone_ || all) tried_.set(0);
+}
+
+void MouseKeyboardInput::switch_hand() {
+    active_ = active_ == Hand::left ? Hand::right : Hand::left;
+    if (device_ == Device::mouse && !scope_alone_) tried_.set(2);
+}
+
 void MouseKeyboardInput::set_primary_button(bool pressed) {
     button_ = pressed;
+    if (pressed) tried_.set(1);
 }
 
 bool MouseKeyboardInput::press_key(int key) {
-    switch (key) {
-        case Qt::Key_Tab:
-        case Qt::Key_Backtab:
+    const std::optional<KeyAction> action = keys_.action(key);
+    if (!action) return false;
+    switch (*action) {
+        case A::other_hand:
             switch_hand();
-            return true;
-        case Qt::Key_X:
+            break;
+        case A::left_jaws:
             hand_[0].latched = !hand_[0].latched;
-            return true;
-        case Qt::Key_M:
+            break;
+        case A::right_jaws:
             hand_[1].latched = !hand_[1].latched;
-            return true;
-        case Qt::Key_Space:
+            break;
+        case A::jaws:
+            if (device_ == Device::mouse && !scope_alone_) tried_.set(4);
             hand_[static_cast<std::size_t>(active_)].latched =
                 !hand_[static_cast<std::size_t>(active_)].latched;
-            return true;
-        case pedal_key:
-        case exchange_key:
-            held_.insert(key);
-            return true;
+            break;
         default:
+            held_.set(bit(*action));
             break;
     }
-    for (const KeyMove& move : key_moves) {
-        if (move.key == key) {
-            held_.insert(key);
-            return true;
-        }
-    }
-    return false;
+    return true;
 }
 
 void MouseKeyboardInput::release_key(int key) {
-    held_.remove(key);
+    if (const std::optional<KeyAction> action = keys_.action(key)) held_.reset(bit(*action));
 }
 
 void MouseKeyboardInput::release_all() {
-    held_.clear();
+    held_.reset();
     button_ = false;
     for (Axis& axis : hand_) axis.jaws = axis.pedal = axis.exchange = false;
 }
 
 bool MouseKeyboardInput::jaws_closed(Hand hand) const {
     const Axis& axis = hand_[static_cast<std::size_t>(hand)];
-    return axis.latched || axis.jaws || (button_ && hand == active_);
+    return axis.latched || axis.jaws || axis.trigger >= trigger_closed || (button_ && hand == active_);
 }
 
 void MouseKeyboardInput::advance(double dt) {
     for (const KeyMove& move : key_moves) {
-        if (!held_.contains(move.key)) continue;
+        if (!held_.test(bit(move.action))) continue;
         const bool camera = move.hand == 2;
         if (camera ? !has_camera_ : !hand_[move.hand].exists) continue;
         DeviceReading& reading = camera ? targets_.camera : targets_.hand[move.hand];
         const Trocar& trocar = camera ? camera_trocar_ : hand_[move.hand].trocar;
         const double reach = (camera ? key_camera_speed : key_handle_speed) * dt;
+        if (device_ == Device::mouse && !camera && dt > 0) tried_.set(move.in != 0 ? 3 : 0);
         if (move.right != 0 || move.up != 0) {
             shift_handle(reading, trocar, on_screen(move.right * reach, move.up * reach));
         }
@@ -203,15 +227,28 @@ void MouseKeyboardInput::advance(double dt) {
     }
     for (int h = 0; h < hand_count; ++h) {
         const bool closed = jaws_closed(static_cast<Hand>(h));
-        targets_.hand[h].jaw = closed ? 0 : hand_[h].opening * open_jaw_share;
-        targets_.hand[h].grip = closed ? hand_[h].grip : 0;
+        set_jaw(h);
         const bool active = h == static_cast<int>(active_);
         unsigned buttons = closed ? button_primary : button_none;
-        if (hand_[h].pedal || (active && held_.contains(pedal_key))) buttons |= button_energy;
-        if (hand_[h].exchange || (active && held_.contains(exchange_key))) buttons |= button_exchange;
+        if (hand_[h].pedal || (active && held_.test(bit(A::pedal)))) buttons |= button_energy;
+        if (hand_[h].exchange || (active && held_.test(bit(A::exchange)))) buttons |= button_exchange;
         targets_.hand[h].buttons = static_cast<std::uint16_t>(buttons);
     }
     publish();
+}
+
+void MouseKeyboardInput::set_jaw(int hand) {
+    const Axis& axis = hand_[hand];
+    DeviceReading& reading = targets_.hand[hand];
+    if (device_ == Device::controller && !axis.latched && !axis.jaws) {
+        // A trigger closes by degrees, then presses.
+        reading.jaw = axis.opening * std::max(0.0, 1 - axis.trigger / trigger_closed);
+        reading.grip = axis.grip * std::max(0.0, axis.trigger - trigger_closed) / (1 - trigger_closed);
+        return;
+    }
+    const bool closed = jaws_closed(static_cast<Hand>(hand));
+    reading.jaw = closed ? 0 : axis.opening * open_jaw_share;
+    reading.grip = closed ? axis.grip : 0;
 }
 
 void MouseKeyboardInput::publish() {
@@ -239,52 +276,6 @@ void MouseKeyboardInput::set_connected(bool connected) {
     for (DeviceReading& reading : targets_.hand) reading.present = connected;
     targets_.camera.present = connected;
     publish();
-}
-
-QStringList MouseKeyboardInput::help_lines() const {
-    const auto words = [](const char* source) {
-        return QCoreApplication::translate("fulcrum::ui::MouseKeyboardInput", source);
-    };
-    if (two_mice_) {
-        return {
-            words("Each mouse\tmoves the handle of its hand; the tip goes the other way"),
-            words("Left button\tcloses the jaws of that hand while held"),
-            words("Wheel\tin and out"),
-            words("Right button + wheel\tturns the shaft"),
-            words("Middle button\tpedal of that hand (energy, suction)"),
-            words("Side button\tnext instrument of that hand"),
-            words("Tab\tthe mice change hands"),
-            words("X · M\tjaws of the left, right hand stay closed, or open again"),
-            words("Arrows · Page up, down\tscope: look · in, out"),
-            words("Home, End · , .\tscope: light post · camera head"),
-            words("Escape, F1\tpause · this help"),
-        };
-    }
-    if (scope_alone_) {
-        return {
-            words("Mouse\tmoves the handle of the scope; the lens goes the other way"),
-            words("Wheel\tin and out"),
-            words("Shift + mouse\tturns the light post: the direction in which the scope looks"),
-            words("Ctrl + mouse\tturns the camera head: the image alone"),
-            words("Arrows · Page up, down\tlook · in, out"),
-            words("Home, End · , .\tlight post · camera head"),
-            words("Escape, F1\tpause · this help"),
-        };
-    }
-    return {
-        words("Mouse\tmoves the handle of the active hand; the tip goes the other way"),
-        words("Left button\tcloses the jaws while held"),
-        words("Right button, Tab\tthe other hand"),
-        words("Wheel\tin and out"),
-        words("Shift + mouse\tturns the shaft"),
-        words("Space\tjaws of the active hand stay closed, or open again"),
-        words("W A S D · R F · Q E · X\tleft hand: handle · in, out · turn · jaws"),
-        words("I J K L · P ; · U O · M\tright hand: handle · in, out · turn · jaws"),
-        words("B · T\tpedal of the active hand (energy, suction) · its next instrument"),
-        words("Arrows · Page up, down\tscope: look · in, out"),
-        words("Home, End · , .\tscope: light post · camera head"),
-        words("Escape, F1\tpause · this help"),
-    };
 }
 
 }  // namespace fulcrum::ui

@@ -10,14 +10,17 @@
 #pragma once
 
 #include <QPointF>
-#include <QSet>
+#include <QStringList>
+#include <bitset>
 #include <memory>
 
+#include "sim_core/controllers/game_controller.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/instrument/mouse_mapping.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/ring.h"
+#include "ui/theatre/key_map.h"
 
 namespace fulcrum::ui {
 
@@ -52,7 +55,7 @@ class MouseKeyboardInput {
     std::shared_ptr<Rig> rig() const { return rig_; }
 
     Hand active_hand() const { return active_; }
-    void switch_hand() { active_ = active_ == Hand::left ? Hand::right : Hand::left; }
+    void switch_hand();
     /// The mouse moves this hand from now on, if it holds an instrument.
     void take_hand(Hand hand) {
         if (hand_[static_cast<std::size_t>(hand)].exists) active_ = hand;
@@ -81,21 +84,41 @@ class MouseKeyboardInput {
     const HandTargets& targets() const { return targets_; }
     bool jaws_closed(Hand hand) const;
 
-    /// With a mouse for each hand; the one mouse of the functions above is then not used.
-    void set_two_mice(bool two) { two_mice_ = two; }
+    /// What moves the hands besides the keys. With two mice or a controller the one mouse of the functions
+    /// above is not used.
+    enum class Device { mouse, two_mice, controller };
+    void set_device(Device device) { device_ = device; }
+    /// Before keys are pressed.
+    void set_keys(const KeyMap& keys) { keys_ = keys; }
+    const KeyMap& keys() const { return keys_; }
+    /// Movement of the handle for that of a mouse or stick, over the usual one.
+    void set_sensitivity(double scale) { sensitivity_ = scale; }
     void move_hand(Hand hand, const QPointF& pixels, double notches, double turned_notches);
     void set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange);
+    /// What a game controller asked for since the last call.
+    void move_by_controller(const ControllerMotion& motion);
+    /// The controller is gone: jaws that its triggers closed stay closed.
+    void hold_jaws();
 
     QStringList help_lines() const;
+    /// What is needed first, for the strip that the theatre shows when an attempt begins.
+    static constexpr std::size_t most_first_lines = 5;
+    QStringList first_lines() const;
+    /// Whether each of them was done since the attempt began.
+    std::bitset<most_first_lines> tried() const { return tried_; }
+    Device device() const { return device_; }
 
   private:
     struct Axis {
         Trocar trocar;
         double opening = 1.0, grip = 8.0;
         bool exists = false, latched = false;
-        bool jaws = false, pedal = false, exchange = false;  ///< held on its own mouse
+        bool jaws = false, pedal = false, exchange = false;  ///< held on its own mouse or controller
+        double trigger = 0;                                  ///< of the controller, 0 to 1
     };
     void publish();
+    void set_jaw(int hand);
+    void note_moved(Hand hand, bool moved);
     /// What the mouse moves; null: nothing.
     DeviceReading* held_reading();
     const Trocar& held_trocar() const;
@@ -104,10 +127,15 @@ class MouseKeyboardInput {
     HandTargets targets_;
     Axis hand_[hand_count];
     Trocar camera_trocar_;
-    bool has_camera_ = false, scope_alone_ = false, button_ = false, two_mice_ = false;
+    bool has_camera_ = false, scope_alone_ = false, button_ = false;
+    Device device_ = Device::mouse;
+    double sensitivity_ = 1;
     Hand active_ = Hand::right;
     Quaternion view_ = Quaternion::Identity();
-    QSet<int> held_;
+    KeyMap keys_ = KeyMap::standard(false);
+    std::bitset<key_action_count> held_;
+    std::bitset<most_first_lines> tried_;
+    bool moved_[hand_count] = {false, false};
     std::shared_ptr<MouseKeyboardRig> rig_;
 };
 

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
@@ -28,21 +29,24 @@ bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonDblClick: {
             if (!live) return false;
             view_->setFocus();
-            if (mice_ != nullptr) return true;  // each mouse is read by itself
+            if (mice_ != nullptr || pad_ != nullptr) return true;  // read by itself
             const auto* press = static_cast<QMouseEvent*>(event);
-            if (press->button() == Qt::LeftButton) input_->set_primary_button(true);
-            if (press->button() == Qt::RightButton) input_->switch_hand();
+            const bool left_handed = input_->keys().left_handed();
+            if (press->button() == (left_handed ? Qt::RightButton : Qt::LeftButton))
+                input_->set_primary_button(true);
+            if (press->button() == (left_handed ? Qt::LeftButton : Qt::RightButton)) input_->switch_hand();
             return true;
         }
         case QEvent::MouseButtonRelease:
-            if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
+            if (static_cast<QMouseEvent*>(event)->button() ==
+                (input_->keys().left_handed() ? Qt::RightButton : Qt::LeftButton))
                 input_->set_primary_button(false);
             return true;
         case QEvent::MouseMove:
             mouse_move(static_cast<QMouseEvent*>(event));
             return true;
         case QEvent::Wheel:
-            if (live && mice_ == nullptr)
+            if (live && mice_ == nullptr && pad_ == nullptr)
                 input_->turn_wheel(static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0);
             return true;
         case QEvent::Leave:
@@ -85,7 +89,7 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         session_->resume();
         return true;
     }
-    if (mice_ != nullptr && (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab)) {
+    if (mice_ != nullptr && input_->keys().action(event->key()) == KeyAction::other_hand) {
         if (takes_hands()) {
             mice_->swap();
             input_->release_all();
@@ -101,7 +105,7 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
         return;
     }
     const QPoint now = event->pos();
-    if (mouse_known_ && mice_ == nullptr) {
+    if (mouse_known_ && mice_ == nullptr && pad_ == nullptr) {
         const QPoint moved = now - last_mouse_;
         using Use = MouseKeyboardInput::MouseUse;
         const Qt::KeyboardModifiers with = event->modifiers();
@@ -128,6 +132,51 @@ void TheatrePage::read_mice() {
         input_->set_hand_buttons(hand, motion[h].left_button, motion[h].middle_button, motion[h].side_button);
         if (motion[h].right != 0 || motion[h].down != 0) context().note_input();
     }
+}
+
+/// What the controller asked for since the last call; thrown away while the attempt does not take it.
+void TheatrePage::read_controller() {
+    const ControllerMotion motion = pad_->take();
+    if (motion.connected != input_->targets().hand[0].present) {
+        if (!motion.connected) input_->hold_jaws();
+        input_->set_connected(motion.connected);
+    }
+    rumble();
+    if (!motion.connected || !view_->window()->isActiveWindow()) return;
+    if (motion.used) context().note_input();
+    if (motion.starts % 2 == 1 && demonstrated_.isEmpty()) {
+        if (aligning_) {
+            session_->resume();
+        } else if (shown_ == Panel::none) {
+            pause();
+        } else if (shown_ == Panel::paused) {
+            resume();
+        }
+        return;
+    }
+    if (takes_hands()) input_->move_by_controller(motion);
+}
+
+/// Contact on the slow motor, too much force on the fast one: an intensity, no force.
+void TheatrePage::rumble() {
+    double slow = 0, fast = 0;
+    if (session_->phase() == AttemptPhase::running && shown_ == Panel::none &&
+        context().services().rumble_wanted()) {
+        const TaskDisplay& display = session_->display();
+        for (int h = 0; h < hand_count; ++h) {
+            const RumbleStrength one = rumble_of(display.force[h], display.force_limit[h]);
+            slow = std::max(slow, one.slow);
+            fast = std::max(fast, one.fast);
+        }
+    }
+    pad_->rumble(slow, fast);
+}
+
+RumbleStrength rumble_of(double force, double limit) {
+    constexpr double felt_from = 0.05, usual_limit = 5;  // N
+    if (!(force > felt_from)) return {};
+    const double share = force / (limit > 0 ? limit : usual_limit);
+    return {0.1 + 0.4 * std::min(1.0, share), limit > 0 && share > 1 ? 1.0 : 0.0};
 }
 
 void TheatrePage::keep_pointer(const QPoint& now) {

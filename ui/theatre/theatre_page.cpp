@@ -51,6 +51,13 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
     buttons->addWidget(resume_);
     card_layout(panel_)->addLayout(buttons);
     panel_->hide();
+    strip_ = make_card(0);
+    strip_->setParent(this);
+    strip_->setObjectName(QStringLiteral("theatre_keys"));
+    strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    strip_text_ = make_label({});
+    card_layout(strip_)->addWidget(strip_text_);
+    strip_->hide();
 
     connect(pause_, &QPushButton::clicked, this, &TheatrePage::pause);
     connect(help_, &QPushButton::clicked, this, &TheatrePage::toggle_help);
@@ -83,9 +90,15 @@ bool TheatrePage::open(const std::function<void()>& work) {
 AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,
                                     const Scene& scene) {
     const std::shared_ptr<Rig> rig = context().services().hands(scene, input.rig());
+    pad_ = context().services().game_controller();
     const DeviceInUse device = context().services().device_in_use();  // known once it is open
     mice_ = device.two_mice ? TwoMice::open(device.virtual_mice) : nullptr;
-    input.set_two_mice(mice_ != nullptr);
+    input.set_sensitivity(context().services().motion_scale(device.kind));
+    input.set_keys(KeyMap::of_person(context().session().person_id()));
+    using Device = MouseKeyboardInput::Device;
+    input.set_device(pad_ != nullptr    ? Device::controller
+                     : mice_ != nullptr ? Device::two_mice
+                                        : Device::mouse);
     return {context().session(),
             task_id,
             assessed,
@@ -106,11 +119,12 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, boo
     return task != nullptr && open([&] {
                const Scene scene = context().services().scene_for(*task, variant);
                auto input = std::make_unique<MouseKeyboardInput>(scene);
+               AttemptRequest asked = request(task_id, assessed, *input, scene);
+               if (input->keys().left_handed()) input->take_hand(Hand::left);
                if (!task->goals.empty()) {
                    const Goal& first = task->goals[static_cast<std::size_t>(goal)];
                    input->take_hand(asked_hand(first).value_or(input->active_hand()));
                }
-               AttemptRequest asked = request(task_id, assessed, *input, scene);
                asked.goal = goal;
                asked.ghost = ghost;
                asked.variant = variant;
@@ -133,6 +147,7 @@ bool TheatrePage::demonstrate(const std::string& task_id, const std::string& var
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
                mice_.reset();
+               pad_.reset();
                session_ = context().services().start_demonstration(context().session(), task_id, variant);
                input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
                demonstrated_ = text(task_id);
@@ -182,9 +197,14 @@ void TheatrePage::prepare() {
 
 void TheatrePage::end_session() {
     timer_.stop();
+    strip_->hide();
+    since_moved_.invalidate();
+    learns_ = false;
     session_.reset();
     input_.reset();
     mice_.reset();
+    if (pad_ != nullptr) pad_->rumble(0, 0);
+    pad_.reset();
     ghost_.reset();
     aligning_ = false;
     view_->unload();
@@ -312,11 +332,14 @@ void TheatrePage::place_panel() {
 void TheatrePage::resizeEvent(QResizeEvent* event) {
     Page::resizeEvent(event);
     place_panel();
+    place_strip();
 }
 
 void TheatrePage::toggle_help() {
     help_shown_ = !help_shown_;
-    view_->set_cover(mice_ != nullptr ? tr("Two mice and keyboard") : tr("Mouse and keyboard"),
+    view_->set_cover(pad_ != nullptr    ? tr("Game controller")
+                     : mice_ != nullptr ? tr("Two mice and keyboard")
+                                        : tr("Mouse and keyboard"),
                      help_shown_ ? input_->help_lines() : QStringList());
 }
 
@@ -324,10 +347,17 @@ void TheatrePage::tick() {
     if (session_ == nullptr) return;
     const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.4);
     if (mice_ != nullptr) read_mice();
+    if (pad_ != nullptr) read_controller();
+    if (session_ == nullptr) return;
     if (session_->phase() == AttemptPhase::running || aligning_) input_->advance(dt);
     world_is_new_ = session_->update() || world_is_new_;
     follow_phase();
-    if (session_ == nullptr || !world_is_new_) return;
+    if (session_ == nullptr) {
+        strip_->hide();
+        return;
+    }
+    show_strip();
+    if (!world_is_new_) return;
     // At most 33 pictures a second, and never so many that drawing takes more than two thirds of this thread:
     // the hands are read here too.
     const double pause_ms = std::max(30.0, 1.5 * view_->last_frame_ms());
@@ -437,7 +467,7 @@ void TheatrePage::show_world() {
     hud.became_practice = session_->became_practice();
     if (!demonstrated_.isEmpty()) hud.place = tr("demonstration by a simulated expert");
     hud.active_hand = input_->active_hand();
-    hud.shows_active_hand = demonstrated_.isEmpty() && mice_ == nullptr;
+    hud.shows_active_hand = demonstrated_.isEmpty() && mice_ == nullptr && pad_ == nullptr;
     hud.force_felt = !demonstrated_.isEmpty() || health.force_felt[0] || health.force_felt[1];
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = session_->scene().instrument(static_cast<Hand>(h));

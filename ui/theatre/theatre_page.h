@@ -20,6 +20,12 @@ class MouseKeyboardInput;
 class TwoMice;
 class TheatreView;
 
+/// Strengths of a controller's motors, 0 to 1, for the force at a tip (N) and its limit (0: none).
+struct RumbleStrength {
+    double slow = 0, fast = 0;
+};
+RumbleStrength rumble_of(double force, double limit);
+
 class TheatrePage : public Page {
     Q_OBJECT
   public:
@@ -70,6 +76,9 @@ class TheatrePage : public Page {
     void show_world();
     void show_panel(Panel panel, const QString& heading, const QString& line);
     void place_panel();
+    QString learnt_key() const;
+    void show_strip();
+    void place_strip();
     void resume();
     void abandon();
     void finish();
@@ -77,24 +86,27 @@ class TheatrePage : public Page {
     bool key(QKeyEvent* event, bool pressed);
     void mouse_move(QMouseEvent* event);
     void read_mice();
+    void read_controller();
+    void rumble();
     void keep_pointer(const QPoint& now);
 
     std::unique_ptr<AttemptSession> session_;
     std::unique_ptr<MouseKeyboardInput> input_;
-    std::unique_ptr<TwoMice> mice_;  ///< null: one mouse and the keyboard
+    std::unique_ptr<TwoMice> mice_;        ///< null: one mouse and the keyboard
+    std::shared_ptr<GameController> pad_;  ///< null: no game controller
     std::optional<GhostPace> ghost_;
     TheatreView* view_;
-    QFrame *panel_, *bar_;
-    QLabel *panel_heading_, *panel_text_;
+    QFrame *panel_, *bar_, *strip_;
+    QLabel *panel_heading_, *panel_text_, *strip_text_;
     QPushButton *resume_, *abandon_, *pause_, *help_, *leave_;
     QTimer timer_;
-    QElapsedTimer since_tick_, since_picture_;
+    QElapsedTimer since_tick_, since_picture_, since_moved_;
     Panel shown_ = Panel::none;
     std::vector<bool> done_;
     int active_target_ = -1;
     QPoint last_mouse_;
     bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false,
-         aligning_ = false;
+         aligning_ = false, learns_ = false;
     QString demonstrated_;  ///< task, while it is a demonstration
 };
 

@@ -103,6 +103,52 @@ TEST(DeviceRig, ForceOnTheDeviceDoesTheWorkThatItDoesOnTheHandle) {
     }
 }
 
+TEST(DeviceRig, WithAnotherScaleOfTheMovementTheWorkIsTheSameOnBothSides) {
+    for (const double motion : {0.5, 2.0}) {
+        OnPages at;
+        SlotUse use;
+        use.motion = motion;
+        at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                             at.others, use, 0.4);
+        at.publish();
+        at.read();
+        const Vector3 before = at.handle(0);
+        at.pose[0].position[1] += 0.02;
+        at.publish();
+        at.read();
+        const Vector3 moved = at.handle(0) - before;
+        EXPECT_LT((moved - Vector3(0, 0.02 * motion, 0)).norm(), 1e-6);
+        const Vector3 force(0.3, -0.2, 0.7);
+        at.rig->write_force(Hand::left, force);
+        ForceCommand sent;
+        ASSERT_TRUE(at.command->command[0].read(sent));
+        const Trocar trocar = make_trocar(at.scene.instrument(Hand::left)->trocar);
+        EXPECT_NEAR(sent.force[1] * 0.02, force.dot(trocar.rotation * moved), 1e-7);
+        // Seen from the instrument, damping and limits are those of the device's motors.
+        const ForceOutput seen = *at.rig->force_output(Hand::left);
+        EXPECT_NEAR(seen.damping, 0.5 / (motion * motion), 1e-12);
+        EXPECT_NEAR(seen.peak * motion, 3.3, 1e-12);
+        EXPECT_TRUE(is_usable(seen));
+    }
+}
+
+TEST(DeviceRig, PartsOfTheDeviceMoveWhatTheyAreAssignedTo) {
+    OnPages at;
+    at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                         at.others, SlotUse{1, -1, 0, 1}, 1);
+    at.pose[1].buttons = 0;
+    at.publish();
+    at.read();
+    const Vector3 before = at.handle(0);
+    at.pose[1].position[1] += 0.01;
+    at.publish();
+    at.read();
+    EXPECT_NEAR((at.handle(0) - before).norm(), 0.01, 1e-6) << "the right part moves the left instrument";
+    EXPECT_EQ(at.sample.hand[1].handle[0], 77) << "mouse and keyboard";
+    EXPECT_NE(at.sample.camera.handle[2], 0) << "the left part moves the scope";
+    EXPECT_FALSE(at.rig->has_force(Hand::left)) << "the right part renders none";
+}
+
 TEST(DeviceRig, ADeviceThatSendsNothingNewDidNotAnswer) {
     OnPages at;
     at.read();

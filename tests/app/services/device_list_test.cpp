@@ -67,6 +67,29 @@ TEST(DeviceList, EveryDeviceThatCannotBeUsedSaysWhyAndWhatToDo) {
     }
 }
 
+TEST(DeviceList, GameControllersAreUsableWhereSdlKnowsThem) {
+    Machine machine = machine_with("/none", "/bin/sh");
+    ControllerLook look;
+    machine.controllers = [&look] { return look; };
+    const auto listed = [&] { return row(list_devices(machine), "controller"); };
+    EXPECT_EQ(listed().state, DeviceState::absent);
+    EXPECT_FALSE(listed().what_to_do.empty());
+    look.connected = {{"Odd Stick", false}};
+    EXPECT_EQ(listed().state, DeviceState::connected);
+    EXPECT_NE(listed().what_to_do.find("SDL_GAMECONTROLLERCONFIG"), std::string::npos);
+    look.connected.push_back({"Fake Pad", true});
+    EXPECT_EQ(listed().state, DeviceState::usable);
+    EXPECT_EQ(listed().found,
+              (std::vector<std::string>{"Odd Stick", "Fake Pad", "FULCRUM_DEVICE=controller"}));
+    EXPECT_TRUE(listed().why.empty() && listed().what_to_do.empty());
+    look.library = {LibraryState::missing, "libSDL2-2.0.so.0: cannot open"};
+    EXPECT_EQ(listed().state, DeviceState::absent);
+    EXPECT_EQ(listed().detail, "libSDL2-2.0.so.0: cannot open");
+    look = {};
+    look.failure = "no udev";
+    EXPECT_EQ(listed().detail, "no udev");
+}
+
 TEST(DeviceList, ASystemWithoutAListOfUsbDevicesHasNone) {
     const auto devices = list_devices(machine_with("/none", "/bin/sh"));
     EXPECT_EQ(row(devices, "touch").state, DeviceState::absent);

@@ -132,7 +132,7 @@ TEST_F(DevicesOnThePage, ReadingsAreShownWhileTheDeviceIsOpen) {
     use_haptic_device();
     open_page();
     auto* shown = find<QLabel>(*window, "device_readings");
-    EXPECT_TRUE(shown->text().contains("after the first attempt")) << shown->text().toStdString();
+    EXPECT_TRUE(shown->text().contains("while it is open")) << shown->text().toStdString();
     DeviceReadings now;
     now.rate = 998.4;
     now.held = {{"left", true, Vector3(0.0123, -0.004, 0.1), 0.4, 1}, {"right", false, {}, 0, 0}};

@@ -10,6 +10,57 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>a bowel of this length does not fit this cavity</source>
@@ -5079,6 +5130,94 @@
         <source>leave --as out, or name the account of that person in the address</source>
         <translation>lassen Sie --as weg, oder nennen Sie in der Adresse das Konto dieser Person</translation>
     </message>
+    <message>
+        <source>game controller</source>
+        <translation>Gamecontroller</translation>
+    </message>
+    <message>
+        <source>the library SDL 2 does not answer</source>
+        <translation>die Bibliothek SDL 2 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>unplug the controller, wait ten seconds and connect it again</source>
+        <translation>ziehen Sie den Controller ab, warten Sie zehn Sekunden und schließen Sie ihn wieder an</translation>
+    </message>
+    <message>
+        <source>the library SDL 2 does not start: %1</source>
+        <translation>die Bibliothek SDL 2 startet nicht: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>%1 lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>close other programs that use it; on Linux your account needs the right to read /dev/input/event*</source>
+        <translation>schließen Sie andere Programme, die ihn benutzen; unter Linux braucht Ihr Konto das Recht, /dev/input/event* zu lesen</translation>
+    </message>
+    <message>
+        <source>SDL does not know the sticks and buttons of %1</source>
+        <translation>SDL kennt die Sticks und Tasten von %1 nicht</translation>
+    </message>
+    <message>
+        <source>set SDL_GAMECONTROLLERCONFIG to its mapping, or use another controller</source>
+        <translation>setzen Sie SDL_GAMECONTROLLERCONFIG auf seine Belegung, oder verwenden Sie einen anderen Controller</translation>
+    </message>
+    <message>
+        <source>none is connected</source>
+        <translation>keiner ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>connect one and switch it on, or use mouse and keyboard</source>
+        <translation>schließen Sie einen an und schalten Sie ihn ein, oder verwenden Sie Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>none of the name %1 is connected</source>
+        <translation>keiner mit dem Namen %1 ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>connect it and switch it on, or use mouse and keyboard</source>
+        <translation>schließen Sie ihn an und schalten Sie ihn ein, oder verwenden Sie Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>%1 does not answer. Unplug it, wait ten seconds and connect it again.</source>
+        <translation>%1 antwortet nicht. Ziehen Sie ihn ab, warten Sie zehn Sekunden und schließen Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Connect it again, switch it on, or charge its battery.</source>
+        <translation>%1 ist nicht verbunden. Schließen Sie ihn wieder an, schalten Sie ihn ein, oder laden Sie seinen Akku.</translation>
+    </message>
+    <message>
+        <source>A stick of %1 is not in its middle, so it moves nothing. Let go of it; if it stays, connect the controller again without touching it.</source>
+        <translation>Ein Stick von %1 ist nicht in der Mitte und bewegt deshalb nichts. Lassen Sie ihn los; bleibt es so, schließen Sie den Controller neu an, ohne ihn zu berühren.</translation>
+    </message>
+    <message>
+        <source>the library SDL 2 is not installed</source>
+        <translation>die Bibliothek SDL 2 ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>the library SDL 2 needs another one that is missing</source>
+        <translation>die Bibliothek SDL 2 braucht eine andere, die fehlt</translation>
+    </message>
+    <message>
+        <source>the library SDL 2 lacks a function that Fulcrum needs</source>
+        <translation>der Bibliothek SDL 2 fehlt eine Funktion, die Fulcrum braucht</translation>
+    </message>
+    <message>
+        <source>the library SDL 2 cannot be loaded</source>
+        <translation>die Bibliothek SDL 2 lässt sich nicht laden</translation>
+    </message>
+    <message>
+        <source>install the newest libSDL2-2.0.so.0: on Debian and Ubuntu the package libsdl2-2.0-0</source>
+        <translation>installieren Sie die neueste libSDL2-2.0.so.0: unter Debian und Ubuntu das Paket libsdl2-2.0-0</translation>
+    </message>
+    <message>
+        <source>use --rumble</source>
+        <translation>verwenden Sie --rumble</translation>
+    </message>
+    <message>
+        <source>is for game controllers</source>
+        <translation>ist für Gamecontroller</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -5222,6 +5361,30 @@
     <message>
         <source>you have no permission to open the device</source>
         <translation>Sie haben keine Berechtigung, das Gerät zu öffnen</translation>
+    </message>
+    <message>
+        <source>game controller</source>
+        <translation>Gamecontroller</translation>
+    </message>
+    <message>
+        <source>SDL does not know its sticks and buttons</source>
+        <translation>SDL kennt seine Sticks und Tasten nicht</translation>
+    </message>
+    <message>
+        <source>set SDL_GAMECONTROLLERCONFIG to its mapping, or use another controller</source>
+        <translation>setzen Sie SDL_GAMECONTROLLERCONFIG auf seine Belegung, oder verwenden Sie einen anderen Controller</translation>
+    </message>
+    <message>
+        <source>none is connected</source>
+        <translation>keiner ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>SDL 2 does not start</source>
+        <translation>SDL 2 startet nicht</translation>
+    </message>
+    <message>
+        <source>connect one by cable or Bluetooth and switch it on; your account needs the right to read /dev/input/event*</source>
+        <translation>schließen Sie einen mit Kabel oder Bluetooth an und schalten Sie ihn ein; Ihr Konto braucht das Recht, /dev/input/event* zu lesen</translation>
     </message>
 </context>
 <context>
@@ -5669,6 +5832,105 @@
     <message>
         <source>bowel grasper</source>
         <translation>Darmfasszange</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::key_actions</name>
+    <message>
+        <source>handle up</source>
+        <translation>Griff nach oben</translation>
+    </message>
+    <message>
+        <source>handle to the left</source>
+        <translation>Griff nach links</translation>
+    </message>
+    <message>
+        <source>handle down</source>
+        <translation>Griff nach unten</translation>
+    </message>
+    <message>
+        <source>handle to the right</source>
+        <translation>Griff nach rechts</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>hinein</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>heraus</translation>
+    </message>
+    <message>
+        <source>turn to the left</source>
+        <translation>nach links drehen</translation>
+    </message>
+    <message>
+        <source>turn to the right</source>
+        <translation>nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>jaws stay closed, or open</source>
+        <translation>Maul bleibt zu oder offen</translation>
+    </message>
+    <message>
+        <source>look up</source>
+        <translation>nach oben sehen</translation>
+    </message>
+    <message>
+        <source>look to the left</source>
+        <translation>nach links sehen</translation>
+    </message>
+    <message>
+        <source>look down</source>
+        <translation>nach unten sehen</translation>
+    </message>
+    <message>
+        <source>look to the right</source>
+        <translation>nach rechts sehen</translation>
+    </message>
+    <message>
+        <source>light post to the left</source>
+        <translation>Lichtanschluss nach links</translation>
+    </message>
+    <message>
+        <source>light post to the right</source>
+        <translation>Lichtanschluss nach rechts</translation>
+    </message>
+    <message>
+        <source>camera head to the left</source>
+        <translation>Kamerakopf nach links</translation>
+    </message>
+    <message>
+        <source>camera head to the right</source>
+        <translation>Kamerakopf nach rechts</translation>
+    </message>
+    <message>
+        <source>the mouse takes the other hand</source>
+        <translation>Maus nimmt die andere Hand</translation>
+    </message>
+    <message>
+        <source>pedal (energy, suction)</source>
+        <translation>Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>next instrument</source>
+        <translation>nächstes Instrument</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Optik</translation>
+    </message>
+    <message>
+        <source>Hand that the mouse moves</source>
+        <translation>Hand, die die Maus bewegt</translation>
     </message>
 </context>
 <context>
@@ -8313,6 +8575,117 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::DeviceTest</name>
+    <message>
+        <source>Connect and try it</source>
+        <translation>Verbinden und ausprobieren</translation>
+    </message>
+    <message>
+        <source>Move each hand to the right, up and away from you, one after the other. The dot goes the same way and gets smaller further away; each direction gets a mark.</source>
+        <translation>Bewegen Sie jede Hand nacheinander nach rechts, nach oben und von sich weg. Der Punkt geht in dieselbe Richtung und wird in der Ferne kleiner; jede Richtung bekommt ein Häkchen.</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Force test</source>
+        <translation>Krafttest</translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>Anhalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Rumble</source>
+        <translation>Vibrieren</translation>
+    </message>
+    <message>
+        <source>Movement of the instrument</source>
+        <translation>Bewegung des Instruments</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rumble on contact and on too much force</source>
+        <translation>Vibrieren bei Berührung und bei zu viel Kraft</translation>
+    </message>
+    <message>
+        <source>Left instrument</source>
+        <translation>Linkes Instrument</translation>
+    </message>
+    <message>
+        <source>Right instrument</source>
+        <translation>Rechtes Instrument</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Optik</translation>
+    </message>
+    <message>
+        <source>left device</source>
+        <translation>linkes Gerät</translation>
+    </message>
+    <message>
+        <source>right device</source>
+        <translation>rechtes Gerät</translation>
+    </message>
+    <message>
+        <source>third device</source>
+        <translation>drittes Gerät</translation>
+    </message>
+    <message>
+        <source>mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>For the same movement of the mouse, from the next attempt on; 100 %: 1 mm of the handle for about 3 pixels.</source>
+        <translation>Für dieselbe Bewegung der Maus, ab dem nächsten Versuch; 100 %: 1 mm am Griff für etwa 3 Pixel.</translation>
+    </message>
+    <message>
+        <source>Speed for the same push of a stick, from the next attempt on; 100 %: at most 12 cm/s of the handle.</source>
+        <translation>Geschwindigkeit bei gleichem Ausschlag eines Sticks, ab dem nächsten Versuch; 100 %: höchstens 12 cm/s am Griff.</translation>
+    </message>
+    <message>
+        <source>For the same movement of the device, from the next attempt on; 100 %: as far as the hand. Where the instrument begins, the device is at that moment, wherever you hold it.</source>
+        <translation>Für dieselbe Bewegung des Geräts, ab dem nächsten Versuch; 100 %: so weit wie die Hand. Das Instrument beginnt dort, wo die Szene es vorsieht, gleich wo Sie das Gerät dann halten.</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 N. You feel a gentle push. Press Stop or Esc at any time.</source>
+        <translation>%1, %2: %3 N. Sie spüren einen sanften Druck. Anhalten oder Esc geht jederzeit.</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>The test is over: up to %1 N were asked for, up to %2 N rendered. The force is 0.</source>
+        <translation>Der Test ist zu Ende: bis zu %1 N wurden verlangt, bis zu %2 N ausgegeben. Die Kraft ist 0.</translation>
+    </message>
+    <message>
+        <source>The test was stopped. The force is 0.</source>
+        <translation>Der Test wurde angehalten. Die Kraft ist 0.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::DevicesCard</name>
     <message>
         <source>Why: %1</source>
@@ -8363,16 +8736,64 @@ Kennzahlen: %2</translation>
         <translation>Anteil an der Kraft des Modells, ab dem nächsten Versuch. Er wird mit jedem Versuch gespeichert und in seiner Auswertung genannt.</translation>
     </message>
     <message>
-        <source>In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum starts; without it, mouse and keyboard are used.</source>
-        <translation>In Gebrauch: %1. Die Umgebungsvariable FULCRUM_DEVICE nennt beim Start von Fulcrum das Gerät; ohne sie dienen Maus und Tastatur.</translation>
-    </message>
-    <message>
         <source>%1 readings per second</source>
         <translation>%1 Messwerte je Sekunde</translation>
     </message>
     <message>
-        <source>Its readings are shown here after the first attempt with it, which opens the device.</source>
-        <translation>Seine Messwerte erscheinen hier nach dem ersten Versuch mit ihm, der das Gerät öffnet.</translation>
+        <source>%1: not connected</source>
+        <translation>%1: nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <translation>Linker Stick</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <translation>Rechter Stick</translation>
+    </message>
+    <message>
+        <source>%1: %2 % to the right, %3 % up, trigger %4 %</source>
+        <translation>%1: %2 % nach rechts, %3 % nach oben, Trigger %4 %</translation>
+    </message>
+    <message>
+        <source>%1: not in its middle since it was connected</source>
+        <translation>%1: seit dem Verbinden nicht in der Mitte</translation>
+    </message>
+    <message>
+        <source>It does not rumble.</source>
+        <translation>Er vibriert nicht.</translation>
+    </message>
+    <message>
+        <source>In use: %1. It moves the hands from the next attempt on.</source>
+        <translation>In Gebrauch: %1. Ab dem nächsten Versuch bewegt es die Hände.</translation>
+    </message>
+    <message>
+        <source>In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum starts; without it, the device is chosen here.</source>
+        <translation>In Gebrauch: %1. Die Umgebungsvariable FULCRUM_DEVICE nennt das Gerät beim Start von Fulcrum; ohne sie wird es hier gewählt.</translation>
+    </message>
+    <message>
+        <source>%1 readings per second, at most %2 ms late</source>
+        <translation>%1 Messungen pro Sekunde, höchstens %2 ms verspätet</translation>
+    </message>
+    <message>
+        <source>Calibration: needed</source>
+        <translation>Kalibrierung: nötig</translation>
+    </message>
+    <message>
+        <source>Calibration: valid</source>
+        <translation>Kalibrierung: gültig</translation>
+    </message>
+    <message>
+        <source>Its readings are shown here while it is open: an attempt opens it, or the button below.</source>
+        <translation>Seine Messwerte stehen hier, solange es geöffnet ist: Ein Versuch öffnet es oder der Knopf darunter.</translation>
+    </message>
+    <message>
+        <source>Use for the hands</source>
+        <translation>Für die Hände verwenden</translation>
+    </message>
+    <message>
+        <source>Use %1 for the hands</source>
+        <translation>%1 für die Hände verwenden</translation>
     </message>
 </context>
 <context>
@@ -8507,6 +8928,41 @@ Kennzahlen: %2</translation>
     <message>
         <source>Simulating the demonstration cohort …</source>
         <translation>Vorführgruppe wird simuliert …</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::FrameCheck</name>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Optik</translation>
+    </message>
+    <message>
+        <source>Where the hands are</source>
+        <translation>Wo die Hände sind</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -9160,6 +9616,49 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::KeysCard</name>
+    <message>
+        <source>Mouse and keys for the hands</source>
+        <translation>Maus und Tasten für die Hände</translation>
+    </message>
+    <message>
+        <source>Kept for you on this computer, from the next attempt on. The theatre shows them when an attempt begins, and with F1.</source>
+        <translation>Für Sie auf diesem Rechner gespeichert, ab dem nächsten Versuch. Der Saal zeigt sie, wenn ein Versuch beginnt, und mit F1.</translation>
+    </message>
+    <message>
+        <source>Mouse in the right hand</source>
+        <translation>Maus in der rechten Hand</translation>
+    </message>
+    <message>
+        <source>Mouse in the left hand</source>
+        <translation>Maus in der linken Hand</translation>
+    </message>
+    <message>
+        <source>With the mouse in the left hand its buttons change places, and the keys of the hand that it moves are on the right side. Choosing one gives all keys their usual places.</source>
+        <translation>Mit der Maus in der linken Hand tauschen ihre Tasten die Plätze, und die Tasten der bewegten Hand liegen rechts. Die Wahl gibt allen Tasten ihre üblichen Plätze.</translation>
+    </message>
+    <message>
+        <source>Usual keys</source>
+        <translation>Übliche Tasten</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”, or Escape.</source>
+        <translation>Drücken Sie die neue Taste für „%1“, oder Escape.</translation>
+    </message>
+    <message>
+        <source>This key is needed for something else. Press another one, or Escape.</source>
+        <translation>Diese Taste wird für anderes gebraucht. Drücken Sie eine andere, oder Escape.</translation>
+    </message>
+    <message>
+        <source>%1 is already used (%2: %3). Press another key, or Escape and change that one first.</source>
+        <translation>%1 ist schon vergeben (%2: %3). Drücken Sie eine andere Taste, oder Escape und ändern Sie zuerst jene.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::Ladder</name>
     <message>
         <source>Your progress through the curriculum</source>
@@ -9569,6 +10068,165 @@ Kennzahlen: %2</translation>
     <message>
         <source>context</source>
         <translation>Einordnung</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::MouseKeyboardInput</name>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>scope: look · in, out</source>
+        <translation>Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>scope: light post · camera head</source>
+        <translation>Optik: Lichtanschluss · Kamerakopf</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Rechte Taste</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>Escape, F1	pause · this help</source>
+        <translation>Escape, F1	Pause · diese Hilfe</translation>
+    </message>
+    <message>
+        <source>Direction pad	scope: look</source>
+        <translation>Steuerkreuz	Optik: sehen</translation>
+    </message>
+    <message>
+        <source>Upper button + pad	scope: in, out · light post</source>
+        <translation>Obere Taste + Kreuz	Optik: hinein, heraus · Lichtanschluss</translation>
+    </message>
+    <message>
+        <source>Back button + pad	camera head</source>
+        <translation>Zurück-Taste + Kreuz	Kamerakopf</translation>
+    </message>
+    <message>
+        <source>Start button	pause and resume (Escape; F1: this help)</source>
+        <translation>Start-Taste	Pause und weiter (Escape; F1: diese Hilfe)</translation>
+    </message>
+    <message>
+        <source>Left stick	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Linker Stick	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Left shoulder button + left stick	in and out · light post</source>
+        <translation>Linke Schultertaste + linker Stick	hinein und heraus · Lichtanschluss</translation>
+    </message>
+    <message>
+        <source>Right stick	light post; with its shoulder button: camera head</source>
+        <translation>Rechter Stick	Lichtanschluss; mit seiner Schultertaste: Kamerakopf</translation>
+    </message>
+    <message>
+        <source>Each stick	moves the handle of its hand; the tip goes the other way</source>
+        <translation>Jeder Stick	bewegt den Griff seiner Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Shoulder button + stick	in and out (up, down) · turn (left, right)</source>
+        <translation>Schultertaste + Stick	hinein, heraus (oben, unten) · drehen (links, rechts)</translation>
+    </message>
+    <message>
+        <source>Trigger	closes the jaws of that hand, then presses</source>
+        <translation>Trigger	schließt das Maul dieser Hand, dann drückt er</translation>
+    </message>
+    <message>
+        <source>Press on a stick	jaws stay closed, or open again</source>
+        <translation>Druck auf einen Stick	Maul bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>Left, right button	pedal of that hand (energy, suction)</source>
+        <translation>Linke, rechte Taste	Pedal dieser Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Lower button	next instrument of the hand that worked last</source>
+        <translation>Untere Taste	nächstes Instrument der Hand, die zuletzt arbeitete</translation>
+    </message>
+    <message>
+        <source>Each mouse	moves the handle of its hand; the tip goes the other way</source>
+        <translation>Jede Maus	bewegt den Griff ihrer Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Left button	closes the jaws of that hand while held</source>
+        <translation>Linke Taste	schließt das Maul dieser Hand, solange sie gedrückt ist</translation>
+    </message>
+    <message>
+        <source>Wheel	in and out</source>
+        <translation>Rad	hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Right button + wheel	turns the shaft</source>
+        <translation>Rechte Taste + Rad	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Middle button	pedal of that hand (energy, suction)</source>
+        <translation>Mittlere Taste	Pedal dieser Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Side button	next instrument of that hand</source>
+        <translation>Seitentaste	nächstes Instrument dieser Hand</translation>
+    </message>
+    <message>
+        <source>the mice change hands</source>
+        <translation>die Mäuse tauschen die Hände</translation>
+    </message>
+    <message>
+        <source>jaws of the left, right hand stay closed, or open again</source>
+        <translation>Maul der linken, rechten Hand bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>Mouse	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Maus	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Shift + mouse	turns the light post: the direction in which the scope looks</source>
+        <translation>Umschalt + Maus	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>Ctrl + mouse	turns the camera head: the image alone</source>
+        <translation>Strg + Maus	dreht den Kamerakopf: nur das Bild</translation>
+    </message>
+    <message>
+        <source>%1: handle · in, out · turn · jaws</source>
+        <translation>%1: Griff · hinein, heraus · drehen · Maul</translation>
+    </message>
+    <message>
+        <source>Mouse	moves the handle of the active hand; the tip goes the other way</source>
+        <translation>Maus	bewegt den Griff der aktiven Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>closes the jaws while held</source>
+        <translation>schließt das Maul, solange sie gedrückt ist</translation>
+    </message>
+    <message>
+        <source>the other hand</source>
+        <translation>die andere Hand</translation>
+    </message>
+    <message>
+        <source>Shift + mouse	turns the shaft</source>
+        <translation>Umschalt + Maus	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>jaws of the active hand stay closed, or open again</source>
+        <translation>Maul der aktiven Hand bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>rechte Hand</translation>
+    </message>
+    <message>
+        <source>pedal of the active hand (energy, suction) · its next instrument</source>
+        <translation>Pedal der aktiven Hand (Energie, Sauger) · ihr nächstes Instrument</translation>
     </message>
 </context>
 <context>
@@ -10803,8 +11461,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Umgebungsvariable FULCRUM_LANGUAGE legt die Sprache dieser Station fest. Starten Sie Fulcrum ohne sie, um hier zu wählen.</translation>
     </message>
     <message>
-        <source>They are remembered, and are the same for everyone who uses this account of the computer.</source>
-        <translation>Sie bleiben gespeichert und sind für alle gleich, die dieses Benutzerkonto des Rechners verwenden.</translation>
+        <source>They are remembered. All but the keys are the same for everyone who uses this account of the computer.</source>
+        <translation>Sie werden gespeichert. Alle außer den Tasten gelten für jeden, der dieses Konto des Rechners benutzt.</translation>
     </message>
 </context>
 <context>
@@ -11207,6 +11865,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>the ghost of an expert waits for you</source>
         <translation>das Schattenbild eines Experten wartet auf Sie</translation>
+    </message>
+    <message>
+        <source>Game controller</source>
+        <translation>Gamecontroller</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F1&lt;/b&gt;&amp;nbsp;all keys</source>
+        <translation>&lt;b&gt;F1&lt;/b&gt;&amp;nbsp;alle Tasten</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window with a game controller, whose library is a fake that the test scripts. With
+// FULCRUM_WHOLE_CONTROLLER a synthetic expert completes A2 and B1 by sticks and triggers (minutes).
+#include <gtest/gtest.h>
+
+#include <QProcess>
+#include <QSettings>
+#include <nlohmann/json.hpp>
+
+#include "assessment/operators/operator.h"
+#include "sim_core/controllers/sdl_library.h"
+#include "sim_core/instrument/mouse_mapping.h"
+#include "tests/app/controller_hand.h"
+#include "tests/app/program_path.h"
+#include "tests/app/window_fixture.h"
+#include "tests/fakes/fake_page.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+using namespace controllers;
+using ui::AttemptPhase;
+using ui::window_test::find;
+using ui::window_test::keep_picture;
+using ui::window_test::sees;
+using ui::window_test::wait_for;
+
+/// Before the services are made.
+struct FakeController {
+    FakeController() { page->controller[0].plugged = 1; }
+    fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
+    fulcrum::test::Variable library{"FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so"};
+    fulcrum::test::Variable device{"FULCRUM_DEVICE", "controller"};
+};
+
+class ControllerWindow : public FakeController, public Window {
+  protected:
+    fulcrum::test::FakeSdlController& pad() { return page->controller[0]; }
+    const ui::HandTargets& targets() { return theatre().input()->targets(); }
+    AttemptPhase phase() { return theatre().session()->phase(); }
+    void press(SdlButton button) {
+        pad().buttons = 1U << static_cast<unsigned>(button);
+        QTest::qWait(60);
+        pad().buttons = 0;
+        QTest::qWait(60);
+    }
+    void expect_stored(AttemptState state) {
+        const database::AttemptSummary attempt = newest_attempt();
+        EXPECT_EQ(attempt.state, state);
+        EXPECT_EQ(attempt.meta.device, "Fake Pad");
+        EXPECT_EQ(attempt.meta.device_class, DeviceClass::controller);
+        expect_replays(attempt.meta.id);
+        EXPECT_EQ(page->misuse, 0U);
+    }
+};
+
+TEST_F(ControllerWindow, EachStickMovesItsHandAndAnUnpluggedControllerPausesTheAttempt) {
+    window.resize(1024, 768);
+    create_programme_and_trainee();
+    start("A2", false);
+    const ui::HandTargets before = targets();
+    pad().axis[axis_left_x] = 32767;
+    ASSERT_TRUE(wait_for([&] { return (targets().hand[0].handle - before.hand[0].handle).norm() > 5e-3; }));
+    pad().axis[axis_left_x] = 0;
+    EXPECT_EQ(targets().hand[1].handle, before.hand[1].handle) << "the hand that is not touched stays";
+    pad().buttons = 1U << button_right_shoulder;
+    pad().axis[axis_right_y] = -32768;
+    ASSERT_TRUE(wait_for([&] {
+        return targets().hand[1].handle.norm() < before.hand[1].handle.norm() - 8e-3;
+    })) << "in";
+    // To the end of the shaft's range and not further.
+    ASSERT_TRUE(wait_for([&] {
+        const double now = targets().hand[1].handle.norm();
+        QTest::qWait(300);
+        return targets().hand[1].handle.norm() == now;
+    }));
+    EXPECT_GT(targets().hand[1].handle.norm(), handle_clearance);
+    pad().axis[axis_right_y] = 0;
+    pad().buttons = 0;
+
+    pad().axis[axis_right_x] = -20000;
+    ASSERT_TRUE(wait_for([&] { return theatre().input()->tried().test(0); })) << "both hands moved";
+    pad().axis[axis_right_x] = 0;
+    EXPECT_TRUE(sees(window, "theatre_keys")) << "the controller is new to this person";
+    keep_picture(window, "59-controller-first-steps");
+    pad().axis[axis_right_trigger] = 13000;
+    ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw < 0.6 * targets().hand[0].jaw; }));
+    EXPECT_GT(targets().hand[1].jaw, 0) << "jaws follow the trigger";
+    EXPECT_EQ(targets().hand[1].grip, 0);
+    pad().axis[axis_right_trigger] = 32767;
+    ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw == 0 && targets().hand[1].grip > 7; }));
+    press(button_left_stick);
+    ASSERT_TRUE(wait_for([&] { return targets().hand[0].jaw == 0; })) << "stays closed";
+    EXPECT_EQ(theatre().input()->tried().count(), 4U);
+    ASSERT_TRUE(wait_for([&] { return !sees(window, "theatre_keys"); })) << "everything was tried";
+    EXPECT_EQ(QSettings().allKeys().filter("learnt/").size(), 1);
+    QTest::keyClick(theatre().view(), Qt::Key_F1);
+    keep_picture(window, "60-controller-help");
+    QTest::keyClick(theatre().view(), Qt::Key_F1);
+    press(button_start);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::paused; }));
+    press(button_start);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
+
+    pad().plugged = 0;
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }));
+    ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
+    EXPECT_TRUE(
+        find<QLabel>(window, "panel_text")->text().contains("Fake Pad is not connected. Connect it again"))
+        << find<QLabel>(window, "panel_text")->text().toStdString();
+    keep_picture(window, "61-controller-unplugged");
+    pad().axis[axis_right_trigger] = 0;
+    pad().plugged = 1;
+    ASSERT_TRUE(wait_for([&] { return aligned().in_place; }));
+    press(button_start);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
+    QTest::qWait(200);
+    EXPECT_EQ(targets().hand[1].jaw, 0) << "what was held when the controller was lost is still held";
+    press(button_right_stick);
+    ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw > 0; }));
+    abandon();
+    expect_stored(AttemptState::abandoned);
+}
+
+class ControllerCommand : public FakeController, public ::testing::Test {
+  protected:
+    /// Exit status; standard output and error are kept.
+    int run(const QStringList& arguments) {
+        QProcess process;
+        process.start(QString::fromStdString(program_path()), arguments);
+        EXPECT_TRUE(process.waitForFinished(30000));
+        output = process.readAllStandardOutput();
+        error = process.readAllStandardError();
+        return process.exitCode();
+    }
+    QByteArray output, error;
+};
+
+TEST_F(ControllerCommand, TestsAControllerWithoutAWindow) {
+    page->controller[0].axis[axis_left_x] = 16000;
+    page->controller[0].axis[axis_right_trigger] = 32767;
+    page->controller[0].buttons = 1U << button_east;
+    ASSERT_EQ(run({"devices", "--test", "controller", "--seconds", "2", "--rumble", "--json"}), 0)
+        << error.toStdString();
+    const auto document = nlohmann::json::parse(output.toStdString());
+    EXPECT_EQ(document.at("device").at("title"), "Fake Pad");
+    EXPECT_EQ(document.at("device_class"), "controller");
+    EXPECT_GT(document.at("rate_hz").get<double>(), 100);
+    EXPECT_LT(document.at("rate_hz").get<double>(), 260);
+    EXPECT_NEAR(document.at("left").at("to_the_right").at(1).get<double>(), 0.488, 0.01);
+    EXPECT_EQ(document.at("left").at("stick_was_in_middle"), false);
+    EXPECT_EQ(document.at("right").at("trigger").at(1), 1.0);
+    EXPECT_EQ(document.at("buttons"), nlohmann::json::array({"east"}));
+    EXPECT_EQ(document.at("rumbled"), true);
+    EXPECT_GE(page->controller[0].rumbles, 5U);
+    EXPECT_EQ(run({"devices", "--test", "controller", "--force"}), 2);
+    EXPECT_TRUE(error.contains("use --rumble")) << error.toStdString();
+    EXPECT_EQ(run({"devices", "--test", "controller:Other"}), 2);
+    EXPECT_TRUE(error.contains("none of the name Other is connected")) << error.toStdString();
+    EXPECT_EQ(run({"devices"}), 0);
+    EXPECT_TRUE(output.contains("game controller: can be used\n    Fake Pad")) << output.toStdString();
+    EXPECT_EQ(page->misuse, 0U);
+}
+
+TEST_F(ControllerWindow, OneThatCannotBeOpenedSaysWhyAndNothingBegins) {
+    create_programme_and_trainee();
+    pad().plugged = 0;
+    ui::window_test::click(window, "briefing_A2");
+    expect_page("briefing_page");
+    ui::window_test::click(window, "start_attempt");
+    ASSERT_TRUE(wait_for([&] { return sees(window, "message_text"); }));
+    EXPECT_TRUE(shown("message_text").contains("none is connected")) << shown("message_text").toStdString();
+    expect_page("briefing_page");
+    pad().plugged = 1;
+    ui::window_test::click(window, "start_attempt");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }, 120000));
+    abandon();
+}
+
+TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
+    const bool whole = qEnvironmentVariableIsSet("FULCRUM_WHOLE_CONTROLLER");
+    create_programme_and_trainee();
+    for (const char* task : {"A2", "B1"}) {
+        start(task, false);
+        const auto mind = make_operator(OperatorLevel::expert, theatre().session()->task(),
+                                        theatre().session()->scene(), 7);
+        ControllerHand hand(theatre(), *mind, pad());
+        std::int64_t begun = std::numeric_limits<std::int64_t>::max(), rumbled = 0;
+        const bool a2 = *task == 'A';
+        const auto done = [&] {
+            begun = std::min(begun,
+                             monotonic_ns() - std::int64_t{1'000'000} * theatre().session()->health().ticks);
+            if (rumbled == 0 && pad().slow > 0U) rumbled = pad().rumble_time;
+            if (whole) return false;
+            const TaskDisplay& display = theatre().session()->display();
+            return rumbled != 0 && display.goal_progress > (a2 ? 0.05 : 0.0);
+        };
+        ASSERT_TRUE(hand.work_until(done, whole ? 660000 : 240000)) << task;
+        EXPECT_GT(hand.changes(), 50);
+        if (whole) {
+            wait_for_debrief();
+            keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
+        } else {
+            keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
+            abandon();
+        }
+        expect_stored(whole ? AttemptState::completed : AttemptState::abandoned);
+        // From the first tick with a force to the motor.
+        const database::Attempts attempts(*services.store());
+        const database::Trace trace =
+            attempts.read_trace(window.context().session(), newest_attempt().meta.id);
+        std::cout << task << ": " << trace.samples.size() / 1000 << " s, " << hand.changes()
+                  << " changes of sticks, triggers and buttons\n";
+        ASSERT_NE(rumbled, 0) << task;
+        RecordProperty(std::string(task) + "_first_rumble_s",
+                       std::to_string(1e-9 * static_cast<double>(rumbled - begun)));
+        home();
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a test scripts and sees of the fake SDL 2 (libsdl2.cpp): a page of memory that both map from the file
+// that FAKE_SDL_PAGE names.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace fulcrum::test {
+
+struct FakeSdlController {
+    // Scripted. Axes and buttons in SDL's order, y downwards.
+    std::atomic<std::uint32_t> plugged{0}, known{1}, opens{1};
+    std::atomic<std::int32_t> axis[6] = {};
+    std::atomic<std::uint32_t> buttons{0};
+    std::atomic<std::uint32_t> rumble_fails{0};
+    char name[64] = "Fake Pad";
+    // Seen.
+    std::atomic<std::uint32_t> open{0}, closed{0};
+    std::atomic<std::uint32_t> slow{0}, fast{0}, rumble_ms{0}, rumbles{0};
+    std::atomic<std::int64_t> rumble_time{0};  ///< ns, of the newest
+};
+
+struct FakeSdlPage {
+    FakeSdlController controller[2];
+    std::atomic<std::uint32_t> init_fails{0}, hang{0};
+    std::atomic<std::uint32_t> started{0}, ended{0};
+    std::atomic<std::uint64_t> updates{0};
+    std::atomic<std::uint32_t> misuse{0};  ///< calls before the start, of a closed controller, by two threads
+};
+
+}  // namespace fulcrum::test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys on the page of settings, changed by real key presses.
+#include "ui/shell/keys_card.h"
+
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+
+#include "tests/ui/screens.h"
+#include "ui/style/appearance.h"
+#include "ui/style/language.h"
+#include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/theatre_page.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class KeysOnThePage : public Screens {
+  protected:
+    KeysOnThePage() { QSettings().clear(); }
+    ~KeysOnThePage() override {
+        window.reset();
+        QSettings().clear();
+        apply_text_size(*qApp, 100);
+        use_language(Language::english);
+    }
+    void open_page(Role role = Role::trainee) {
+        open({1280, 800});
+        sign_in(role);
+        go_to("rail_settings");
+    }
+    QString shown_key(const char* name) { return find<QPushButton>(*window, name)->text(); }
+    void change(const char* name, Qt::Key key) {
+        auto* button = find<QPushButton>(*window, name);
+        bring(*button);
+        click(*window, name);
+        QTest::keyClick(window->focusWidget(), key);
+    }
+    QString message() { return window->findChild<QLabel*>("keys_message")->text(); }
+    KeyMap kept(Role role = Role::trainee) { return KeyMap::of_person(sessions.at(role).person_id()); }
+};
+
+TEST_F(KeysOnThePage, AKeyIsChangedByPressingItAndKeptForThePerson) {
+    open_page();
+    EXPECT_EQ(shown_key("key_left_left"), "A");
+    change("key_left_left", Qt::Key_G);
+    EXPECT_EQ(shown_key("key_left_left"), "G");
+    EXPECT_EQ(message(), "");
+    EXPECT_EQ(kept().key(KeyAction::left_left), Qt::Key_G);
+    EXPECT_EQ(kept(Role::educator), KeyMap::standard(false)) << "another person's keys stay";
+    go_to("rail_home");
+    go_to("rail_settings");
+    EXPECT_EQ(shown_key("key_left_left"), "G");
+    change("key_jaws", Qt::Key_Tab);
+    EXPECT_TRUE(
+        message().contains("is already used (Hand that the mouse moves: the mouse takes the other hand)"))
+        << message().toStdString();
+    EXPECT_EQ(shown_key("key_jaws"), "…") << "waits for another one";
+    QTest::keyClick(window->focusWidget(), Qt::Key_F1);
+    EXPECT_TRUE(message().contains("is needed for something else")) << message().toStdString();
+    QTest::keyClick(window->focusWidget(), Qt::Key_Escape);
+    EXPECT_EQ(message(), "");
+    EXPECT_EQ(shown_key("key_jaws"), "Space");
+    click(*window, "reset_keys");
+    EXPECT_EQ(shown_key("key_left_left"), "A");
+    EXPECT_EQ(kept(), KeyMap::standard(false));
+}
+
+TEST_F(KeysOnThePage, OnlyTheKeyThatWasClickedLastWaits) {
+    open_page();
+    click(*window, "key_pedal");
+    EXPECT_EQ(shown_key("key_pedal"), "…");
+    click(*window, "key_exchange");
+    EXPECT_EQ(shown_key("key_pedal"), "B");
+    QTest::keyClick(window->focusWidget(), Qt::Key_G);
+    EXPECT_EQ(kept().key(KeyAction::exchange), Qt::Key_G);
+    EXPECT_EQ(kept().key(KeyAction::pedal), Qt::Key_B);
+    go_to("rail_home");
+    go_to("rail_settings");
+    click(*window, "key_pedal");
+    go_to("rail_home");
+    go_to("rail_settings");
+    EXPECT_EQ(shown_key("key_pedal"), "B") << "nothing waits any more";
+}
+
+TEST_F(KeysOnThePage, TheTheatreUsesAndShowsTheKeysOfThePerson) {
+    open_page();
+    check(*window, "keys_left_handed");
+    EXPECT_EQ(shown_key("key_pedal"), "N");
+    EXPECT_TRUE(kept().left_handed());
+    change("key_left_left", Qt::Key_G);
+    theatre([&] {
+        auto& page = *static_cast<TheatrePage*>(window->current_page());
+        ASSERT_NE(page.input(), nullptr);
+        EXPECT_EQ(page.input()->keys(), kept());
+        ASSERT_TRUE(wait_for([&] { return sees(*window, "theatre_keys"); }));
+        const QString strip = find<QFrame>(*window, "theatre_keys")->findChild<QLabel*>()->text();
+        EXPECT_TRUE(strip.contains("Right&nbsp;button")) << strip.toStdString();
+        keep("theatre-keys");
+    });
+}
+
+TEST_F(KeysOnThePage, AreDrawnInBothThemesLanguagesAndLarge) {
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        for (const int percent : {100, 200}) {
+            open_page();
+            window->set_theme(theme);
+            window->set_language(theme == Theme::light ? Language::english : Language::german);
+            window->set_text_size(percent);
+            settle();
+            auto* button = find<QPushButton>(*window, "reset_keys");
+            bring(*button);
+            settle();
+            expect_fits("keys");
+            const QString size = QString::number(percent);
+            keep("keys-" + size);
+            keep_body(
+                *window, *window->current_page(),
+                QStringLiteral("settings-%1-%2").arg(theme == Theme::light ? "light" : "dark-de", size));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/key_map.h"
+
+#include <gtest/gtest.h>
+
+#include <QSettings>
+#include <cmath>
+#include <set>
+
+#include "tests/support/support.h"
+#include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/theatre_page.h"
+
+namespace fulcrum::ui {
+namespace {
+
+class Keys : public ::testing::Test {
+  protected:
+    Keys() { QSettings().clear(); }
+    ~Keys() override { QSettings().clear(); }
+};
+
+TEST_F(Keys, EachUsualLayoutHasOneKeyForEachAction) {
+    for (const bool left_handed : {false, true}) {
+        const KeyMap map = KeyMap::standard(left_handed);
+        std::set<int> used;
+        for (const KeyActionRow& row : key_actions()) {
+            EXPECT_EQ(&row - key_actions().data(), static_cast<std::ptrdiff_t>(row.action)) << row.name;
+            EXPECT_TRUE(KeyMap::can_be_used(map.key(row.action))) << row.name;
+            EXPECT_TRUE(used.insert(map.key(row.action)).second) << row.name;
+            EXPECT_EQ(map.action(map.key(row.action)), row.action);
+        }
+    }
+    EXPECT_EQ(KeyMap::standard(false).action(Qt::Key_Backtab), KeyAction::other_hand);
+}
+
+TEST_F(Keys, AKeyThatAnotherActionHasIsRefusedAndNothingChanges) {
+    KeyMap map = KeyMap::standard(false);
+    EXPECT_EQ(map.assign(KeyAction::pedal, Qt::Key_A), KeyAction::left_left);
+    EXPECT_EQ(map, KeyMap::standard(false));
+    EXPECT_EQ(map.assign(KeyAction::pedal, Qt::Key_G), std::nullopt);
+    EXPECT_EQ(map.key(KeyAction::pedal), Qt::Key_G);
+    EXPECT_EQ(map.action(Qt::Key_B), std::nullopt);
+    EXPECT_EQ(map.assign(KeyAction::pedal, Qt::Key_G), std::nullopt) << "its own key";
+    for (const int needed : {int{Qt::Key_Escape}, int{Qt::Key_F1}, int{Qt::Key_Return}, int{Qt::Key_Shift}, 0,
+                             int{Qt::Key_unknown}}) {
+        const KeyMap before = map;
+        map.assign(KeyAction::jaws, needed);
+        EXPECT_EQ(map, before) << needed;
+    }
+}
+
+TEST_F(Keys, AreKeptForEachPersonAndSurviveADamagedFile) {
+    KeyMap map = KeyMap::standard(true);
+    map.assign(KeyAction::pedal, Qt::Key_G);
+    map.assign(KeyAction::right_out, Qt::Key_Odiaeresis);  // a German keyboard
+    map.keep_for("tara");
+    EXPECT_EQ(KeyMap::of_person("tara"), map);
+    EXPECT_EQ(KeyMap::of_person("ed"), KeyMap::standard(false));
+    EXPECT_EQ(KeyMap::of_person(""), KeyMap::standard(false));
+    for (const char* damaged : {"A", "", "Ctrl+K", "Esc", "no key", "A, B"}) {
+        QSettings().setValue("keys/tara/pedal", QString::fromLatin1(damaged));
+        const KeyMap read = KeyMap::of_person("tara");
+        std::set<int> used;
+        for (const KeyActionRow& row : key_actions())
+            EXPECT_TRUE(used.insert(read.key(row.action)).second) << damaged << ' ' << row.name;
+        EXPECT_TRUE(read.left_handed());
+    }
+    KeyMap::standard(false).keep_for("tara");
+    EXPECT_EQ(KeyMap::of_person("tara"), KeyMap::standard(false));
+    EXPECT_TRUE(QSettings().allKeys().filter("keys/").isEmpty()) << "nothing is left where all is usual";
+}
+
+TEST_F(Keys, ChangedKeysMoveTheHandsAndStandInTheHelp) {
+    const Scene scene = load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json"));
+    MouseKeyboardInput input(scene);
+    KeyMap map = KeyMap::standard(false);
+    map.assign(KeyAction::left_left, Qt::Key_G);
+    map.assign(KeyAction::pedal, Qt::Key_F5);
+    input.set_keys(map);
+    const Vector3 before = input.targets().hand[0].handle;
+    EXPECT_FALSE(input.press_key(Qt::Key_A));
+    input.advance(0.1);
+    EXPECT_EQ(input.targets().hand[0].handle, before);
+    EXPECT_TRUE(input.press_key(Qt::Key_G));
+    input.advance(0.1);
+    EXPECT_NE(input.targets().hand[0].handle, before);
+    input.release_key(Qt::Key_G);
+    EXPECT_TRUE(input.press_key(Qt::Key_F5));
+    input.advance(0);
+    EXPECT_EQ(input.targets().hand[1].buttons & button_energy, button_energy);
+    const QString help = input.help_lines().join(QLatin1Char('\n'));
+    EXPECT_TRUE(help.contains("W G S D · R F · Q E · X\tleft hand: handle")) << help.toStdString();
+    EXPECT_TRUE(help.contains("F5 · T\tpedal of the active hand")) << help.toStdString();
+    EXPECT_TRUE(help.contains("Arrows · PgUp PgDown\tscope")) << help.toStdString();
+    map.assign(KeyAction::scope_up, Qt::Key_8);
+    input.set_keys(map);
+    EXPECT_TRUE(input.help_lines().join(QLatin1Char('\n')).contains("8 Left Down Right · PgUp"));
+    input.set_keys(KeyMap::standard(true));
+    EXPECT_TRUE(input.help_lines().contains("Right button\tcloses the jaws while held"));
+    EXPECT_TRUE(input.help_lines().contains("Left button, Backspace\tthe other hand"));
+}
+
+TEST_F(Keys, ASensitivityMovesTheHandleFurtherForTheSameMouse) {
+    const Scene scene = load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json"));
+    double moved[2] = {};
+    for (int i = 0; i < 2; ++i) {
+        MouseKeyboardInput input(scene);
+        input.set_sensitivity(i == 0 ? 1 : 0.5);
+        const Vector3 before = input.targets().hand[1].handle;
+        input.move_mouse({20, 0});
+        moved[i] = (input.targets().hand[1].handle - before).norm();
+    }
+    EXPECT_NEAR(moved[1], moved[0] / 2, 1e-5);
+}
+
+/// Full speed for `s` seconds.
+ControllerMotion pushed(int hand, double right, double up, double along = 0) {
+    ControllerMotion motion;
+    motion.connected = motion.begun[0] = motion.begun[1] = true;
+    motion.across[hand][0] = right;
+    motion.across[hand][1] = up;
+    motion.along[hand] = along;
+    return motion;
+}
+
+TEST_F(Keys, AControllerMovesOneHandWhileTheOtherHoldsAndNeverLeavesTheWorkspace) {
+    const Scene scene = load_scene(fulcrum::test::source_path("assets/scenes/b1_bowel.json"));
+    MouseKeyboardInput input(scene);
+    input.set_device(MouseKeyboardInput::Device::controller);
+    ControllerMotion motion = pushed(1, 0, 0);
+    motion.latches[0] = 1;
+    input.move_by_controller(motion);
+    input.advance(0);
+    EXPECT_EQ(input.targets().hand[0].jaw, 0);
+    EXPECT_GT(input.targets().hand[0].grip, 0);
+    const Vector3 left = input.targets().hand[0].handle;
+    const double shaft = scene.instrument(Hand::right)->trocar.shaft_length;
+    for (int i = 0; i < 400; ++i) {
+        input.move_by_controller(pushed(1, std::cos(0.1 * i), std::sin(0.23 * i), std::sin(0.05 * i)));
+        input.advance(0.016);
+        const Vector3 right = input.targets().hand[1].handle;
+        ASSERT_TRUE(right.allFinite());
+        ASSERT_LE(right.norm(), shaft);
+        ASSERT_GE(right.norm(), handle_clearance);
+        ASSERT_LT(right.z(), 0);
+    }
+    EXPECT_EQ(input.targets().hand[0].handle, left);
+    EXPECT_EQ(input.targets().hand[0].jaw, 0) << "still holds";
+    motion = pushed(1, 0, 0);
+    motion.trigger[1] = 0.35;
+    input.move_by_controller(motion);
+    input.advance(0);
+    const double opening = scene.instrument(Hand::right)->jaw_opening;
+    EXPECT_NEAR(input.targets().hand[1].jaw, opening / 2, 1e-9);
+    EXPECT_EQ(input.targets().hand[1].grip, 0);
+    EXPECT_FALSE(input.jaws_closed(Hand::right));
+    motion.trigger[1] = 0.85;
+    input.move_by_controller(motion);
+    input.advance(0);
+    EXPECT_NEAR(input.targets().hand[1].grip, scene.instrument(Hand::right)->grip_force / 2, 1e-9);
+    EXPECT_TRUE(input.jaws_closed(Hand::right));
+    input.hold_jaws();
+    input.advance(0);
+    EXPECT_EQ(input.targets().hand[1].jaw, 0) << "held when the controller is lost";
+}
+
+TEST_F(Keys, RumbleGrowsWithTheForceAndIsStrongBeyondTheLimit) {
+    EXPECT_EQ(rumble_of(0, 3).slow, 0);
+    EXPECT_EQ(rumble_of(std::nan(""), 3).slow, 0);
+    double before = 0;
+    for (double force = 0.06; force <= 3; force += 0.1) {
+        const RumbleStrength now = rumble_of(force, 3);
+        EXPECT_GT(now.slow, before);
+        EXPECT_LE(now.slow, 0.5);
+        EXPECT_EQ(now.fast, 0) << force;
+        before = now.slow;
+    }
+    EXPECT_EQ(rumble_of(3.1, 3).fast, 1);
+    EXPECT_EQ(rumble_of(100, 0).fast, 0) << "no limit, nothing to exceed";
+}
+
+}  // namespace
+}  // namespace fulcrum::ui
