@@ -319,6 +319,10 @@ void DebriefPage::show_model() {
 
 void DebriefPage::read_record() {
     auto trace = std::make_shared<database::Trace>();
+    if (!model_->summary.meta.keep_trace) {
+        show_record(trace);
+        return;
+    }
     job_ = BackgroundJob::run(
         this,
         [trace, id = attempt_id_, path = context().store().path(),
@@ -345,7 +349,9 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
     model_ = std::move(model);
     std::unique_ptr<ReplaySource> source;
     QString why;
-    if (model_->trace->samples.empty()) {
+    if (!model_->summary.meta.keep_trace) {
+        why = trace_not_kept_text();
+    } else if (model_->trace->samples.empty()) {
         why = tr("Nothing was recorded.");
     } else {
         try {
@@ -389,7 +395,9 @@ void DebriefPage::fill_head() {
     const QString product = task == nullptr ? QString() : product_text(*model_, *task);
     product_->setText(product);
     product_->setVisible(!product.isEmpty());
-    tabs_->setTabEnabled(tabs_->indexOf(path_->parentWidget()), !model_->scope_alone);  // it is of the hands
+    // It is of the hands, and of the trace.
+    tabs_->setTabEnabled(tabs_->indexOf(path_->parentWidget()),
+                         !model_->scope_alone && attempt.meta.keep_trace);
 }
 
 QStringList DebriefPage::notes() const {

@@ -70,4 +70,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>fulcrum::ui::SignInPage</name>
+    <message numerus="yes">
+        <source>Educators and the director see %n more trainee(s).</source>
+        <translation>
+            <numerusform>Educators and the director see %n more trainee.</numerusform>
+            <numerusform>Educators and the director see %n more trainees.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
