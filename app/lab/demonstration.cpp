@@ -30,7 +30,7 @@ using database::UtcMilliseconds;
 
 constexpr UtcMilliseconds minute = 60000, hour = 60 * minute;
 constexpr int utc_offset_min = 60;
-constexpr std::uint64_t first_seed = 3'000'000;  // outside what benchmarks and measurements use
+constexpr std::uint64_t first_demo_seed = 3'000'000;  // outside what benchmarks and measurements use
 constexpr int strongest_packing = 19;
 // Of each task the first passed attempt from this day on, and of some the first that was failed, keep their
 // trace.
@@ -243,8 +243,8 @@ class Builder {
         PerformRequest request;
         request.loaded = job.loaded;
         request.mastery = demo_mastery(trainee, count_of(task), practice.all - count_of(task), day);
-        request.individual = first_seed + trainee;
-        request.seed = first_seed + 1000 + static_cast<std::uint64_t>(result_.attempts);
+        request.individual = first_demo_seed + trainee;
+        request.seed = first_demo_seed + 1000 + static_cast<std::uint64_t>(result_.attempts);
         const std::string line = "day " + std::to_string(day + 1) + " of " + std::to_string(demo_days) +
                                  ", " + who.name + ", " + task + " " + job.loaded.scene.variant;
         const auto report = [&](double share) {
@@ -302,7 +302,8 @@ class Builder {
     }
 
     void finish() {
-        *time_ = demo_begin + demo_days * demo_day + 8 * hour;
+        // The evening of the last Sunday: "the last 12 weeks" are the whole programme.
+        *time_ = demo_begin + (demo_days - 1) * demo_day + 20 * hour;
         {
             database::Store store = open();
             count(store);

@@ -46,6 +46,10 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
 
     replay_block_ = build_replay();
     content->addWidget(replay_block_);
+    no_trace_ = make_card(4);
+    no_trace_->setObjectName(QStringLiteral("no_trace"));
+    card_layout(no_trace_)->addWidget(make_label(trace_not_kept_text()));
+    content->addWidget(no_trace_);
     ratings_ = new RatingsCard(context);
     content->addWidget(ratings_);
     comments_ = new CommentsCard(context);
@@ -301,6 +305,8 @@ double DebriefPage::moment() const {
 
 void DebriefPage::show_model() {
     content_->show();
+    replay_block_->setVisible(model_->summary.meta.keep_trace);
+    no_trace_->setVisible(!model_->summary.meta.keep_trace);
     fit_replay();
     fill_head();
     gates_->open(*model_);
@@ -349,9 +355,7 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
     model_ = std::move(model);
     std::unique_ptr<ReplaySource> source;
     QString why;
-    if (!model_->summary.meta.keep_trace) {
-        why = trace_not_kept_text();
-    } else if (model_->trace->samples.empty()) {
+    if (model_->trace->samples.empty()) {
         why = tr("Nothing was recorded.");
     } else {
         try {

@@ -94,9 +94,7 @@ void TracePanel::connect_parts() {
 void TracePanel::open(std::shared_ptr<const AttemptModel> model) {
     model_ = std::move(model);
     time_ = 0;
-    const bool kept = model_->summary.meta.keep_trace;
-    charts_->setVisible(kept && !model_->scope_alone);  // they are of the hands
-    penalties_only_->setVisible(kept);
+    charts_->setVisible(!model_->scope_alone);  // they are of the hands
     fill_charts();
     fill_events();
 }
@@ -140,8 +138,7 @@ void TracePanel::fill_events() {
         if (line.severe) set_tint(item, Tint::bad);
     }
     if (events_->count() == 0) {
-        auto* none = new QListWidgetItem(
-            model_->summary.meta.keep_trace ? tr("nothing") : trace_not_kept_text(), events_);
+        auto* none = new QListWidgetItem(tr("nothing"), events_);
         none->setFlags(Qt::NoItemFlags);
     }
     mark_event(time_);
