@@ -22,6 +22,21 @@ void remove_store(const std::string& path) {
     for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(path + suffix, ignored);
 }
 
+/// Removes an unfinished store when it ends, however it ends.
+class Unfinished {
+  public:
+    explicit Unfinished(std::string path) : path_(std::move(path)) { remove_store(path_); }
+    ~Unfinished() {
+        remove_store(path_);
+        remove_store(path_ + ".before-v" + std::to_string(database::Store::schema_version()));
+    }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+  private:
+    std::string path_;
+};
+
 std::string read_packed(const std::string& file) {
     require_regular_file(file);
     std::ifstream stream(file, std::ios::binary);
@@ -43,26 +58,18 @@ void require_delivered(const std::string& file, const std::string& bytes) {
 bool write_store(const std::vector<std::uint8_t>& bytes, const std::string& path,
                  const ui::Progress& progress) {
     const std::string unfinished = path + ".unpacking";
-    remove_store(unfinished);
+    const Unfinished remove_at_end(unfinished);
     std::filesystem::create_directories(std::filesystem::path(path).parent_path());
     write_output_file(unfinished, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                       OutputFile::Existing::replace, OutputFile::Access::owner_only);
-    // Brings an older one up to date; there is nobody's data in it, so no copy is kept.
-    const int before = [&] {
-        database::StoreOptions options;
-        options.read_only = options.older_schema = true;
-        return database::Store::open(unfinished, options).found_schema();
-    }();
-    { const database::Store store = database::Store::open(unfinished); }
-    if (before < database::Store::schema_version())
-        remove_store(unfinished + ".before-v" + std::to_string(database::Store::schema_version()));
-    const bool wanted = !progress || progress(0.9, {});
-    if (wanted) {
-        remove_store(path);
-        rename_replacing(unfinished, path);
+    {
+        // Brings an older one up to date; there is nobody's data in it, so the copy from before is not kept.
+        const database::Store store = database::Store::open(unfinished);
     }
-    remove_store(unfinished);
-    return wanted;
+    if (progress && !progress(0.9, {})) return false;
+    remove_store(path);
+    rename_replacing(unfinished, path);
+    return true;
 }
 
 bool unpack_bytes_of(const std::string& packed, const std::string& path, const ui::Progress& progress) {

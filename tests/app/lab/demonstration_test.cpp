@@ -12,6 +12,9 @@
 #include "app/lab/demonstration_plan.h"
 #include "app/services/demo.h"
 #include "database/records/attempts.h"
+#include "database/rows/connection.h"
+#include "database/rows/packed_bytes.h"
+#include "database/schema/migration.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {
@@ -104,6 +107,39 @@ TEST(DemonstrationBuild, OfAnotherPlanOrBySomebodyElseIsRefused) {
     EXPECT_THROW(build_demonstration(request), InputError);
 }
 
+void pack(const std::string& content, const std::string& path) {
+    const std::vector<std::uint8_t> packed = database::pack_bytes({content.begin(), content.end()}, 19);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(packed.data()), static_cast<std::streamsize>(packed.size()));
+}
+
+TEST(DemonstrationUnpacking, BringsAnOlderStoreUpToDate) {
+    const QTemporaryDir folder;
+    const std::string old = folder.filePath("old.db").toStdString(),
+                      packed = folder.filePath("old.zst").toStdString(),
+                      path = folder.filePath("demo.db").toStdString();
+    const int before = database::Store::schema_version() - 1;
+    {
+        database::Connection connection(old, false, true, 1000);
+        connection.execute("PRAGMA application_id = " + QString::number(database::application_id));
+        database::migrate(connection, before);
+        connection.execute("INSERT INTO station (id, name, created) VALUES ('s', 'Demonstration', 0)");
+        connection.execute(
+            "INSERT INTO setting (key, value) VALUES ('this_station', 's'), ('demo', '1'), ('demo_sealed', "
+            "'1')");
+    }
+    std::ifstream file(old, std::ios::binary);
+    pack({(std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>()}, packed);
+    ASSERT_TRUE(unpack_demo_file(packed, path, {}));
+    database::StoreOptions options;
+    options.read_only = true;
+    const database::Store store = database::Store::open(path, options);
+    EXPECT_EQ(store.found_schema(), database::Store::schema_version());
+    EXPECT_TRUE(store.is_demo());
+    for (const auto& left : fs::directory_iterator(folder.path().toStdString()))
+        EXPECT_EQ(left.path().filename().string().find("before"), std::string::npos) << left.path();
+}
+
 TEST(DemonstrationUnpacking, RefusesWhatIsDamagedAndLeavesNothing) {
     const QTemporaryDir folder;
     const std::string packed = folder.filePath("demo.zst").toStdString(),
@@ -111,6 +147,9 @@ TEST(DemonstrationUnpacking, RefusesWhatIsDamagedAndLeavesNothing) {
     std::ofstream(packed) << "not a packed store";
     EXPECT_THROW(unpack_demo_file(packed, path, {}), database::StoreError);
     EXPECT_THROW(unpack_demo_file(packed + "x", path, {}), InputError);
+    const std::string other = folder.filePath("other.zst").toStdString();
+    pack("no store at all", other);
+    EXPECT_THROW(unpack_demo_file(other, path, {}), database::StoreError);
     EXPECT_FALSE(fs::exists(path));
     EXPECT_FALSE(fs::exists(path + ".unpacking"));
 }

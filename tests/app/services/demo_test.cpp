@@ -40,6 +40,12 @@ namespace {
 using database::Role;
 using namespace ui::window_test;
 
+/// There is nothing to test before the programme was made for the first time.
+bool has_demonstration() {
+    return !qEnvironmentVariableIsEmpty("FULCRUM_TEST_DEMONSTRATION") ||
+           std::filesystem::exists(asset_path(demo_asset));
+}
+
 /// Unpacks the programme under test.
 bool unpack_tested(const std::string& path, const ui::Progress& progress = {}) {
     const std::string other = qgetenv("FULCRUM_TEST_DEMONSTRATION").toStdString();
@@ -52,12 +58,19 @@ class DemonstrationStore : public ::testing::Test {
     static void SetUpTestSuite() {
         folder_ = new QTemporaryDir;
         path_ = folder_->filePath("demo.db").toStdString();
+        if (!has_demonstration()) {
+            database::Store::create(path_, true);
+            return;
+        }
         QElapsedTimer timer;
         timer.start();
         ASSERT_TRUE(unpack_tested(path_));
         unpacked_ms_ = timer.elapsed();
     }
     static void TearDownTestSuite() { delete folder_; }
+    void SetUp() override {
+        if (!has_demonstration()) GTEST_SKIP() << demo_asset << " was not made yet";
+    }
     static QTemporaryDir* folder_;
     static std::string path_;
     static qint64 unpacked_ms_;
@@ -175,6 +188,7 @@ TEST_F(DemonstrationStore, HasCommentsOfEachEducatorRatingsAndARequest) {
 }
 
 TEST(DemonstrationUnpacking, CanBeStoppedAndLeavesNothing) {
+    if (!has_demonstration()) GTEST_SKIP() << demo_asset << " was not made yet";
     const QTemporaryDir folder;
     const std::string path = folder.filePath("new/demo.db").toStdString();
     for (const double at : {0.1, 0.4, 0.8}) {
@@ -192,6 +206,9 @@ class DemonstrationWindow : public ::testing::Test {
     DemonstrationWindow() : services(make_services(folder.path().toStdString())) {
         if (!qEnvironmentVariableIsEmpty("FULCRUM_TEST_DEMONSTRATION"))
             unpack_tested(services->store_path(true));
+    }
+    void SetUp() override {
+        if (!has_demonstration()) GTEST_SKIP() << demo_asset << " was not made yet";
     }
     ~DemonstrationWindow() override { ui::apply_theme(*qApp, ui::Theme::light); }
     void open(QSize size) {
