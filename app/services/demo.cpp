@@ -2,6 +2,7 @@
 #include "app/services/demo.h"
 
 #include <QCoreApplication>
+#include <QLockFile>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -58,8 +59,12 @@ void require_delivered(const std::string& file, const std::string& bytes) {
 bool write_store(const std::vector<std::uint8_t>& bytes, const std::string& path,
                  const ui::Progress& progress) {
     const std::string unfinished = path + ".unpacking";
-    const Unfinished remove_at_end(unfinished);
     std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+    // Of two windows that do this at once the second one takes what the first has made.
+    QLockFile lock(QString::fromStdString(path + ".lock"));
+    constexpr int longest_wait_ms = 30000;
+    if (!lock.tryLock(0) && lock.tryLock(longest_wait_ms) && database::Store::exists(path)) return true;
+    const Unfinished remove_at_end(unfinished);
     write_output_file(unfinished, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                       OutputFile::Existing::replace, OutputFile::Access::owner_only);
     {

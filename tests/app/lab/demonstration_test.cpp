@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <iterator>
 
 #include "app/lab/demonstration_plan.h"
 #include "app/services/demo.h"
@@ -138,6 +140,24 @@ TEST(DemonstrationUnpacking, BringsAnOlderStoreUpToDate) {
     EXPECT_TRUE(store.is_demo());
     for (const auto& left : fs::directory_iterator(folder.path().toStdString()))
         EXPECT_EQ(left.path().filename().string().find("before"), std::string::npos) << left.path();
+}
+
+TEST(DemonstrationUnpacking, ByTwoAtOnceGivesBothTheSameStore) {
+    const QTemporaryDir folder;
+    const auto file = [&](const char* name) { return folder.filePath(name).toStdString(); };
+    database::Store::create(file("made.db"), true);
+    std::ifstream made(file("made.db"), std::ios::binary);
+    pack({(std::istreambuf_iterator<char>(made)), std::istreambuf_iterator<char>()}, file("made.zst"));
+    std::vector<std::future<bool>> done;
+    for (int i = 0; i < 4; ++i)
+        done.push_back(std::async(std::launch::async, [&] {
+            if (!unpack_demo_file(file("made.zst"), file("demo.db"), {})) return false;
+            const database::Store store = database::Store::open(file("demo.db"));
+            return store.check(store.station_session()).ok;
+        }));
+    for (std::future<bool>& one : done) EXPECT_TRUE(one.get());
+    EXPECT_FALSE(fs::exists(file("demo.db.unpacking")));
+    EXPECT_FALSE(fs::exists(file("demo.db.lock")));
 }
 
 TEST(DemonstrationUnpacking, RefusesWhatIsDamagedAndLeavesNothing) {
