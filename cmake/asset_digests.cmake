@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run at build time: writes OUTPUT with the SHA-256 of every file that decides a result (scenes, tasks, benchmark sets, curricula of ASSETS).
-file(GLOB files RELATIVE ${ASSETS} ${ASSETS}/scenes/*.json ${ASSETS}/tasks/*.json ${ASSETS}/benchmarks/*.json ${ASSETS}/curricula/*.json)
+# Run at build time: writes OUTPUT with the SHA-256 of every file that decides a result (scenes, tasks, benchmark sets, curricula of ASSETS), and of the demonstration.
+file(GLOB files RELATIVE ${ASSETS} ${ASSETS}/scenes/*.json ${ASSETS}/tasks/*.json ${ASSETS}/benchmarks/*.json ${ASSETS}/curricula/*.json ${ASSETS}/demonstration/*.zst)
 list(SORT files)
 set(rows "")
 foreach(file ${files})

@@ -11,6 +11,25 @@ Option page_option() {
             "",         {},       "-o"};
 }
 
+Command demonstration_row() {
+    return {"lab demonstration",
+            "",
+            0,
+            0,
+            "Simulates the demonstration programme that Look around opens: 24 trainees in 12 weeks.",
+            {{"--output", "FILE", "The packed programme.", "demonstration.db.zst", {}, "-o"},
+             {"--trainees", "N", "The first N trainees of the plan only.", "24"},
+             {"--weeks", "N", "The last N weeks of the plan only.", "12"},
+             json_option()},
+            {},
+            false,
+            "Takes 15 to 60 minutes on one core. An interrupt (Ctrl-C) stops it; the same command resumes "
+            "with the "
+            "day "
+            "that was not finished, from the folder FILE.work. The programme that is delivered is "
+            "assets/demonstration/programme.db.zst; build the program again after it was replaced."};
+}
+
 }  // namespace
 
 std::vector<Command> laboratory_commands() {
@@ -39,6 +58,7 @@ std::vector<Command> laboratory_commands() {
          false,
          "Synthetic operators perform each task at every fidelity, and the input that they gave at standard "
          "is replayed at every fidelity. An interrupt (Ctrl-C) ends it with the seeds that are complete."},
+        demonstration_row(),
         {"lab stability", "", 0, 0, "Maps the parameters for which each model stays bounded.", page},
         {"lab cut", "", 0, 0, "Measures the cutting of surfaces.", page},
         {"lab strokes", "[N]", 0, 1, "Cuts with N random strokes (100000) and checks every surface.", page},

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "app/lab/demonstration.h"
 #include "app/lab/experiment.h"
 #include "app/lab/hapticd.h"
 #include "app/lab/invariance.h"
@@ -187,6 +188,7 @@ const std::map<std::string, std::function<int(const Arguments&)>>& code() {
         {"lab hapticd", hapticd},
         {"lab validity", validity},
         {"lab fidelity", run_fidelity},
+        {"lab demonstration", run_demonstration},
         {"lab run", run_study}};
     return code;
 }

@@ -35,8 +35,8 @@ struct Seeks {
 /// whose hands keep working on the tissue.
 class LongRig : public ObservingRig {
   public:
-    LongRig(std::unique_ptr<ObservingRig> expert, const AttemptEngine& engine)
-        : expert_(std::move(expert)), engine_(engine) {}
+    LongRig(std::unique_ptr<ObservingRig> performer, const AttemptEngine& engine)
+        : expert_(std::move(performer)), engine_(engine) {}
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
         if (!engine_.ended()) expert_->observe(world, display);
     }

@@ -8,6 +8,7 @@
 #include "app/live/trace_rig.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/device_model.h"
+#include "assessment/operators/skill.h"
 #include "sim_core/world/physics_version.h"
 
 namespace fulcrum::app {
@@ -98,6 +99,20 @@ database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOut
     return result;
 }
 
+namespace {
+
+std::unique_ptr<ObservingRig> make_performer(const PerformRequest& request) {
+    const std::uint64_t individual = request.individual.value_or(request.seed);
+    if (!request.mastery)
+        return make_operator(request.operator_level.value(), request.loaded.task, request.loaded.scene,
+                             individual, request.seed);
+    Skill skill;
+    draw_learner(*request.mastery, individual, request.seed, skill);
+    return make_operator(skill, request.loaded.task, request.loaded.scene, request.seed);
+}
+
+}  // namespace
+
 Performed perform(const PerformRequest& request, database::Recorder* recorder, const Limits& limits) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
@@ -109,10 +124,8 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     if (request.input_trace != nullptr) {
         rig = std::make_unique<TraceRig>(request.input_trace->inputs);
     } else {
-        rig = through_device(
-            make_operator(request.operator_level.value(), request.loaded.task, request.loaded.scene,
-                          request.individual.value_or(request.seed), request.seed),
-            request.device_class, request.loaded.scene, request.seed);
+        rig =
+            through_device(make_performer(request), request.device_class, request.loaded.scene, request.seed);
     }
     std::unique_ptr<MemorySink> sink =
         recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();

@@ -35,7 +35,8 @@ class RecordingSink : public MemorySink {
 
 struct PerformRequest {
     LoadedTask loaded;
-    std::optional<OperatorLevel> operator_level;  ///< none: input_trace
+    std::optional<OperatorLevel> operator_level;  ///< none: `mastery` or input_trace
+    std::optional<double> mastery;  ///< in place of a level: the operator learns, as draw_learner() says
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> individual;            ///< of the operator; without it the seed selects one

@@ -60,8 +60,8 @@ class Services : public ui::ApplicationServices {
         store_ = std::move(opened);
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
-    bool build_demo(const ui::Progress& progress) override {
-        return app::build_demo(store_path(true), progress);
+    bool unpack_demo(const ui::Progress& progress) override {
+        return app::unpack_demo(store_path(true), progress);
     }
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }

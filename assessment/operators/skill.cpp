@@ -215,4 +215,34 @@ void draw_form(OperatorLevel level, std::uint64_t attempt, Skill& skill) {
     change_pace(skill, math::exp(row_of(level_rows, level).width * form_spread * bounded_normal(random)));
 }
 
+void draw_learner(double mastery, std::uint64_t individual, std::uint64_t attempt, Skill& skill) {
+    const double at = std::clamp(mastery, 0.0, 1.0);
+    const bool early = at < 0.5;
+    // The same seed: all levels of an individual deviate in the same direction.
+    Skill low, high;
+    draw_individual(early ? OperatorLevel::novice : OperatorLevel::intermediate, individual, low);
+    draw_individual(early ? OperatorLevel::intermediate : OperatorLevel::expert, individual, high);
+    const double share = 2 * (early ? at : at - 0.5);
+    const auto between = [share](double a, double b) { return a + share * (b - a); };
+    skill = low;
+    for (const auto faculty : faculties) skill.*faculty = between(low.*faculty, high.*faculty);
+    skill.target.standoff = between(low.target.standoff, high.target.standoff);
+    skill.bowel.stride = between(low.bowel.stride, high.bowel.stride);
+    skill.traction.error = between(low.traction.error, high.traction.error);
+    skill.traction.slack = between(low.traction.slack, high.traction.slack);
+    skill.line.error = between(low.line.error, high.line.error);
+    skill.line.stroke = between(low.line.stroke, high.line.stroke);
+    skill.plane.recognition = between(low.plane.recognition, high.plane.recognition);
+    skill.plane.blur = between(low.plane.blur, high.plane.blur);
+    skill.plane.lean = between(low.plane.lean, high.plane.lean);
+    skill.scope.post_error = between(low.scope.post_error, high.scope.post_error);
+    skill.scope.level_error = between(low.scope.level_error, high.scope.level_error);
+    skill.scope.together = between(low.scope.together, high.scope.together);
+    skill.scope.lead = between(low.scope.lead, high.scope.lead);
+    draw_form(at < 0.25   ? OperatorLevel::novice
+              : at < 0.75 ? OperatorLevel::intermediate
+                          : OperatorLevel::expert,
+              attempt, skill);
+}
+
 }  // namespace fulcrum

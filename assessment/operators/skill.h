@@ -84,5 +84,9 @@ struct Skill {
 void draw_individual(OperatorLevel level, std::uint64_t seed, Skill& skill);
 /// The same individual on the day of one attempt: a little faster or slower. Pure.
 void draw_form(OperatorLevel level, std::uint64_t attempt, Skill& skill);
+/// The individual while it learns, in its form of one attempt: `mastery` 0 is what draw_individual() makes of
+/// it as a novice, 0.5 as an intermediate, 1 as an expert, and every value between them lies between theirs.
+/// Values outside 0 to 1 are the nearest of these. Pure.
+void draw_learner(double mastery, std::uint64_t individual, std::uint64_t attempt, Skill& skill);
 
 }  // namespace fulcrum

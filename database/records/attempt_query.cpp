@@ -63,7 +63,9 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.wall_s = row.real(column++);
     attempt.missed_ticks = static_cast<std::uint32_t>(integer());
     attempt.lost_samples = static_cast<std::uint64_t>(integer());
-    attempt.events = static_cast<std::uint64_t>(integer());
+    const std::int64_t events = integer();
+    attempt.meta.keep_trace = events != trace_not_kept;
+    attempt.events = attempt.meta.keep_trace ? static_cast<std::uint64_t>(events) : 0;
     attempt.state_hash = text();
     attempt.passed = row.optional_flag(column++);
     attempt.points = row.optional_real(column++);

@@ -120,24 +120,34 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, bool events
 
 QString has_trace_here(const QString& attempt) {
     return QString(
-               "(%1.station_id = COALESCE((SELECT value FROM setting WHERE key = 'this_station'), '') OR "
-               "EXISTS (SELECT 1 FROM trace_chunk here WHERE here.attempt_id = %1.id))")
-        .arg(attempt);
+               "(%1.events <> %2 AND (%1.station_id = COALESCE((SELECT value FROM setting WHERE key = "
+               "'this_station'), '') OR EXISTS (SELECT 1 FROM trace_chunk here WHERE here.attempt_id = "
+               "%1.id)))")
+        .arg(attempt)
+        .arg(trace_not_kept);
 }
 
 void require_trace_here(const Store& store, const std::string& attempt_id) {
-    Query row(store.connection(),
-              "SELECT s.name FROM attempt a JOIN station s ON s.id = a.station_id WHERE a.id = ? AND "
-              "NOT " +
-                  has_trace_here("a"));
+    Query row(
+        store.connection(),
+        "SELECT s.name, a.events FROM attempt a JOIN station s ON s.id = a.station_id WHERE a.id = ? AND "
+        "NOT " +
+            has_trace_here("a"));
     row.bind(attempt_id);
-    if (row.next())
+    if (!row.next()) return;
+    if (row.integer(1) == trace_not_kept)
         throw StoreError(
             StoreErrorKind::not_found,
             {QT_TRANSLATE_NOOP(
-                 "errors", "the trace of attempt %1 is not in this store: it was recorded at the station %2"),
-             attempt_id, row.text(0)},
-            QT_TRANSLATE_NOOP("errors", "open it there"));
+                 "errors", "the trace of attempt %1 was not kept: its result and scores alone are stored"),
+             attempt_id},
+            QT_TRANSLATE_NOOP("errors", "choose an attempt whose trace was kept"));
+    throw StoreError(
+        StoreErrorKind::not_found,
+        {QT_TRANSLATE_NOOP("errors",
+                           "the trace of attempt %1 is not in this store: it was recorded at the station %2"),
+         attempt_id, row.text(0)},
+        QT_TRANSLATE_NOOP("errors", "open it there"));
 }
 
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {

@@ -196,6 +196,8 @@ void note_seen_at_server(Connection& server, const Session& rater, const std::st
 
 }  // namespace
 
+static_assert(trace_not_kept == -1);  // as the statement says: there is nothing to watch
+
 std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) const {
     store_.require(rater, Operation::rate);
     Query rows(
@@ -205,7 +207,8 @@ std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) co
         "AND r.handed_in > 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating r WHERE r.attempt_id = a.id "
         "AND r.handed_in = 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating_seen s WHERE s.attempt_id = "
         "a.id AND s.person_id = ?) FROM attempt a JOIN person p ON p.id = a.person_id WHERE a.state <> "
-        "'running' AND a.person_id <> ? AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = "
+        "'running' AND a.events <> -1 AND a.person_id <> ? AND NOT EXISTS (SELECT 1 FROM attempt_void v "
+        "WHERE v.attempt_id = "
         "a.id) AND " +
             QString(store_.is_demo() ? "1 = 1" : "p.kind = 'real'") + " AND " +
             visible_people(rater, Operation::rate, "a.person_id") + " ORDER BY a.started DESC, a.id LIMIT ?");

@@ -68,7 +68,8 @@ class Ratings {
   public:
     explicit Ratings(const Store& store) : store_(store) {}
 
-    /// Newest first, attempts of real people (demo: all) that have ended, are not voided and not one's own.
+    /// Newest first, attempts of real people (demo: all) that have ended, are not voided and not one's own,
+    /// and whose trace was kept.
     std::vector<RatableAttempt> to_rate(const Session& rater, int limit = 200) const;
     AttemptRatings of_attempt(const Session& session, const std::string& attempt_id) const;
     /// By attempt; attempts without ratings are left out. task_id empty: all tasks.

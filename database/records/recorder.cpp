@@ -271,16 +271,17 @@ std::uint64_t Recorder::records_waiting() const noexcept {
 }
 
 void Recorder::append(const RigSample& input) {
-    state_->inputs.push_back(input);
+    if (state_->meta.keep_trace) state_->inputs.push_back(input);
 }
 void Recorder::append(const StepRecord& step) {
-    state_->steps.push_back(step);
+    if (state_->meta.keep_trace) state_->steps.push_back(step);
 }
 void Recorder::append(const Event& event) {
-    state_->events.push_back(event);
+    if (state_->meta.keep_trace) state_->events.push_back(event);
 }
 void Recorder::append(const TickSample& sample) {
     State& state = *state_;
+    if (!state.meta.keep_trace) return;
     state.samples.push_back(sample);
     if (state.samples.size() % flush_ticks != 0) return;
     try {
@@ -360,14 +361,18 @@ void Recorder::finish(const AttemptResult& result) {
         .bind(result.wall_s)
         .bind(std::int64_t{result.missed_ticks})
         .bind(static_cast<std::int64_t>(result.lost_samples))
-        .bind(static_cast<std::int64_t>(state.event_count + state.events.size()))
+        .bind(state.meta.keep_trace ? static_cast<std::int64_t>(state.event_count + state.events.size())
+                                    : trace_not_kept)
         .bind(result.state_hash)
         .bind(state.meta.id)
         .run();
+    std::vector<RecordName> records = {{RecordKind::attempt, state.meta.id}};
+    if (state.meta.keep_trace || !result.products.empty())
+        records.push_back({RecordKind::trace, state.meta.id});
     Audit(store).append(
         state.session, state.meta.id, "attempt.finish",
         json_object({{"state", state_name}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}),
-        {{RecordKind::attempt, state.meta.id}, {RecordKind::trace, state.meta.id}});
+        records);
     if (result.score && state.meta.origin)
         bad(QT_TRANSLATE_NOOP("errors", "an attempt that continues another one is never scored"),
             QT_TRANSLATE_NOOP("errors", "finish it without a score"));

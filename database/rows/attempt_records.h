@@ -56,7 +56,12 @@ struct AttemptMeta {
     std::int64_t started = 0;             ///< UTC ms; 0: the recorder's clock
     int utc_offset_min = 0;               ///< local time minus UTC; filled by the recorder if started == 0
     std::optional<AttemptOrigin> origin;  ///< of practice only; such an attempt is never scored
+    /// False: result and scores alone are stored, and the record says that the trace was not kept.
+    bool keep_trace = true;
 };
+
+/// In place of the number of events of an attempt whose trace was not kept (docs/FORMATS.md).
+inline constexpr std::int64_t trace_not_kept = -1;
 
 /// One value, or why it is absent.
 struct MetricRow {
@@ -135,7 +140,7 @@ struct AttemptSummary {
     double duration_s = 0, wall_s = 0;
     std::uint32_t missed_ticks = 0;
     std::uint64_t lost_samples = 0;
-    std::uint64_t events = 0;
+    std::uint64_t events = 0;  ///< 0 where the trace was not kept (meta.keep_trace)
     std::string state_hash;
     std::optional<bool> passed;  ///< of the score in force
     bool provisional = false;    ///< a gate of the score in force has a provisional limit

@@ -10,8 +10,6 @@
 namespace fulcrum::database {
 namespace {
 
-constexpr int level = 1;
-
 [[noreturn]] void damaged(const Sentence& why) {
     throw StoreError(StoreErrorKind::corrupt,
                      {QT_TRANSLATE_NOOP("errors", "a stored state is damaged: %1"), why},
@@ -20,7 +18,7 @@ constexpr int level = 1;
 
 }  // namespace
 
-std::vector<std::uint8_t> pack_bytes(const std::vector<std::uint8_t>& bytes) {
+std::vector<std::uint8_t> pack_bytes(const std::vector<std::uint8_t>& bytes, int level) {
     std::vector<std::uint8_t> packed(ZSTD_compressBound(bytes.size()));
     const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), level);
     if (ZSTD_isError(size) != 0U)

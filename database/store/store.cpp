@@ -7,6 +7,8 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <mutex>
 
 #include "database/access/session_maker.h"
 #include "database/rows/crypto.h"
@@ -36,6 +38,22 @@ BootTime system_boot_time() {
     timespec time{};
     ::clock_gettime(CLOCK_BOOTTIME, &time);
     return {boot, std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1000000};
+}
+
+/// What to add to the system clock so that a demonstration resumes when its record ends: its trainees would
+/// all have stopped, and every check would be overdue, on whatever later day somebody looks at it. Settled
+/// when this program first opens that store, so that all its connections agree.
+UtcMilliseconds demo_clock_ahead(Connection& connection, const std::string& station_id) {
+    static std::mutex mutex;
+    static std::map<std::string, UtcMilliseconds> known;
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto found = known.find(station_id);
+    if (found != known.end()) return found->second;
+    Query last(connection, "SELECT MAX(time) FROM audit_entry WHERE station_id = ?");
+    last.bind(station_id);
+    const UtcMilliseconds ahead = last.next() && !last.is_null(0) ? last.integer(0) - system_clock_now() : 0;
+    known.emplace(station_id, ahead);
+    return ahead;
 }
 
 StoreOptions with_clocks(StoreOptions options) {
@@ -116,7 +134,7 @@ Store Store::create(const std::string& path, bool demo, StoreOptions options) {
         Transaction transaction(connection);
         Query(connection, "INSERT INTO station (id, name, created) VALUES (?, ?, ?)")
             .bind(store.station_id())
-            .bind(QSysInfo::machineHostName().toStdString())
+            .bind(demo ? std::string("Demonstration") : QSysInfo::machineHostName().toStdString())
             .bind(store.now())
             .run();
         write_setting(connection, "this_station", store.station_id());
@@ -192,6 +210,7 @@ Store Store::open(const std::string& path, StoreOptions options) {
     require_readable_file(path, options.read_only);
     auto state = std::make_unique<State>();
     state->path = path;
+    const bool by_system_clock = !options.clock;
     state->options = with_clocks(std::move(options));
     state->connection =
         std::make_unique<Connection>(path, state->options.read_only, false, state->options.busy_timeout_ms);
@@ -226,6 +245,8 @@ Store Store::open(const std::string& path, StoreOptions options) {
                          {QT_TRANSLATE_NOOP("errors", "%1: the store does not name its station"), path},
                          QT_TRANSLATE_NOOP("errors", "run `fulcrum db check`, or restore the newest backup"));
     }
+    if (by_system_clock && state->demo && read_setting(connection, "demo_sealed") == "1")
+        state->ahead = demo_clock_ahead(connection, state->station_id);
     Store store(std::move(state));
     if (!store.is_read_only()) enter_records(store);
     if (!store.is_read_only() && store.state_->options.close_interrupted)
@@ -257,7 +278,7 @@ const std::string& Store::station_id() const noexcept {
     return state_->station_id;
 }
 UtcMilliseconds Store::now() const {
-    return state_->options.clock();
+    return state_->options.clock() + state_->ahead;
 }
 BootTime Store::boot_time() const {
     return state_->options.boot_time();
@@ -305,7 +326,10 @@ void Store::seal_demo(const Session& station) {
                            QT_TRANSLATE_NOOP("errors", "demo stores only"));
     Transaction transaction(connection());
     write_setting(connection(), "demo_sealed", "1");
-    Audit(*this).append(station, station_id(), "demo.seal", "{}", {{RecordKind::setting, "demo_sealed"}});
+    // Times of a demonstration may be simulated; this one is the machine's.
+    Audit(*this).append(station, station_id(), "demo.seal",
+                        json_object({{"sealed", iso_utc(system_clock_now())}}),
+                        {{RecordKind::setting, "demo_sealed"}});
     transaction.commit();
 }
 

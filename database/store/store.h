@@ -102,6 +102,7 @@ class Store {
     bool is_server() const noexcept;
     bool is_demo() const;
     const std::string& station_id() const noexcept;
+    /// By the clock; in a sealed demo store time resumes when its record ends, whatever the date.
     UtcMilliseconds now() const;
     BootTime boot_time() const;
 
@@ -127,7 +128,8 @@ class Store {
     /// A consistent copy while others write (SQLite backup interface), 0600. False if it was stopped, leaving
     /// no file. Operation::backup. Throws StoreError exists.
     bool backup(const Session& session, const std::string& to_path, const StoreProgress& progress = {}) const;
-    /// Ends the building of a demo store: from then on only practice attempts are accepted.
+    /// Ends the building of a demo store: from then on only practice attempts are accepted. The audit log
+    /// gets the machine's date, as the times in the store may be simulated.
     void seal_demo(const Session& station);
 
     Connection& connection() const noexcept;  ///< for the rooms of this floor

@@ -20,6 +20,7 @@ struct Store::State {
     std::string station_id;
     bool demo = false;
     int schema = 0;
+    UtcMilliseconds ahead = 0;  ///< added to the clock: a demonstration resumes when its record ends
     std::vector<InterruptedAttempt> interrupted;
     std::optional<StationKey> key;  ///< read when the first row is signed
 };

@@ -17,7 +17,7 @@ class ForwardingServices : public ui::ApplicationServices {
     std::string store_path(bool demo) const override { return own_->store_path(demo); }
     void open_store(bool demo) override { own_->open_store(demo); }
     bool demo_is_built() const override { return own_->demo_is_built(); }
-    bool build_demo(const ui::Progress& progress) override { return own_->build_demo(progress); }
+    bool unpack_demo(const ui::Progress& progress) override { return own_->unpack_demo(progress); }
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
     const Curriculum& curriculum() const override { return own_->curriculum(); }
     Scene scene_for(const TaskDefinition& task, const std::string& variant) const override {

@@ -328,7 +328,7 @@ void FakeServices::open_store(bool demo) {
         database::Store::exists(path) ? database::Store::open(path) : database::Store::create(path, demo));
 }
 
-bool FakeServices::build_demo(const Progress& progress) {
+bool FakeServices::unpack_demo(const Progress& progress) {
     const database::Store demo = database::Store::create(store_path(true), true);
     const database::People people(demo);
     std::vector<std::string> members, educators;

@@ -31,7 +31,7 @@ class FakeServices : public ApplicationServices {
     std::string store_path(bool demo) const override;
     void open_store(bool demo) override;
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
-    bool build_demo(const Progress& progress) override;
+    bool unpack_demo(const Progress& progress) override;
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }
     void set_curriculum(Curriculum curriculum) { curriculum_ = std::move(curriculum); }

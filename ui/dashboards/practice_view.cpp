@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QPainter>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <algorithm>
@@ -182,6 +183,9 @@ PracticeView::PracticeView(QWidget* parent) : QWidget(parent), model_(new Practi
     view_->verticalHeader()->hide();
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view_->setMinimumHeight(300);
+    // Where not all weeks have room, the latest are shown.
+    QScrollBar* bar = view_->horizontalScrollBar();
+    connect(bar, &QScrollBar::rangeChanged, bar, [bar](int, int latest) { bar->setValue(latest); });
     layout->addWidget(view_, 1);
     layout->addWidget(new PracticeLegend);
     connect(view_, &QTableView::activated, this, [this](const QModelIndex& index) {

@@ -159,6 +159,10 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     }
     if (progress && !progress(0.1, {})) return std::nullopt;
     std::vector<ChunkPart> parts;
+    if (!model.summary.meta.keep_trace) {
+        join(parts, model);
+        return model;
+    }
     attempts.read_overview(
         session, attempt_id, [&](std::size_t chunks) { parts.resize(chunks); },
         [&](std::size_t chunk, const database::TraceOverview& overview) {
@@ -213,8 +217,16 @@ std::array<Headline, 4> scope_headlines(const AttemptModel& model) {
 
 }  // namespace
 
+QString trace_not_kept_text() {
+    return HeadlineTexts::tr(
+        "The trace of this attempt was not kept: there is no replay and there are no charts. Its "
+        "result and its scores are stored.");
+}
+
 QString product_text(const AttemptModel& model, const TaskDefinition& task) {
     if (task.goals.empty()) return {};
+    // Without the events it is known only that all were done.
+    if (!model.summary.meta.keep_trace && model.summary.recorded_state != AttemptState::completed) return {};
     QStringList left;
     for (std::size_t i = 0; i < task.goals.size(); ++i) {
         const auto& done = model.goals_done;

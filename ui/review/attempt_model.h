@@ -65,6 +65,9 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
 /// are left.
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit);
 
+/// In place of replay, charts and events where summary.meta.keep_trace is false.
+QString trace_not_kept_text();
+
 /// What the attempt produced, in a sentence: the steps done, and those left. Empty for a task without steps.
 QString product_text(const AttemptModel& model, const TaskDefinition& task);
 

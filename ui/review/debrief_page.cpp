@@ -46,6 +46,10 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
 
     replay_block_ = build_replay();
     content->addWidget(replay_block_);
+    no_trace_ = make_card(4);
+    no_trace_->setObjectName(QStringLiteral("no_trace"));
+    card_layout(no_trace_)->addWidget(make_label(trace_not_kept_text()));
+    content->addWidget(no_trace_);
     ratings_ = new RatingsCard(context);
     content->addWidget(ratings_);
     comments_ = new CommentsCard(context);
@@ -301,6 +305,8 @@ double DebriefPage::moment() const {
 
 void DebriefPage::show_model() {
     content_->show();
+    replay_block_->setVisible(model_->summary.meta.keep_trace);
+    no_trace_->setVisible(!model_->summary.meta.keep_trace);
     fit_replay();
     fill_head();
     gates_->open(*model_);
@@ -319,6 +325,10 @@ void DebriefPage::show_model() {
 
 void DebriefPage::read_record() {
     auto trace = std::make_shared<database::Trace>();
+    if (!model_->summary.meta.keep_trace) {
+        show_record(trace);
+        return;
+    }
     job_ = BackgroundJob::run(
         this,
         [trace, id = attempt_id_, path = context().store().path(),
@@ -389,7 +399,9 @@ void DebriefPage::fill_head() {
     const QString product = task == nullptr ? QString() : product_text(*model_, *task);
     product_->setText(product);
     product_->setVisible(!product.isEmpty());
-    tabs_->setTabEnabled(tabs_->indexOf(path_->parentWidget()), !model_->scope_alone);  // it is of the hands
+    // It is of the hands, and of the trace.
+    tabs_->setTabEnabled(tabs_->indexOf(path_->parentWidget()),
+                         !model_->scope_alone && attempt.meta.keep_trace);
 }
 
 QStringList DebriefPage::notes() const {

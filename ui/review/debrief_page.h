@@ -12,6 +12,7 @@
 #include "ui/page/context.h"
 #include "ui/review/attempt_model.h"
 
+class QFrame;
 class QLabel;
 class QPushButton;
 class QTabWidget;
@@ -90,6 +91,7 @@ class DebriefPage : public Page {
     QPushButton* number_explain_[4];
     QPushButton* back_;
     QWidget* replay_block_;
+    QFrame* no_trace_;  ///< in its place where the trace was not kept
     QTabWidget* tabs_;
     GatesCard* gates_;
     PathologyCard* pathology_;

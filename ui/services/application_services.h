@@ -53,9 +53,9 @@ class StoreService {
     /// Opens the store (creates it when missing) and makes it the current one. Throws database::StoreError.
     virtual void open_store(bool demo) = 0;
     virtual bool demo_is_built() const = 0;
-    /// Builds the demonstration store by simulating a synthetic cohort. Called on a worker thread; false when
-    /// stopped, leaving nothing.
-    virtual bool build_demo(const Progress& progress) = 0;
+    /// Unpacks the delivered demonstration store. Called on a worker thread; false when stopped, leaving
+    /// nothing.
+    virtual bool unpack_demo(const Progress& progress) = 0;
 };
 
 /// The tasks that are installed.

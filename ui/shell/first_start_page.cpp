@@ -61,8 +61,8 @@ QWidget* FirstStartPage::build_choice() {
     QFrame* look = make_card(12);
     card_layout(look)->addWidget(make_label(tr("Look around"), "heading"));
     card_layout(look)->addWidget(
-        make_label(tr("A demonstration programme with a simulated cohort: no real people, but real simulated "
-                      "attempts. You can practise in it, and every screen has content."),
+        make_label(tr("A demonstration programme: 24 simulated trainees after 12 weeks. No real people, but "
+                      "real simulated attempts. You can practise in it, and every screen has content."),
                    "muted"));
     card_layout(look)->addStretch();
     QPushButton* look_button = make_button(tr("Look around"), "look_around");
@@ -223,12 +223,12 @@ void FirstStartPage::look_around() {
     StoreService* services = &context().services();
     auto built = std::make_shared<bool>(false);
     BackgroundJob* job = BackgroundJob::run(
-        this, [services, built](const Progress& progress) { *built = services->build_demo(progress); },
+        this, [services, built](const Progress& progress) { *built = services->unpack_demo(progress); },
         [this, built] {
             if (*built) open_demo();
         },
         [this](const QString& error) { context().complain(error); });
-    job_->watch(job, tr("Simulating the demonstration cohort …"));
+    job_->watch(job, tr("Unpacking the demonstration programme …"));
 }
 
 void FirstStartPage::open_demo() {

@@ -3,6 +3,7 @@
 
 #include <QFormLayout>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
@@ -154,10 +155,14 @@ void SignInPage::fill_demo() {
     clear_layout(demo_list_);
     context().guarded([&] {
         const database::People people(context().store());
-        int trainees = 0;
-        for (const database::Person& person : people.list(context().store().station_session())) {
-            for (const database::Role role : person.roles) {
-                if (role == database::Role::trainee && ++trainees > 4) continue;
+        const std::vector<database::Person> all = people.list(context().store().station_session());
+        constexpr int shown_trainees = 6;
+        for (const database::Role role :
+             {database::Role::trainee, database::Role::educator, database::Role::director}) {
+            int listed = 0;
+            for (const database::Person& person : all) {
+                if (std::find(person.roles.begin(), person.roles.end(), role) == person.roles.end()) continue;
+                if (role == database::Role::trainee && ++listed > shown_trainees) continue;
                 QPushButton* pick = make_button(
                     tr("%1 — %2").arg(text(person.display_name), role_text(database::role_name(role))),
                     "pick_demo_person", "rail");
@@ -168,6 +173,10 @@ void SignInPage::fill_demo() {
                 });
                 demo_list_->addWidget(pick);
             }
+            if (listed > shown_trainees)
+                demo_list_->addWidget(make_label(
+                    tr("Educators and the director see %n more trainee(s).", "", listed - shown_trainees),
+                    "muted"));
         }
     });
 }

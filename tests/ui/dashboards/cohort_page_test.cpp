@@ -127,6 +127,7 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
         attempts += spoken.section(": ", 1, 1).section(' ', 0, 0).toInt();
     }
     EXPECT_EQ(attempts, attempts_each);
+    EXPECT_EQ(days->horizontalScrollBar()->value(), days->horizontalScrollBar()->maximum()) << "the latest";
     keep("cohort-days-light");
     window->set_theme(Theme::dark);
     keep("cohort-days-dark");

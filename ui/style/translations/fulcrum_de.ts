@@ -5218,12 +5218,28 @@
         <source>is for game controllers</source>
         <translation>ist für Gamecontroller</translation>
     </message>
+    <message>
+        <source>the trace of attempt %1 was not kept: its result and scores alone are stored</source>
+        <translation>die Aufzeichnung von Versuch %1 wurde nicht behalten: nur Ergebnis und Wertungen sind gespeichert</translation>
+    </message>
+    <message>
+        <source>choose an attempt whose trace was kept</source>
+        <translation>wählen Sie einen Versuch, dessen Aufzeichnung behalten wurde</translation>
+    </message>
+    <message>
+        <source>is not the demonstration that this program was delivered with</source>
+        <translation>ist nicht die Vorführung, mit der dieses Programm ausgeliefert wurde</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>installieren Sie das Programm neu</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
     <message>
-        <source>%1 performs %2</source>
-        <translation>%1 führt %2 durch</translation>
+        <source>Unpacking the demonstration</source>
+        <translation>Die Vorführung wird entpackt</translation>
     </message>
 </context>
 <context>
@@ -8850,10 +8866,6 @@ Kennzahlen: %2</translation>
         <translation>Umsehen</translation>
     </message>
     <message>
-        <source>A demonstration programme with a simulated cohort: no real people, but real simulated attempts. You can practise in it, and every screen has content.</source>
-        <translation>Ein Vorführprogramm mit einer simulierten Gruppe: keine echten Personen, aber echte simulierte Versuche. Sie können darin üben, und jede Seite hat Inhalt.</translation>
-    </message>
-    <message>
         <source>Programme</source>
         <translation>Programm</translation>
     </message>
@@ -8926,8 +8938,12 @@ Kennzahlen: %2</translation>
         <translation>Programm wird angelegt …</translation>
     </message>
     <message>
-        <source>Simulating the demonstration cohort …</source>
-        <translation>Vorführgruppe wird simuliert …</translation>
+        <source>A demonstration programme: 24 simulated trainees after 12 weeks. No real people, but real simulated attempts. You can practise in it, and every screen has content.</source>
+        <translation>Ein Vorführprogramm: 24 simulierte Lernende nach 12 Wochen. Keine echten Personen, aber echte simulierte Versuche. Sie können darin üben, und jede Seite hat Inhalt.</translation>
+    </message>
+    <message>
+        <source>Unpacking the demonstration programme …</source>
+        <translation>Das Vorführprogramm wird entpackt …</translation>
     </message>
 </context>
 <context>
@@ -9160,6 +9176,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>critical: %1</source>
         <translation>kritisch: %1</translation>
+    </message>
+    <message>
+        <source>The trace of this attempt was not kept: there is no replay and there are no charts. Its result and its scores are stored.</source>
+        <translation>Die Aufzeichnung dieses Versuchs wurde nicht behalten: Es gibt keine Wiedergabe und keine Kurven. Ergebnis und Wertungen sind gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -11546,6 +11566,13 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Checking the recovery code …</source>
         <translation>Wiederherstellungscode wird geprüft …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Educators and the director see %n more trainee(s).</source>
+        <translation>
+            <numerusform>Ausbilder und Leitung sehen %n weitere lernende Person.</numerusform>
+            <numerusform>Ausbilder und Leitung sehen %n weitere Lernende.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -78,6 +78,16 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::SignInPage</name>
+    <message numerus="yes">
+        <source>Educators and the director see %n more trainee(s).</source>
+        <translation>
+            <numerusform>Educators and the director see %n more trainee.</numerusform>
+            <numerusform>Educators and the director see %n more trainees.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::goals</name>
     <message numerus="yes">
         <source>%n days left.</source>
