@@ -5,6 +5,8 @@
 
 #include <QProcess>
 #include <QSettings>
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "assessment/operators/operator.h"
@@ -213,8 +215,17 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
         std::cout << task << ": " << trace.samples.size() / 1000 << " s, " << hand.changes()
                   << " changes of sticks, triggers and buttons\n";
         ASSERT_NE(rumbled, 0) << task;
-        RecordProperty(std::string(task) + "_first_rumble_s",
-                       std::to_string(1e-9 * static_cast<double>(rumbled - begun)));
+        const auto contact =
+            std::find_if(trace.samples.begin(), trace.samples.end(), [](const TickSample& one) {
+                const auto size = [](const HandSample& one_hand) {
+                    return std::hypot(std::hypot(one_hand.force[0], one_hand.force[1]), one_hand.force[2]);
+                };
+                return std::max(size(one.hand[0]), size(one.hand[1])) > 50;  // mN
+            });
+        ASSERT_NE(contact, trace.samples.end());
+        const double delay = 1e-6 * static_cast<double>(rumbled - begun) - contact->tick;
+        std::cout << task << ": the motor runs " << delay << " ms after the first contact\n";
+        EXPECT_LT(delay, 1000);
         home();
     }
 }

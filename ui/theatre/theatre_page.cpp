@@ -53,6 +53,7 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
     panel_->hide();
     strip_ = make_card(0);
     strip_->setParent(this);
+    card_layout(strip_)->setContentsMargins(12, 6, 12, 6);  // the forces above stay visible
     strip_->setObjectName(QStringLiteral("theatre_keys"));
     strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
     strip_text_ = make_label({});

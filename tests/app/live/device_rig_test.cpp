@@ -108,6 +108,7 @@ TEST(DeviceRig, WithAnotherScaleOfTheMovementTheWorkIsTheSameOnBothSides) {
         OnPages at;
         SlotUse use;
         use.motion = motion;
+        at.facts.force[0]->continuous = 0.88;
         at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
                                              at.others, use, 0.4);
         at.publish();
