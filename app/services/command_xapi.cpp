@@ -73,7 +73,8 @@ std::vector<ui::PersonReport> people_of(const Arguments& arguments, const databa
         throw InputError("--cohort", "",
                          {QT_TRANSLATE_NOOP("errors", "no cohort '%1' that you may read"), name},
                          QT_TRANSLATE_NOOP("errors", "name a cohort of this store"));
-    return ui::gather_cohort(store, session, cohort->id, tasks, version_line(), true)->people;
+    return ui::gather_cohort(store, session, cohort->id, tasks, version_line(), ui::PeoplePages::with_metrics)
+        ->people;
 }
 
 int queue(const Arguments& arguments, const database::Store& store, const database::Session& session,

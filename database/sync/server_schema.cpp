@@ -96,7 +96,7 @@ ServerSchema create_server(Connection& server, std::int64_t now, int target) {
             .run();
     }
     for (const auto& [table, column] : owned) {
-        if (!has_table(server, table)) continue;  // of a later schema than `target`
+        if (!has_server_table(server, table)) continue;  // of a later schema than `target`
         server.execute(
             QString("DROP TRIGGER IF EXISTS of_erased_person ON %1; CREATE TRIGGER of_erased_person BEFORE "
                     "INSERT OR UPDATE ON %1 FOR EACH ROW EXECUTE FUNCTION of_erased_person('%2')")
