@@ -48,8 +48,8 @@ class AccessProgramme : public Programme {
         rate(session("director"), "goals");
         Ratings(*store).release(*educator, ann.attempt);
         rate(*educator, "osats");
-        for (const Session* trainee : {&session("ann"), &session("eve"), &*teacher})
-            Goals(*store).set(*trainee, {GoalOf::attempts, "A2", "", 3, 0}, 20'000);
+        for (const Session& trainee : {session("ann"), session("eve"), *teacher})
+            Goals(*store).set(trainee, {GoalOf::attempts, "A2", "", 3, 0}, 20'000);
     }
 
     /// The person of that role who makes the request.

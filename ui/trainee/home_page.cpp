@@ -65,10 +65,10 @@ void HomePage::enter() {
                                  context().store().now());
     });
     const Summaries summaries = summarise(rows);
-    fill_next(summaries);
+    goals_->show_person(session.person_id());
+    fill_next(summaries);  // focuses its button
     fill_interrupted();
     fill_comments();
-    goals_->show_person(session.person_id());
     fill_tasks(summaries);
 }
 

@@ -101,8 +101,8 @@ class FakeRecordStore {
             "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body));
         socket->flush();
     }
-    QTcpServer server_;
     std::map<QTcpSocket*, QByteArray> pending_;
+    QTcpServer server_;  // ends first: its sockets report that they are closed
 };
 
 }  // namespace fulcrum::database::test

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "database/sync/erasure.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/database/processes.h"
 #include "tests/database/programme_fixture.h"
@@ -204,6 +205,16 @@ TEST_F(RecordStoreTest, IsTheDirectorsToUseAndItsAddressIsOneOfTheWeb) {
     ASSERT_EQ(counts.size(), 1U);
     EXPECT_EQ(counts[0].endpoint, lrs.address());
     EXPECT_EQ(counts[0].waiting, 1);
+}
+
+TEST_F(RecordStoreTest, IsSentNothingOfAPersonWhoWasErased) {
+    add(2);
+    send();
+    add(2, 2);
+    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ann")));
+    EXPECT_EQ(outbox().counts().waiting + outbox().counts().done, 0);
+    EXPECT_EQ(send().sent, 0);
+    EXPECT_EQ(lrs.requests.size(), 2U);
 }
 
 TEST_F(RecordStoreTest, KilledAnywhereNothingIsLostOrSentUnderAnotherId) {

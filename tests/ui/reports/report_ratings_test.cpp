@@ -100,7 +100,7 @@ TEST_F(RatedReports, OfAPersonHaveTheSameValuesInEveryFormat) {
     const auto csv = csv_cells(sheet, 0);
     const auto xlsx = cells(sheet, 0);
     const nlohmann::json json = nlohmann::json::parse(person_json(report));
-    const nlohmann::json& attempt = json.at("progress")[0].at("series")[0].at("attempts")[0];
+    const nlohmann::json& attempt = json.at("tasks")[0].at("series")[0].at("attempts")[0];
     const nlohmann::json& rated = attempt.at("rated")[0];
     ASSERT_EQ(attempt.at("ratings").size(), 3U);
     ASSERT_EQ(attempt.at("rated").size(), 2U);

@@ -67,6 +67,7 @@ class RatingPages : public ::testing::Test {
     std::string record(std::int64_t started = 0) {
         database::AttemptMeta meta;
         meta.started = started;
+        meta.curriculum = services.curriculum().name();
         meta.person_id = tara->person_id();
         meta.task_id = "A2";
         meta.mode = AttemptMode::assessed;
@@ -292,6 +293,7 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     const auto at_home = [&] {
         act_as(*tara);
         EXPECT_EQ(window->current_page()->objectName(), "home_page");
+        EXPECT_EQ(window->focusWidget()->objectName(), "next_briefing");
         return page_text();
     };
     QString home = at_home();

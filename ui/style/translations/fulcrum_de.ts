@@ -4825,11 +4825,11 @@
     </message>
     <message>
         <source>the goal names a task or metric that is too long</source>
-        <translation>das Ziel nennt eine Aufgabe oder Messgröße, deren Name zu lang ist</translation>
+        <translation>das Ziel nennt eine Aufgabe oder Kennzahl, deren Name zu lang ist</translation>
     </message>
     <message>
         <source>name a task and one of its metrics</source>
-        <translation>nennen Sie eine Aufgabe und eine ihrer Messgrößen</translation>
+        <translation>nennen Sie eine Aufgabe und eine ihrer Kennzahlen</translation>
     </message>
     <message>
         <source>the number of attempts a week is out of range</source>
@@ -4841,7 +4841,7 @@
     </message>
     <message>
         <source>a goal of attempts a week has no metric and no day</source>
-        <translation>ein Ziel in Versuchen pro Woche hat keine Messgröße und keinen Tag</translation>
+        <translation>ein Ziel in Versuchen pro Woche hat keine Kennzahl und keinen Tag</translation>
     </message>
     <message>
         <source>leave them out</source>
@@ -4849,11 +4849,11 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a metric that a goal can be set for</source>
-        <translation>&apos;%1&apos; ist keine Messgröße, für die man ein Ziel setzen kann</translation>
+        <translation>&apos;%1&apos; ist keine Kennzahl, für die man ein Ziel setzen kann</translation>
     </message>
     <message>
         <source>choose a task and one of its metrics</source>
-        <translation>wählen Sie eine Aufgabe und eine ihrer Messgrößen</translation>
+        <translation>wählen Sie eine Aufgabe und eine ihrer Kennzahlen</translation>
     </message>
     <message>
         <source>the value of the goal is not a number</source>
@@ -4861,7 +4861,7 @@
     </message>
     <message>
         <source>give a number in the unit of the metric</source>
-        <translation>geben Sie eine Zahl in der Einheit der Messgröße an</translation>
+        <translation>geben Sie eine Zahl in der Einheit der Kennzahl an</translation>
     </message>
     <message>
         <source>the day of the goal is in the past or too far away</source>
@@ -8468,7 +8468,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Value of a metric</source>
-        <translation>Wert einer Messgröße</translation>
+        <translation>Wert einer Kennzahl</translation>
     </message>
     <message>
         <source>Task</source>
@@ -8476,7 +8476,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation>Messgröße</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>Goal</source>
@@ -8500,7 +8500,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>A goal of your own: so many attempts a week, or a value of a metric by a day. Only you and your educators see it.</source>
-        <translation>Ein eigenes Ziel: so viele Versuche pro Woche, oder ein Wert einer Messgröße bis zu einem Tag. Nur Sie und Ihre Ausbilder sehen es.</translation>
+        <translation>Ein eigenes Ziel: so viele Versuche pro Woche, oder ein Wert einer Kennzahl bis zu einem Tag. Nur Sie und Ihre Ausbilder sehen es.</translation>
     </message>
     <message>
         <source>Change</source>
@@ -8520,7 +8520,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>You have no completed attempt with this metric yet.</source>
-        <translation>Sie haben noch keinen abgeschlossenen Versuch mit dieser Messgröße.</translation>
+        <translation>Sie haben noch keinen abgeschlossenen Versuch mit dieser Kennzahl.</translation>
     </message>
 </context>
 <context>
