@@ -66,7 +66,8 @@ class Provenance {
         programs_.insert(attempt.meta.program_version);
         if (!attempt.meta.limits.empty()) sets_.insert(attempt.meta.limits);
         const std::set<std::string>& versions = versions_.of(attempt);
-        metrics_.insert(versions.begin(), versions.end());
+        if (!versions.empty() && added_.insert(&versions).second)
+            metrics_.insert(versions.begin(), versions.end());
     }
     template <typename Report>
     void write(Report& report, const std::string& audit_head) const {
@@ -111,6 +112,7 @@ class Provenance {
     const char* whose_;
     std::string value_;
     std::set<std::string> metrics_, sets_, programs_;
+    std::set<const std::set<std::string>*> added_;
 };
 
 void count(CohortRow& row, const AttemptSummary& attempt) {
@@ -209,6 +211,7 @@ std::map<std::string, std::vector<AttemptSummary>> attempts_in(const Store& stor
     AttemptFilter filter = all_of_person({});
     filter.cohort_id = cohort_id;
     filter.include_voided = include_voided;
+    filter.for_table = true;
     std::map<std::string, std::vector<AttemptSummary>> result;
     for (AttemptSummary& attempt : query_attempts(store, session, filter)) {
         std::vector<AttemptSummary>& list = result[attempt.meta.person_id];
