@@ -8,31 +8,105 @@
 namespace fulcrum::database {
 namespace {
 
-const char* const columns =
-    "SELECT a.id, a.person_id, a.task_id, a.task_version, a.mode, a.device_class, a.device, a.operator_name, "
-    "a.variant, a.seed, "
-    "a.fidelity, a.scene, a.scene_digest, a.curriculum, a.limits, a.program_version, a.cpu_features, "
-    "a.started, a.utc_offset_min, a.force_devices, "
-    "p.login, p.display_name, p.kind, a.state, a.duration_s, a.wall_s, a.missed_ticks, a.lost_samples, "
-    "a.events, a.state_hash, "
-    "s.passed, s.points, COALESCE(s.not_scored_because, ''), "
-    "EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1), "
-    "COALESCE(v.reason, ''), COALESCE(w.display_name, ''), COALESCE(v.time, 0), "
-    "COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), ''), "
-    "COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), ''), "
-    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0), "
-    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0), "
-    "COALESCE(o.source_id, ''), COALESCE(o.tick, 0), COALESCE(o.goal, 0), COALESCE(o.build, '') "
-    "FROM attempt a JOIN person p ON p.id = a.person_id "
-    "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
-    "LEFT JOIN attempt_origin o ON o.attempt_id = a.id "
-    "LEFT JOIN attempt_void v ON v.attempt_id = a.id LEFT JOIN person w ON w.id = v.person_id ";
+struct Column {
+    const char* sql;
+    bool in_tables;  ///< read also for the tables of a cohort, which have an attempt by the ten thousand
+};
 
-AttemptSummary summary_of_row(const Query& row) {
+/// In the order in which summary_of_row() takes them.
+constexpr Column columns[] = {
+    {"a.id", true},
+    {"a.person_id", true},
+    {"a.task_id", true},
+    {"a.task_version", true},
+    {"a.mode", true},
+    {"a.device_class", true},
+    {"a.device", false},
+    {"a.operator_name", false},
+    {"a.variant", true},
+    {"a.seed", false},
+    {"a.fidelity", true},
+    {"a.scene", false},
+    {"a.scene_digest", false},
+    {"a.curriculum", true},
+    {"a.limits", true},
+    {"a.program_version", true},
+    {"a.cpu_features", false},
+    {"a.started", true},
+    {"a.utc_offset_min", true},
+    {"a.force_devices", false},
+    {"p.login", false},
+    {"p.display_name", false},
+    {"p.kind", true},
+    {"a.state", true},
+    {"a.duration_s", true},
+    {"a.wall_s", false},
+    {"a.missed_ticks", false},
+    {"a.lost_samples", false},
+    {"a.events", false},
+    {"a.state_hash", false},
+    {"s.passed", true},
+    {"s.points", true},
+    {"COALESCE(s.not_scored_because, '')", true},
+    {"EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1)", true},
+    {"COALESCE(v.reason, '')", false},
+    {"COALESCE(w.display_name, '')", false},
+    {"COALESCE(v.time, 0)", true},
+    {"COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), '')", false},
+    {"COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), '')", false},
+    {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0)", false},
+    {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0)", false},
+    {"COALESCE(o.source_id, '')", false},
+    {"COALESCE(o.tick, 0)", false},
+    {"COALESCE(o.goal, 0)", false},
+    {"COALESCE(o.build, '')", false}};
+
+QString select(bool for_table) {
+    QString list;
+    for (const Column& column : columns)
+        if (column.in_tables || !for_table) list += (list.isEmpty() ? "" : ", ") + QString(column.sql);
+    QString sql = "SELECT " + list +
+                  " FROM attempt a JOIN person p ON p.id = a.person_id "
+                  "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
+                  "LEFT JOIN attempt_void v ON v.attempt_id = a.id ";
+    if (!for_table)
+        sql += "LEFT JOIN attempt_origin o ON o.attempt_id = a.id LEFT JOIN person w ON w.id = v.person_id ";
+    return sql;
+}
+
+/// Takes the columns one after another; those that were not asked for are empty.
+class Fields {
+  public:
+    Fields(const Query& row, bool for_table) : row_(row), for_table_(for_table) {}
+    std::string text() { return take() ? row_.text(column_ - 1) : std::string(); }
+    std::int64_t integer() { return take() ? row_.integer(column_ - 1) : 0; }
+    bool flag() { return integer() != 0; }
+    double real() { return take() ? row_.real(column_ - 1) : 0; }
+    std::optional<bool> optional_flag() {
+        return take() ? row_.optional_flag(column_ - 1) : std::optional<bool>();
+    }
+    std::optional<double> optional_real() {
+        return take() ? row_.optional_real(column_ - 1) : std::optional<double>();
+    }
+
+  private:
+    bool take() {
+        const bool is_there = !for_table_ || columns[at_].in_tables;
+        ++at_;
+        if (is_there) ++column_;
+        return is_there;
+    }
+    const Query& row_;
+    bool for_table_;
+    std::size_t at_ = 0;
+    int column_ = 0;
+};
+
+AttemptSummary summary_of_row(const Query& row, bool for_table) {
     AttemptSummary attempt;
-    int column = 0;
-    const auto text = [&] { return row.text(column++); };
-    const auto integer = [&] { return row.integer(column++); };
+    Fields fields(row, for_table);
+    const auto text = [&] { return fields.text(); };
+    const auto integer = [&] { return fields.integer(); };
     AttemptMeta& meta = attempt.meta;
     meta.id = text();
     meta.person_id = text();
@@ -59,18 +133,18 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.person_name = text();
     attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;
     attempt.recorded_state = enum_of(text(), attempt_states, place("state"));
-    attempt.duration_s = row.real(column++);
-    attempt.wall_s = row.real(column++);
+    attempt.duration_s = fields.real();
+    attempt.wall_s = fields.real();
     attempt.missed_ticks = static_cast<std::uint32_t>(integer());
     attempt.lost_samples = static_cast<std::uint64_t>(integer());
     const std::int64_t events = integer();
     attempt.meta.keep_trace = events != trace_not_kept;
     attempt.events = attempt.meta.keep_trace ? static_cast<std::uint64_t>(events) : 0;
     attempt.state_hash = text();
-    attempt.passed = row.optional_flag(column++);
-    attempt.points = row.optional_real(column++);
+    attempt.passed = fields.optional_flag();
+    attempt.points = fields.optional_real();
     attempt.not_scored_because = statement_of(text());
-    attempt.provisional = row.flag(column++);
+    attempt.provisional = fields.flag();
     attempt.void_reason = text();
     attempt.voided_by = text();
     attempt.voided_at = integer();
@@ -118,7 +192,7 @@ void bind_visible_people(Query& query, const Session& session, Operation operati
 std::vector<AttemptSummary> query_attempts(const Store& store, const Session& session,
                                            const AttemptFilter& filter) {
     QString sql =
-        QString(columns) + "WHERE " + visible_people(session, Operation::read_attempt, "a.person_id");
+        select(filter.for_table) + "WHERE " + visible_people(session, Operation::read_attempt, "a.person_id");
     if (!filter.person_id.empty()) sql += " AND a.person_id = ?";
     if (!filter.task_id.empty()) sql += " AND a.task_id = ?";
     if (!filter.cohort_id.empty())
@@ -138,7 +212,7 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
     if (filter.state && !voided) rows.bind(std::string(row_of(attempt_states, *filter.state).name));
     if (filter.limit >= 0) rows.bind(filter.limit);
     std::vector<AttemptSummary> attempts;
-    while (rows.next()) attempts.push_back(summary_of_row(rows));
+    while (rows.next()) attempts.push_back(summary_of_row(rows, filter.for_table));
     return attempts;
 }
 
@@ -162,10 +236,10 @@ std::string require_attempt(const Store& store, const Session& session, Operatio
 }
 
 AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) {
-    Query row(store.connection(), QString(columns) + "WHERE a.id = ?");
+    Query row(store.connection(), select(false) + "WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next()) unknown_attempt(attempt_id);
-    return summary_of_row(row);
+    return summary_of_row(row, false);
 }
 
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id) {

@@ -24,6 +24,9 @@ struct AttemptFilter {
     bool include_synthetic = true;      ///< people marked synthetic or external
     bool include_voided = true;
     int limit = 1000;  ///< newest first
+    /// Only what tables and standings of a cohort need: without names, device, scene, comments, links and
+    /// what the recorder says. Inside of this floor.
+    bool for_table = false;
 };
 
 /// What a person has performed of one variant of a task.

@@ -2,7 +2,6 @@
 #include "database/records/report_data.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -11,6 +10,7 @@
 #include "database/records/attempts.h"
 #include "database/records/curricula.h"
 #include "database/records/ratings.h"
+#include "database/records/report_provenance.h"
 #include "database/rows/person_kind.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
@@ -32,87 +32,6 @@ PersonName name_of(const Store& store, const std::string& person_id) {
     return {row.text(0), row.text(1), row.text(2),
             person_kind_of(row.text(3), row.text(0)) != PersonKind::real};
 }
-
-/// One program gives one set of metric versions for a task: asked once, not for every attempt.
-class MetricVersions {
-  public:
-    explicit MetricVersions(const Store& store) : store_(store) {}
-    const std::set<std::string>& of(const AttemptSummary& attempt) {
-        const AttemptMeta& meta = attempt.meta;
-        const std::array<std::string, 4> key{meta.program_version, meta.task_id,
-                                             std::to_string(meta.task_version),
-                                             row_of(device_classes, meta.device_class).name};
-        std::set<std::string>& known = known_[key];
-        if (!known.empty() || (!attempt.passed && attempt.not_scored_because.empty())) return known;
-        Query rows(store_.connection(),
-                   "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
-                   "WHERE s.attempt_id = ? AND s.in_force = 1");
-        rows.bind(attempt.meta.id);
-        while (rows.next()) known.insert(rows.text(0) + "@" + rows.text(1));
-        return known;
-    }
-
-  private:
-    const Store& store_;
-    std::map<std::array<std::string, 4>, std::set<std::string>> known_;
-};
-
-/// Versions that the values are based on, gathered over the attempts that enter them.
-class Provenance {
-  public:
-    /// Over the attempts (table `a`) for which `whose` holds with this value.
-    Provenance(const Store& store, MetricVersions& versions, const char* whose, const std::string& value)
-        : store_(store), versions_(versions), whose_(whose), value_(value) {}
-    void add(const AttemptSummary& attempt) {
-        programs_.insert(attempt.meta.program_version);
-        if (!attempt.meta.limits.empty()) sets_.insert(attempt.meta.limits);
-        const std::set<std::string>& versions = versions_.of(attempt);
-        metrics_.insert(versions.begin(), versions.end());
-    }
-    template <typename Report>
-    void write(Report& report, const std::string& audit_head) const {
-        report.metric_versions.assign(metrics_.begin(), metrics_.end());
-        report.benchmark_sets = named_sets();
-        report.program_versions.assign(programs_.begin(), programs_.end());
-        report.audit_head = audit_head;
-    }
-    template <typename Report>
-    void write(Report& report) const {
-        write(report, Audit(store_).head());
-    }
-
-  private:
-    /// With the beginning of the SHA-256 of each set's file, as assessed attempts used it: a name alone says
-    /// nothing about the limits.
-    std::vector<std::string> named_sets() const {
-        if (sets_.empty()) return {};
-        std::map<std::string, std::set<std::string>> digests;
-        // Files whose names begin with "benchmarks/".
-        Query rows(store_.connection(),
-                   QString("SELECT DISTINCT a.limits, f.digest FROM attempt a JOIN attempt_asset f ON "
-                           "f.attempt_id = a.id AND f.file > 'benchmarks/' AND f.file < 'benchmarks0' WHERE "
-                           "a.mode = 'assessed' AND ") +
-                       whose_);
-        rows.bind(value_);
-        while (rows.next()) digests[rows.text(0)].insert(rows.text(1).substr(0, 16));
-        std::vector<std::string> sets;
-        for (const std::string& name : sets_) {
-            const auto known = digests.find(name);
-            if (known == digests.end()) {
-                sets.push_back(name);
-                continue;
-            }
-            for (const std::string& digest : known->second) sets.push_back(name + " sha256:" + digest);
-        }
-        return sets;
-    }
-
-    const Store& store_;
-    MetricVersions& versions_;
-    const char* whose_;
-    std::string value_;
-    std::set<std::string> metrics_, sets_, programs_;
-};
 
 void count(CohortRow& row, const AttemptSummary& attempt) {
     row.last_attempt = std::max(row.last_attempt, attempt.meta.started);
@@ -239,6 +158,7 @@ std::map<std::string, std::vector<AttemptSummary>> attempts_in(const Store& stor
     AttemptFilter filter = all_of_person({});
     filter.cohort_id = cohort_id;
     filter.include_voided = include_voided;
+    filter.for_table = true;
     std::map<std::string, std::vector<AttemptSummary>> result;
     for (AttemptSummary& attempt : query_attempts(store, session, filter)) {
         std::vector<AttemptSummary>& list = result[attempt.meta.person_id];

@@ -136,7 +136,11 @@ ServerAccount grant_at_programme_server(const ServerAddress& address, const std:
     if (account.made) server.execute("CREATE ROLE " + name + " LOGIN");
     for (const Role role : server_roles) {
         const bool held = std::find(account.roles.begin(), account.roles.end(), role) != account.roles.end();
-        if (!held && account.made) continue;
+        Query member(server,
+                     "SELECT 1 FROM pg_auth_members m JOIN pg_roles g ON g.oid = m.roleid JOIN pg_roles p ON "
+                     "p.oid = m.member WHERE g.rolname = ? AND p.rolname = ?");
+        member.bind(server_group(role)).bind(account.name);
+        if (member.next() == held) continue;
         server.execute(QString(held ? "GRANT %1 TO %2" : "REVOKE %1 FROM %2")
                            .arg(QString::fromStdString(server_group(role)), name));
     }

@@ -20,6 +20,7 @@ BEGIN
     END LOOP;
 END $$;
 REVOKE ALL ON ALL TABLES IN SCHEMA public FROM PUBLIC, fulcrum_station, fulcrum_trainee, fulcrum_educator, fulcrum_director;
+REVOKE CREATE ON SCHEMA public FROM PUBLIC;
 GRANT USAGE ON SCHEMA public TO fulcrum_station, fulcrum_trainee, fulcrum_educator, fulcrum_director;
 GRANT SELECT, INSERT ON ALL TABLES IN SCHEMA public TO fulcrum_station;
 REVOKE INSERT ON programme_server, erasure, erased_payload FROM fulcrum_station;

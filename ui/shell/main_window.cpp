@@ -278,15 +278,6 @@ void MainWindow::show_banner() {
     banner_->setVisible(shown);
 }
 
-bool MainWindow::on_server() {
-    return context_.services().store() != nullptr && context_.store().is_server();
-}
-
-void MainWindow::open_server() {
-    context_.set_session(database::People(context_.store()).account_session());
-    show_home();
-}
-
 void MainWindow::start() {
     connect_first_pages();
     auto* first = page<FirstStartPage>();
@@ -297,7 +288,8 @@ void MainWindow::start() {
                            context_.store().has_administrator();
         first->show_trouble({}, {});
         if (on_server()) {
-            open_server();
+            context_.set_session(database::People(context_.store()).account_session());
+            show_home();
         } else if (ready) {
             show_sign_in();
         } else {

@@ -73,9 +73,8 @@ class MainWindow : public QMainWindow {
     void show_home();
     void show_sign_in();
     void show_banner();
-    bool on_server();
-    /// With the person whose account the address names.
-    void open_server();
+    /// Which has signed in the person whose account its address names.
+    bool on_server() { return context_.services().store() != nullptr && context_.store().is_server(); }
     void fill_rail();
     /// As wide as its longest title needs.
     void fit_rail();

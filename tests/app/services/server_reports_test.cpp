@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QProcess>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
@@ -162,7 +163,7 @@ TEST_F(ServerReports, GridFiguresAndDashboardAreTheSame) {
     const auto here = database::Reports(*station).cohort_table(made->director, made->cohort, options);
     const auto there = database::Reports(*server).cohort_table(*director, made->cohort, options);
     ASSERT_EQ(here.rows.size(), there.rows.size());
-    ASSERT_GT(here.rows.size(), 100U);
+    ASSERT_GE(here.rows.size(), 12 * tasks.size());
     ASSERT_EQ(here.standings.size(), 12U);
     ASSERT_EQ(there.standings.size(), 12U);
     for (std::size_t i = 0; i < here.standings.size(); ++i) {
@@ -211,11 +212,21 @@ class ServerReportsLarge : public ServerReports {
         // As the server does by itself after a while.
         PostgresqlServer::of_this_process()->execute(address, "ANALYZE");
     }
-    static double seconds(const std::function<void()>& work) {
+    /// By the clock and, of this process, of its processor.
+    struct Times {
+        double wall = 0, own = 0;
+    };
+    static Times seconds(const std::function<void()>& work) {
         QElapsedTimer timer;
         timer.start();
+        const std::clock_t start = std::clock();
         work();
-        return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+        return {static_cast<double>(timer.nsecsElapsed()) * 1e-9,
+                static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
+    }
+    static void print(const std::string& what, const Times& at_station, const Times& at_server) {
+        std::printf("%s: station %.2f s (%.2f s of processor), server %.2f s (%.2f s)\n", what.c_str(),
+                    at_station.wall, at_station.own, at_server.wall, at_server.own);
     }
 };
 
@@ -231,12 +242,12 @@ TEST_F(ServerReportsLarge, TakeAboutAsLongFromEitherStore) {
         return table.rows.size();
     };
     std::size_t here = 0, there = 0;
-    const double at_station = seconds([&] { here = grid(*station, made->director); }),
-                 at_server = seconds([&] { there = grid(*server, *director); });
+    const Times at_station = seconds([&] { here = grid(*station, made->director); }),
+                at_server = seconds([&] { there = grid(*server, *director); });
     EXPECT_EQ(here, there);
-    std::printf("grid and dashboard: station %.2f s, server %.2f s\n", at_station, at_server);
+    print("grid and dashboard", at_station, at_server);
     for (const ui::ReportFormatRow& format : ui::report_formats) {
-        double time[2] = {0, 0};
+        Times time[2];
         for (const bool of_server : {false, true}) {
             ui::ReportRequest request;
             request.cohort_id = made->cohort;
@@ -250,7 +261,7 @@ TEST_F(ServerReportsLarge, TakeAboutAsLongFromEitherStore) {
                                  .empty());
             });
         }
-        std::printf("cohort report, %s: station %.2f s, server %.2f s\n", format.name, time[0], time[1]);
+        print(std::string("cohort report, ") + format.name, time[0], time[1]);
     }
     // An educator's account: the row policies ask for each row whose it is.
     Connection owner(address);
@@ -260,8 +271,9 @@ TEST_F(ServerReportsLarge, TakeAboutAsLongFromEitherStore) {
     const Store taught = Store::open(grant_at_programme_server(address, "director").address, clock.options());
     const Session educator = People(taught).account_session(Role::educator);
     owner.execute("DELETE FROM person_role WHERE role = 'director'");
-    const double as_educator = seconds([&] { EXPECT_EQ(grid(taught, educator), here); });
-    std::printf("grid and dashboard of an educator: server %.2f s\n", as_educator);
+    const Times as_educator = seconds([&] { EXPECT_EQ(grid(taught, educator), here); });
+    std::printf("grid and dashboard of an educator: server %.2f s (%.2f s)\n", as_educator.wall,
+                as_educator.own);
 }
 
 TEST_F(ServerReports, TheCommandTakesTheServersAddress) {
@@ -295,10 +307,11 @@ TEST_F(ServerReports, TheCommandTakesTheServersAddress) {
     // An attempt is performed at a station, and a server's care is not that of a file.
     EXPECT_NE(refused({"perform", "A2", "--operator", "expert", "--db", account}).find("at a station"),
               std::string::npos);
-    EXPECT_NE(refused({"db", "check", "--db", account}).find("at a station"), std::string::npos);
+    EXPECT_NE(refused({"db", "check", "--db", account}).find("not allowed"), std::string::npos);
     EXPECT_NE(refused({"db", "create", "--db", account}).find("not a file"), std::string::npos);
     EXPECT_NE(refused({"db", "migrate", "--db", account}).find("not a file"), std::string::npos);
-    EXPECT_NE(refused({"db", "restore", path, "--db", account}).find("not a file"), std::string::npos);
+    EXPECT_NE(refused({"db", "restore", path, "--db", account, "--as", "administrator"}).find("not a file"),
+              std::string::npos);
     EXPECT_NE(refused({"db", "backup", file + ".copy", "--db", account}).find("not allowed"),
               std::string::npos);
 }

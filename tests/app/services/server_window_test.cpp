@@ -74,12 +74,13 @@ TEST_F(ServerWindow, OpensEachPageOfItsRoleAndShowsNoButtonThatWrites) {
         ASSERT_TRUE(window->context().signed_in()) << login;
         EXPECT_EQ(window->context().session().login(), login);
         EXPECT_TRUE(shown("banner_text").contains("read only"));
+        // The educator trains as well, and acts as a trainee at first.
+        if (std::string(login) == "educator")
+            window->context().set_session(database::People(window->context().store())
+                                              .act_as(window->context().session(), database::Role::educator));
         const auto pages = pages_of(window->context());
         EXPECT_GE(pages.size(), 3U) << login;
         for (const PageEntry* entry : pages) {
-            if (std::string(login) == "educator" &&
-                window->context().session().role() == database::Role::trainee)
-                break;
             click(*window, entry->name);
             QTest::qWait(50);
             EXPECT_FALSE(sees(*window, "message_text"))

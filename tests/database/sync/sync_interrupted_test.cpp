@@ -234,9 +234,8 @@ TEST_F(ServerTables, ATraineesAccountSeesOwnRowsOnlyAndWritesNone) {
     a.record("ben", true, 44);
     a.open();
     sync(a);
-    const PostgresqlServer& postgresql = *PostgresqlServer::of_this_process();
     const auto connect_as = [&](const std::string& login) {
-        postgresql.execute(server, "CREATE ROLE \"" + a.id(login) + "\" LOGIN IN ROLE fulcrum_trainee");
+        EXPECT_EQ(grant_at_programme_server(server, login).roles, std::vector<Role>{Role::trainee});
         return std::make_unique<Connection>(PostgresqlServer::as(server, a.id(login)));
     };
     const auto ann = connect_as("ann"), eve = connect_as("eve");
@@ -264,7 +263,7 @@ TEST_F(ServerTables, ATraineesAccountSeesOwnRowsOnlyAndWritesNone) {
     for (const std::string& sql :
          {std::string("SET ROLE owner"), std::string("SET row_security = off; SELECT COUNT(*) FROM attempt"),
           std::string("SELECT * FROM credential"), std::string("SELECT * FROM audit_payload"),
-          std::string("SELECT verifier FROM credential"),
+          std::string("SELECT verifier FROM credential"), std::string("CREATE TABLE mine (x int)"),
           std::string("SELECT recovery_verifier FROM programme"),
           std::string("INSERT INTO rating_seen VALUES ('x', 'y', 1)"),
           std::string("SELECT * FROM rating_seen"), std::string("UPDATE score SET points = 100"),

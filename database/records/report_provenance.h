@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Versions that the values of a report are based on, gathered over the attempts that enter them. Internal to
+// this room.
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "database/rows/attempt_records.h"
+#include "database/store/audit.h"
+
+namespace fulcrum::database {
+
+/// One program gives one set of metric versions for a task: asked once, not for every attempt.
+class MetricVersions {
+  public:
+    explicit MetricVersions(const Store& store) : store_(store) {}
+    const std::set<std::string>& of(const AttemptSummary& attempt);
+
+  private:
+    const Store& store_;
+    std::map<std::array<std::string, 4>, std::set<std::string>> known_;
+};
+
+class Provenance {
+  public:
+    /// Over the attempts (table `a`) for which `whose` holds with this value.
+    Provenance(const Store& store, MetricVersions& versions, const char* whose, const std::string& value)
+        : store_(store), versions_(versions), whose_(whose), value_(value) {}
+    void add(const AttemptSummary& attempt);
+    template <typename Report>
+    void write(Report& report, const std::string& audit_head) const {
+        report.metric_versions.assign(metrics_.begin(), metrics_.end());
+        report.benchmark_sets = named_sets();
+        report.program_versions.assign(programs_.begin(), programs_.end());
+        report.audit_head = audit_head;
+    }
+    template <typename Report>
+    void write(Report& report) const {
+        write(report, Audit(store_).head());
+    }
+
+  private:
+    std::vector<std::string> named_sets() const;
+
+    const Store& store_;
+    MetricVersions& versions_;
+    const char* whose_;
+    std::string value_;
+    std::set<std::string> metrics_, sets_, programs_;
+    std::set<const std::set<std::string>*> added_;
+};
+
+}  // namespace fulcrum::database
