@@ -85,7 +85,9 @@ class PracticeModel : public QAbstractTableModel {
         if (orientation != Qt::Horizontal) return {};
         if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
         if (role != Qt::DisplayRole) return {};
-        return section == 0 ? PracticeView::tr("Person") : short_date(monday(section));
+        // Day and month below each other, in the width of seven small squares.
+        return section == 0 ? PracticeView::tr("Person")
+                            : short_date(monday(section)).replace(QLatin1Char(' '), QLatin1Char('\n'));
     }
 
   private:
