@@ -7,7 +7,6 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QPainter>
-#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <algorithm>
@@ -86,7 +85,9 @@ class PracticeModel : public QAbstractTableModel {
         if (orientation != Qt::Horizontal) return {};
         if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
         if (role != Qt::DisplayRole) return {};
-        return section == 0 ? PracticeView::tr("Person") : short_date(monday(section));
+        // Day and month below each other, in the width of seven small squares.
+        return section == 0 ? PracticeView::tr("Person")
+                            : short_date(monday(section)).replace(QLatin1Char(' '), QLatin1Char('\n'));
     }
 
   private:
@@ -183,9 +184,6 @@ PracticeView::PracticeView(QWidget* parent) : QWidget(parent), model_(new Practi
     view_->verticalHeader()->hide();
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view_->setMinimumHeight(300);
-    // Where not all weeks have room, the latest are shown.
-    QScrollBar* bar = view_->horizontalScrollBar();
-    connect(bar, &QScrollBar::rangeChanged, bar, [bar](int, int latest) { bar->setValue(latest); });
     layout->addWidget(view_, 1);
     layout->addWidget(new PracticeLegend);
     connect(view_, &QTableView::activated, this, [this](const QModelIndex& index) {
@@ -197,7 +195,8 @@ void PracticeView::show_table(const database::CohortTable& table) {
     model_->set(table);
     QHeaderView* heads = view_->horizontalHeader();
     if (model_->columnCount() == 0) return;
-    heads->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("30 MMM")) + 18);
+    // Twelve weeks and the names have room in a window of 1280 pixels.
+    heads->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("30 MMM")) + 2);
     heads->setSectionResizeMode(QHeaderView::Stretch);
     heads->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     view_->verticalHeader()->setDefaultSectionSize(static_cast<int>(1.9 * fontMetrics().height()));

@@ -127,7 +127,9 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
         attempts += spoken.section(": ", 1, 1).section(' ', 0, 0).toInt();
     }
     EXPECT_EQ(attempts, attempts_each);
-    EXPECT_EQ(days->horizontalScrollBar()->value(), days->horizontalScrollBar()->maximum()) << "the latest";
+    window->resize(1280, 740);
+    EXPECT_TRUE(wait_for([&] { return days->horizontalScrollBar()->maximum() == 0; }))
+        << "names and all weeks are in view";
     keep("cohort-days-light");
     window->set_theme(Theme::dark);
     keep("cohort-days-dark");
