@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which scores are based on metrics or limits that are no longer in force.
 #include "database/records/attempt_query.h"
+#include "database/rows/enum_column.h"
 
 namespace fulcrum::database {
 namespace {
