@@ -7,8 +7,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QNetworkAccessManager>
 #include <QNetworkReply>
 #include <QNetworkRequest>
+#include <QUrl>
 #include <QUrlQuery>
 #include <memory>
 
@@ -71,63 +73,78 @@ std::string record_store_address(const std::string& address) {
                                        "https://lrs.example/xapi; http only on this machine"));
 }
 
-RecordStore::RecordStore(const std::string& address, const std::string& credentials, int timeout_ms)
-    : statements_(QString::fromStdString(record_store_address(address) + "/statements")),
-      authorization_(credentials.empty()
-                         ? QByteArray()
-                         : QByteArray("Basic ") + QByteArray::fromStdString(credentials).toBase64()),
-      timeout_ms_(timeout_ms) {}
+/// The requests, one at a time.
+class RecordStore::Http {
+  public:
+    Http(const std::string& address, const std::string& credentials, int timeout_ms)
+        : statements_(QString::fromStdString(record_store_address(address) + "/statements")),
+          authorization_(credentials.empty()
+                             ? QByteArray()
+                             : QByteArray("Basic ") + QByteArray::fromStdString(credentials).toBase64()),
+          timeout_ms_(timeout_ms) {}
+    RecordStoreAnswer send(const std::string& statement) {
+        return wait(manager_.post(request(statements_), QByteArray::fromStdString(statement)));
+    }
+    RecordStoreAnswer fetch_by(const char* parameter, const std::string& id) {
+        QUrl url = statements_;
+        QUrlQuery query;
+        query.addQueryItem(QString::fromLatin1(parameter), QString::fromStdString(id));
+        url.setQuery(query);
+        return wait(manager_.get(request(url)));
+    }
 
-QNetworkRequest RecordStore::request(const QUrl& url) const {
-    QNetworkRequest made(url);
-    made.setRawHeader("X-Experience-API-Version", "1.0.3");
-    made.setHeader(QNetworkRequest::ContentTypeHeader, QByteArray("application/json"));
-    if (!authorization_.isEmpty()) made.setRawHeader("Authorization", authorization_);
-    // Credentials go to the address that was given, and nowhere else.
-    made.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
-    made.setTransferTimeout(timeout_ms_);
-    return made;
-}
-
-RecordStoreAnswer RecordStore::wait(QNetworkReply* reply) const {
-    const std::unique_ptr<QNetworkReply> owned(reply);
-    reply->setReadBufferSize(longest_answer);
-    QEventLoop loop;
-    QObject::connect(reply, &QNetworkReply::finished, &loop, &QEventLoop::quit);
-    if (!reply->isFinished()) loop.exec();
-    RecordStoreAnswer answer;
-    answer.status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
-    // The status came, but not the whole answer: as if there were none.
-    const QNetworkReply::NetworkError error = reply->error();
-    const bool cut_off =
-        error == QNetworkReply::OperationCanceledError || error == QNetworkReply::RemoteHostClosedError;
-    if (answer.status == 0 || cut_off) {
-        answer.status = 0;
-        answer.problem = reply->errorString().toStdString();
+  private:
+    QNetworkRequest request(const QUrl& url) const {
+        QNetworkRequest made(url);
+        made.setRawHeader("X-Experience-API-Version", "1.0.3");
+        made.setHeader(QNetworkRequest::ContentTypeHeader, QByteArray("application/json"));
+        if (!authorization_.isEmpty()) made.setRawHeader("Authorization", authorization_);
+        // Credentials go to the address that was given, and nowhere else.
+        made.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
+        made.setTransferTimeout(timeout_ms_);
+        return made;
+    }
+    static RecordStoreAnswer wait(QNetworkReply* reply) {
+        const std::unique_ptr<QNetworkReply> owned(reply);
+        reply->setReadBufferSize(longest_answer);
+        QEventLoop loop;
+        QObject::connect(reply, &QNetworkReply::finished, &loop, &QEventLoop::quit);
+        if (!reply->isFinished()) loop.exec();
+        RecordStoreAnswer answer;
+        answer.status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+        // The status came, but not the whole answer: as if there were none.
+        const QNetworkReply::NetworkError error = reply->error();
+        const bool cut_off =
+            error == QNetworkReply::OperationCanceledError || error == QNetworkReply::RemoteHostClosedError;
+        if (answer.status == 0 || cut_off) {
+            answer.status = 0;
+            answer.problem = reply->errorString().toStdString();
+            return answer;
+        }
+        answer.body = reply->read(longest_answer).toStdString();
+        bool whole = false;
+        const int seconds = reply->rawHeader("Retry-After").toInt(&whole);
+        if (whole && seconds > 0) answer.retry_after_ms = std::int64_t{1000} * seconds;
         return answer;
     }
-    answer.body = reply->read(longest_answer).toStdString();
-    bool whole = false;
-    const int seconds = reply->rawHeader("Retry-After").toInt(&whole);
-    if (whole && seconds > 0) answer.retry_after_ms = std::int64_t{1000} * seconds;
-    return answer;
-}
+
+    QUrl statements_;
+    QByteArray authorization_;
+    int timeout_ms_;
+    QNetworkAccessManager manager_;
+};
+
+RecordStore::RecordStore(const std::string& address, const std::string& credentials, int timeout_ms)
+    : http_(std::make_unique<Http>(address, credentials, timeout_ms)) {}
+RecordStore::~RecordStore() = default;
 
 RecordStoreAnswer RecordStore::send(const std::string& statement) {
-    return wait(manager_.post(request(statements_), QByteArray::fromStdString(statement)));
-}
-
-RecordStoreAnswer RecordStore::fetch_by(const char* parameter, const std::string& id) {
-    QUrl url = statements_;
-    QUrlQuery query;
-    query.addQueryItem(QString::fromLatin1(parameter), QString::fromStdString(id));
-    url.setQuery(query);
-    return wait(manager_.get(request(url)));
+    return http_->send(statement);
 }
 
 RecordStoreAnswer RecordStore::fetch(const std::string& id) {
-    const RecordStoreAnswer answer = fetch_by("statementId", id);
-    return answer.status == 404 ? fetch_by("voidedStatementId", id) : answer;
+    const RecordStoreAnswer answer = http_->fetch_by("statementId", id);
+    return answer.status == 404 ? http_->fetch_by("voidedStatementId", id) : answer;
 }
 
 bool is_same_statement(const std::string& ours, const std::string& theirs) {

@@ -3,9 +3,8 @@
 // with an event loop of its own; needs a QCoreApplication.
 #pragma once
 
-#include <QNetworkAccessManager>
-#include <QUrl>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "database/xapi/xapi_outbox.h"
@@ -26,18 +25,16 @@ class RecordStore {
   public:
     /// `credentials`: "KEY:SECRET", sent as HTTP Basic; empty: none.
     RecordStore(const std::string& address, const std::string& credentials, int timeout_ms);
+    ~RecordStore();
+    RecordStore(const RecordStore&) = delete;
+    RecordStore& operator=(const RecordStore&) = delete;
     RecordStoreAnswer send(const std::string& statement);
     /// Also one that was voided.
     RecordStoreAnswer fetch(const std::string& id);
 
   private:
-    QNetworkRequest request(const QUrl& url) const;
-    RecordStoreAnswer wait(QNetworkReply* reply) const;
-    RecordStoreAnswer fetch_by(const char* parameter, const std::string& id);
-    QUrl statements_;
-    QByteArray authorization_;
-    int timeout_ms_;
-    QNetworkAccessManager manager_;
+    class Http;
+    std::unique_ptr<Http> http_;
 };
 
 /// Whether the record store holds what we sent: it may add members, and write words and times in another way.

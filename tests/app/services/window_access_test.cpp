@@ -180,6 +180,9 @@ void WindowAccess::expect_progress(const Target& target, const std::string& cell
     EXPECT_EQ(person->currentData().toString().toStdString() == target.person, readable) << cell;
     if (!readable) return;
     EXPECT_EQ(find<QTableWidget>(*window, "progress_table")->rowCount(), 1) << cell;
+    // Trainees have theirs on the home page.
+    EXPECT_EQ(sees(*window, "goal_words"), role() != Role::trainee && allowed(Operation::read_goals, target))
+        << cell;
     const bool exports = allowed(Operation::export_person, target);
     EXPECT_EQ(sees(*window, "export_person"), exports) << cell;
     const QString path = folder + "/person.json";
