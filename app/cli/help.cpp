@@ -112,7 +112,8 @@ std::string completion_of(const Command& command) {
 
 std::string CommandTable::help() const {
     std::string text =
-        "usage: fulcrum [--db STORE]         the application; STORE: a file, or a programme server's address\n"
+        "usage: fulcrum [--db STORE]         the application; STORE: a file, or a programme server's "
+        "address\n"
         "       fulcrum COMMAND [options]    one command, without the window\n\n"
         "commands:\n";
     for (const Command& command : commands_)
@@ -145,8 +146,10 @@ std::string CommandTable::manual() const {
     std::string text =
         ".TH FULCRUM 1 \"\" \"fulcrum " + roff(version_) +
         "\" \"User Commands\"\n.SH NAME\nfulcrum \\- trainer "
-        "for laparoscopic bowel surgery\n.SH SYNOPSIS\n.B fulcrum\n[\\-\\-db STORE]\n.br\n.B fulcrum\n.I COMMAND\n[options]\n"
-        ".SH DESCRIPTION\nWithout a command the window opens, with the store STORE (a file, or the address of a "
+        "for laparoscopic bowel surgery\n.SH SYNOPSIS\n.B fulcrum\n[\\-\\-db STORE]\n.br\n.B fulcrum\n.I "
+        "COMMAND\n[options]\n"
+        ".SH DESCRIPTION\nWithout a command the window opens, with the store STORE (a file, or the address "
+        "of a "
         "programme server, which is only read). With a command the program runs it without a "
         "window.\nEvery command that takes \\fB\\-\\-json\\fR prints one JSON document on standard output "
         "and "

@@ -23,13 +23,18 @@ bool is_left(const TaskStanding& one) {
 
 /// Sets the plateau of `concern` where the curve of `points` levels off below `pass_mark`; false where not.
 bool levels_off(const std::vector<double>& points, double pass_mark, Concern& concern) {
-    const std::vector<CurveFit> fits = fit_curves(points);
+    const std::vector<CurveFit> fits = fit_curves(points, false);
     if (fits.empty()) return false;
     const CurveFit& fit = best_curve(fits);
-    if (!fit.plateau_low || !fit.plateau_high || *fit.plateau_high >= pass_mark) return false;
+    if (fit.plateau >= pass_mark) return false;
+    // A cohort's grid asks this of every person and task: the ends of the interval only where they decide.
+    const std::optional<double> high = plateau_end(points, fit, PlateauEnd::high);
+    if (!high || *high >= pass_mark) return false;
+    const std::optional<double> low = plateau_end(points, fit, PlateauEnd::low);
+    if (!low) return false;
     concern.plateau = fit.plateau;
-    concern.low = *fit.plateau_low;
-    concern.high = *fit.plateau_high;
+    concern.low = *low;
+    concern.high = *high;
     return true;
 }
 

@@ -41,8 +41,11 @@ struct Line {
 Line solve(CurveModel model, double rate, const std::vector<double>& values, const double* plateau) {
     // y = plateau (1 - f) + first f
     double aa = 0, ab = 0, bb = 0, ay = 0, by = 0;
+    // Powers and exponentials are most of the work: each once. The buffer outlives the call.
+    static thread_local std::vector<double> shares;
+    shares.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double f = left(model, rate, static_cast<double>(i + 1)), g = 1 - f;
+        const double f = shares[i] = left(model, rate, static_cast<double>(i + 1)), g = 1 - f;
         aa += g * g;
         ab += g * f;
         bb += f * f;
@@ -59,7 +62,7 @@ Line solve(CurveModel model, double rate, const std::vector<double>& values, con
         line.first = (aa * by - ab * ay) / determinant;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double f = left(model, rate, static_cast<double>(i + 1));
+        const double f = shares[i];
         const double e = values[i] - (line.plateau * (1 - f) + line.first * f);
         line.rss += e * e;
     }
@@ -172,7 +175,11 @@ double CurveFit::at(double x) const {
     return plateau + (first - plateau) * left(model, rate, x);
 }
 
-std::vector<CurveFit> fit_curves(const std::vector<double>& values) {
+std::optional<double> plateau_end(const std::vector<double>& values, const CurveFit& fit, PlateauEnd end) {
+    return end_of(values, fit, end == PlateauEnd::low ? -1 : 1);
+}
+
+std::vector<CurveFit> fit_curves(const std::vector<double>& values, bool with_intervals) {
     std::vector<CurveFit> fits;
     if (static_cast<int>(values.size()) < fewest_attempts_of_a_curve) return fits;
     const auto n = static_cast<double>(values.size());
@@ -187,8 +194,10 @@ std::vector<CurveFit> fit_curves(const std::vector<double>& values) {
         const double k = model == CurveModel::inverse ? 3 : 4;  // and the variance
         fit.aicc =
             n * std::log(std::max(fit.rss, floor_of(values)) / n) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
-        fit.plateau_low = end_of(values, fit, -1);
-        fit.plateau_high = end_of(values, fit, 1);
+        if (with_intervals) {
+            fit.plateau_low = plateau_end(values, fit, PlateauEnd::low);
+            fit.plateau_high = plateau_end(values, fit, PlateauEnd::high);
+        }
         fits.push_back(fit);
     }
     return fits;

@@ -29,7 +29,11 @@ struct CurveFit {
 
 /// The three fits in the order of CurveModel; empty for fewer than fewest_attempts_of_a_curve values.
 /// `values`: of attempts 1, 2, ...; finite. Deterministic.
-std::vector<CurveFit> fit_curves(const std::vector<double>& values);
+/// Without intervals it takes a tenth of the time: plateau_end() adds those that are needed.
+std::vector<CurveFit> fit_curves(const std::vector<double>& values, bool with_intervals = true);
+enum class PlateauEnd { low, high };
+/// Of the 95 % interval of the fit's plateau; none: it is open on this side.
+std::optional<double> plateau_end(const std::vector<double>& values, const CurveFit& fit, PlateauEnd end);
 /// The fit with the lowest AICc. Precondition: not empty.
 const CurveFit& best_curve(const std::vector<CurveFit>& fits);
 

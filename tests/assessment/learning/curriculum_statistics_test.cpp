@@ -135,6 +135,19 @@ std::vector<double> curve(double plateau, double first, double rate, bool power,
     return values;
 }
 
+TEST(LearningCurve, GivesTheSameIntervalsWhenTheyAreAskedForLater) {
+    const std::vector<double> values = curve(20, 90, 0.8, true, 12, 3);
+    const std::vector<CurveFit> whole = fit_curves(values), fits = fit_curves(values, false);
+    ASSERT_EQ(fits.size(), whole.size());
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        EXPECT_EQ(fits[i].plateau, whole[i].plateau);
+        EXPECT_EQ(fits[i].aicc, whole[i].aicc);
+        EXPECT_FALSE(fits[i].plateau_low || fits[i].plateau_high);
+        EXPECT_EQ(plateau_end(values, fits[i], PlateauEnd::low), whole[i].plateau_low);
+        EXPECT_EQ(plateau_end(values, fits[i], PlateauEnd::high), whole[i].plateau_high);
+    }
+}
+
 TEST(LearningCurve, RecoversTheParametersOfExactCurves) {
     const std::vector<CurveFit> power = fit_curves(curve(20, 90, 0.8, true, 40, 0));
     ASSERT_EQ(power.size(), 3U);
