@@ -113,6 +113,7 @@ QWidget* DeviceTest::build_settings() {
     row->add(titled(motion, motion_));
     rumble_ = new QCheckBox(tr("Rumble on contact and on too much force"));
     rumble_->setObjectName(QStringLiteral("rumble"));
+    rumble_->setAccessibleName(rumble_->text());
     row->add(rumble_);
     column->addWidget(row_holder);
     motion_note_ = make_label({}, "muted");

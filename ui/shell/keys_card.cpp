@@ -28,6 +28,7 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
     for (int i = 0; i < 2; ++i) {
         auto* choice = new QRadioButton(layouts[i].first);
         choice->setObjectName(QLatin1String(layouts[i].second));
+        choice->setAccessibleName(layouts[i].first);
         layout_->addButton(choice, i);
         row->add(choice);
     }
