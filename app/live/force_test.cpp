@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t command_period = 1'000'000;  // ns
 constexpr std::int64_t kept_for = 2'000'000'000;    // ns
 constexpr double round_s = 3;                       // three axes
-constexpr int ending_ticks = 40;                    // with force 0, so that the last one is rendered
+constexpr int ending_ticks = 10;                    // with force 0, so that the last one is rendered
 
 }  // namespace
 

@@ -62,6 +62,8 @@ QWidget* DeviceTest::build_try() {
                                     "The dot goes the same way "
                                     "and gets smaller further away; each direction gets a mark."),
                                  "muted"));
+    away_note_ = make_label(tr("Away from you: hold the shoulder button and push the stick up."), "muted");
+    column->addWidget(away_note_);
     frame_ = new FrameCheck;
     frame_->setObjectName(QStringLiteral("frame_check"));
     column->addWidget(frame_, 0, Qt::AlignLeft);
@@ -111,6 +113,7 @@ QWidget* DeviceTest::build_settings() {
     row->add(titled(motion, motion_));
     rumble_ = new QCheckBox(tr("Rumble on contact and on too much force"));
     rumble_->setObjectName(QStringLiteral("rumble"));
+    rumble_->setAccessibleName(rumble_->text());
     row->add(rumble_);
     column->addWidget(row_holder);
     motion_note_ = make_label({}, "muted");
@@ -194,6 +197,7 @@ void DeviceTest::show_readings(const DeviceReadings* readings, bool trouble) {
     frame_->show_readings(*readings);
     marks_->setText(frame_->lines().join(QLatin1Char('\n')));
     shake_->setVisible(readings->controller.has_value());
+    away_note_->setVisible(readings->controller.has_value());
     const bool runs = devices.force_test().runs;
     if (runs && trouble) devices.stop_force_test();
     gives_force_ = readings->gives_force;

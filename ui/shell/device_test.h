@@ -38,7 +38,7 @@ class DeviceTest : public QWidget {
     void change_slots(int changed);
     Context& context_;
     QPushButton *open_, *force_, *stop_, *again_, *shake_;
-    QLabel *marks_, *force_line_, *motion_note_;
+    QLabel *marks_, *force_line_, *motion_note_, *away_note_;
     QWidget *tried_, *slots_row_;
     FrameCheck* frame_;
     QComboBox *motion_, *slot_[3];

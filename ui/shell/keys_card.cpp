@@ -18,10 +18,9 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
     column->setContentsMargins(18, 16, 18, 16);
     column->setSpacing(8);
     column->addWidget(make_label(tr("Mouse and keys for the hands"), "heading"));
-    column->addWidget(
-        make_label(tr("Kept for you on this computer, from the next attempt on. The theatre shows them "
-                      "when an attempt begins, and with F1."),
-                   "muted"));
+    column->addWidget(make_label(tr("Kept for you on this computer, from the next attempt on. They are shown "
+                                    "when an attempt begins, and with F1."),
+                                 "muted"));
     auto* choices = new QWidget;
     auto* row = new FlowRow(choices);
     const std::pair<QString, const char*> layouts[] = {{tr("Mouse in the right hand"), "keys_right_handed"},
@@ -29,6 +28,7 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
     for (int i = 0; i < 2; ++i) {
         auto* choice = new QRadioButton(layouts[i].first);
         choice->setObjectName(QLatin1String(layouts[i].second));
+        choice->setAccessibleName(layouts[i].first);
         layout_->addButton(choice, i);
         row->add(choice);
     }

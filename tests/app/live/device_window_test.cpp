@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <QComboBox>
+#include <QPushButton>
 #include <QSettings>
 #include <cstdlib>
 #include <filesystem>
@@ -105,12 +106,24 @@ TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
     QSettings().clear();
     create_programme_and_trainee();
     ui::window_test::click(window, "rail_settings");
-    EXPECT_TRUE(find<QLabel>(window, "device_readings")->text().contains("after the first attempt"));
+    EXPECT_TRUE(find<QLabel>(window, "device_readings")->text().contains("while it is open"));
     auto* scale = find<QComboBox>(window, "force_scale");
     scale->setFocus();
     for (int i = 0; i < 6; ++i) QTest::keyClick(scale, Qt::Key_Up);
     EXPECT_EQ(scale->currentText(), "40 %");
     EXPECT_TRUE(wait_for([&] { return sees(window, "device_virtual"); })) << "the list of the program";
+    // Tried without an attempt.
+    ui::window_test::bring(*find<QPushButton>(window, "open_device"));
+    ui::window_test::click(window, "open_device");
+    ASSERT_TRUE(wait_for([&] { return sees(window, "force_test"); }));
+    ASSERT_TRUE(wait_for([&] { return shown("device_readings").contains("Right hand: at ("); }));
+    ui::window_test::bring(*find<QPushButton>(window, "force_test"));
+    ui::window_test::click(window, "force_test");
+    ASSERT_TRUE(wait_for([&] { return services.force_test().rendered > 0.03; }));
+    keep_picture(window, "37-device-test");
+    ui::window_test::click(window, "stop_force_test");
+    EXPECT_FALSE(services.force_test().runs);
+    ASSERT_TRUE(wait_for([&] { return shown("force_test_line").contains("The force is 0"); }));
     home();
     start("A2", false);
     const double begun = right_x();

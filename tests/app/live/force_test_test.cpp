@@ -11,6 +11,7 @@
 
 #include "tests/app/program_path.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/own_folder.h"
 
 namespace fulcrum::app::program_test {
@@ -94,6 +95,15 @@ TEST_F(ForceTestOfTheDaemon, IsOverWithin50MillisecondsOfBeingStopped) {
     EXPECT_LT(worst, 50);
     RecordProperty("force_0_after_ms", std::to_string(worst));
     std::printf("force 0 at most %.1f ms after the stop\n", worst);
+}
+
+TEST_F(ForceTestOfTheDaemon, AllocatesNothingWhileItRuns) {
+    ForceTest test(client);
+    ASSERT_TRUE(fulcrum::test::until([&] { return rendered(0) > 0.02; }));
+    const std::size_t before = fulcrum::test::allocation_count();
+    usleep(500000);
+    EXPECT_EQ(fulcrum::test::allocation_count(), before);
+    EXPECT_TRUE(test.runs());
 }
 
 TEST_F(ForceTestOfTheDaemon, IsOverWhenTheWindowDoesNotWork) {

@@ -82,6 +82,7 @@ QStringList marked_texts(QString code) {
         for (auto part = literal.globalMatch(at.next().captured(1)); part.hasNext();)
             text += part.next().captured(1);
         texts << text.replace(QLatin1String("\\n"), QLatin1String("\n"))
+                     .replace(QLatin1String("\\t"), QLatin1String("\t"))
                      .replace(QLatin1String("\\u00a0"), QString(QChar(0x00a0)))
                      .replace(QLatin1String("\\\""), QLatin1String("\""));
     }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/support/support.h"
+#include "ui/style/language.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 
@@ -99,6 +100,25 @@ TEST_F(Keys, ChangedKeysMoveTheHandsAndStandInTheHelp) {
     input.set_keys(KeyMap::standard(true));
     EXPECT_TRUE(input.help_lines().contains("Right button\tcloses the jaws while held"));
     EXPECT_TRUE(input.help_lines().contains("Left button, Backspace\tthe other hand"));
+}
+
+TEST_F(Keys, TheHelpSpeaksGermanWithGermanNamesOfKeys) {
+    const Scene scene = load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json"));
+    MouseKeyboardInput input(scene);
+    use_language(Language::german);
+    const QStringList help = input.help_lines();
+    input.set_device(MouseKeyboardInput::Device::controller);
+    const QStringList controller = input.help_lines();
+    use_language(Language::english);
+    EXPECT_TRUE(
+        help.contains(QStringLiteral("Leertaste\tMaul der aktiven Hand bleibt zu oder öffnet wieder")))
+        << help.join('\n').toStdString();
+    EXPECT_TRUE(help.contains(QStringLiteral("Pfeile · Bild auf Bild ab\tOptik: sehen · hinein, heraus")));
+    for (const QStringList& lines : {help, controller})
+        for (const QString& line : lines) {
+            EXPECT_EQ(line.count('\t'), 1) << line.toStdString();
+            EXPECT_FALSE(line.contains(" the ")) << line.toStdString();
+        }
 }
 
 TEST_F(Keys, ASensitivityMovesTheHandleFurtherForTheSameMouse) {

@@ -8700,6 +8700,10 @@ Kennzahlen: %2</translation>
         <source>The test was stopped. The force is 0.</source>
         <translation>Der Test wurde angehalten. Die Kraft ist 0.</translation>
     </message>
+    <message>
+        <source>Away from you: hold the shoulder button and push the stick up.</source>
+        <translation>Von Ihnen weg: Schultertaste halten und den Stick nach oben drücken.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DevicesCard</name>
@@ -9642,10 +9646,6 @@ Kennzahlen: %2</translation>
         <translation>Maus und Tasten für die Hände</translation>
     </message>
     <message>
-        <source>Kept for you on this computer, from the next attempt on. The theatre shows them when an attempt begins, and with F1.</source>
-        <translation>Für Sie auf diesem Rechner gespeichert, ab dem nächsten Versuch. Der Saal zeigt sie, wenn ein Versuch beginnt, und mit F1.</translation>
-    </message>
-    <message>
         <source>Mouse in the right hand</source>
         <translation>Maus in der rechten Hand</translation>
     </message>
@@ -9676,6 +9676,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>%1 is already used (%2: %3). Press another key, or Escape and change that one first.</source>
         <translation>%1 ist schon vergeben (%2: %3). Drücken Sie eine andere Taste, oder Escape und ändern Sie zuerst jene.</translation>
+    </message>
+    <message>
+        <source>Kept for you on this computer, from the next attempt on. They are shown when an attempt begins, and with F1.</source>
+        <translation>Für Sie auf diesem Rechner gespeichert, ab dem nächsten Versuch. Sie werden am Beginn eines Versuchs gezeigt und mit F1.</translation>
     </message>
 </context>
 <context>
