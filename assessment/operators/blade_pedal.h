@@ -20,7 +20,7 @@ class BladePedal {
     void plan(Limb& limb) noexcept {
         if (!energy_) return;
         // With a little foresight an operator avoids the nerves, with more also the tissue next to them.
-        const double careless = (1 - skill_.foresight) * (1 - skill_.foresight);
+        const double careless = (1 - skill_.plane.care) * (1 - skill_.plane.care);
         waits_ = limb.random().uniform() >= careless;
         spares_ = limb.random().uniform() >= careless * careless;
         late_s_ = waits_ ? 0 : late_by_hesitation_s * skill_.hesitation * limb.random().uniform(0.5, 1.5);

@@ -319,7 +319,7 @@ void from_afar(CheatView& view, RigSample& sample) {
     along_shaft(sample.hand[right], -0.02 * std::min(1.0, view.time));
 }
 void blunder(Skill& skill) {
-    skill.foresight = 0;
+    skill.foresight = skill.plane.care = 0;
     skill.scope.post_error = 1.5;
     skill.scope.level_error = 0.5;
 }

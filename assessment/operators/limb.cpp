@@ -66,7 +66,7 @@ void Limb::reach(const Vector3& displacement, double width, double slowness) noe
     const double gain = skill_.gain + skill_.gain_spread * random_.normal();
     SubMovement movement;
     movement.displacement = std::clamp(gain, 0.3, 1.5) * displacement +
-                            skill_.endpoint_noise * distance * 0.577 * normal_vector(random_);
+                            steadiness_ * skill_.endpoint_noise * distance * 0.577 * normal_vector(random_);
     movement.start = time_;
     // Fitts: time grows with the logarithm of distance over width.
     const double difficulty = math::log(1 + distance / std::max(width, 1e-4)) / 0.6931471805599453;
@@ -135,7 +135,7 @@ void Limb::tick() noexcept {
     // trace fading. Each noise passes a second low-pass, so that the velocity itself is continuous.
     path_raw_ = wandering(path_raw_, path_time_s, 1.0);
     path_velocity_ += period_ / path_smooth_s * (path_raw_ - path_velocity_);
-    path_ += period_ * (skill_.path_noise * speed * path_velocity_ - path_ / path_return_s);
+    path_ += period_ * (steadiness_ * skill_.path_noise * speed * path_velocity_ - path_ / path_return_s);
     drift_raw_ = wandering(drift_raw_, drift_time_s, skill_.drift * drift_gain);
     drift_ += period_ / drift_smooth_s * (drift_raw_ - drift_);
     Vector3 tremor;

@@ -31,6 +31,8 @@ class Limb {
     void reach(const Vector3& displacement, double width, double slowness = 1) noexcept;
     /// A smooth movement of exactly this displacement in this time: for tissue that is held.
     void carry(const Vector3& displacement, double duration) noexcept;
+    /// The share of the individual's noise of paths and their ends that this arm has from now on; 1 at first.
+    void steady(double share) noexcept { steadiness_ = share; }
     /// Ends all sub-movements where they are, within a tenth of a second.
     void stop() noexcept;
     /// Wanted jaw opening (rad) and closing force (N); they change at the speed of a hand.
@@ -67,7 +69,7 @@ class Limb {
     Trocar trocar_;
     double period_;
     Random random_;
-    double time_ = 0, end_time_ = 0;
+    double time_ = 0, end_time_ = 0, steadiness_ = 1;
     std::array<SubMovement, 6> movements_;
     int count_ = 0;
     Vector3 settled_, planned_;

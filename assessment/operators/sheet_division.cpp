@@ -310,7 +310,10 @@ class SheetDivision : public Behaviour {
         }
         from_ += misses_ * further_on;
         aside_ = skill_.line.error * limb.random().normal();
-        if (of_septa()) aside_ += believed_plane(seen);
+        if (of_septa()) {
+            aside_ += believed_plane(seen);
+            for (Limb* const each : body.limb) each->steady(skill_.plane.steadiness);
+        }
         depth_ = blade_depth;
         pedal_.plan(limb);
         const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);

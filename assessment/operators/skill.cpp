@@ -50,6 +50,7 @@ Skill expert() {
     skill.plane.recognition = 1;
     skill.plane.blur = 0;
     skill.plane.lean = 0;
+    skill.plane.care = skill.foresight;
     skill.scope.post_error = 0.06;
     skill.scope.level_error = 0.025;
     skill.scope.together = 0.95;
@@ -89,6 +90,7 @@ Skill novice() {
     skill.plane.recognition = 0.2;
     skill.plane.blur = 0.006;
     skill.plane.lean = 0.006;
+    skill.plane.care = skill.foresight;
     skill.scope.post_error = 0.45;
     skill.scope.level_error = 0.20;
     skill.scope.together = 0.1;
@@ -139,9 +141,11 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
 
 /// Half-way between an expert and a novice in the hands and their pace. Follows a line as an expert does,
 /// feels the right traction a third of the way on a logarithmic scale, and makes a twentieth of a novice's
-/// errors of the plane: half-way there nobody would stay within the limits of B2 and C4. Ends the first
-/// movement to a target two thirds of the way on a logarithmic scale: further off, 42 to 43 % would pass A2.
-/// Chosen for these limits, not measured on people.
+/// errors of the plane: half-way there nobody would stay within the limits of B2 and C4. At the plane
+/// the hands are a third as unsteady as elsewhere, and the pedal is used with two thirds of an
+/// expert's foresight: without that none of 60 would pass C4. Ends the first movement to a target two thirds
+/// of the way on a logarithmic scale: further off, 42 to 43 % would pass A2. Chosen for these limits, not
+/// measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
@@ -157,6 +161,8 @@ Skill intermediate() {
     skill.plane.recognition = twentieth(a.plane.recognition, b.plane.recognition);
     skill.plane.blur = twentieth(a.plane.blur, b.plane.blur);
     skill.plane.lean = twentieth(a.plane.lean, b.plane.lean);
+    skill.plane.steadiness = 0.35;
+    skill.plane.care = a.foresight + (b.foresight - a.foresight) / 3;
     skill.scope.post_error = std::sqrt(a.scope.post_error * b.scope.post_error);
     skill.scope.level_error = std::sqrt(a.scope.level_error * b.scope.level_error);
     skill.scope.together = between(a.scope.together, b.scope.together);

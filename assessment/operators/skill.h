@@ -38,6 +38,8 @@ struct PlaneSkill {
     double recognition = 1;  ///< share of the opened fibres that is recognised as the plane
     double blur = 0;         ///< m, standard deviation of the guessed height of a plane that is not seen
     double lean = 0;         ///< m, by which a guess leans towards the rectum, away from the veins
+    double steadiness = 1;   ///< share of path and endpoint noise that the hands have there
+    double care = 0.5;       ///< foresight with the pedal
 };
 
 /// Skill used only where the scope itself is the instrument.
