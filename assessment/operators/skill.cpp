@@ -241,6 +241,8 @@ void draw_learner(double mastery, std::uint64_t individual, std::uint64_t attemp
     skill.plane.recognition = between(low.plane.recognition, high.plane.recognition);
     skill.plane.blur = between(low.plane.blur, high.plane.blur);
     skill.plane.lean = between(low.plane.lean, high.plane.lean);
+    skill.plane.steadiness = between(low.plane.steadiness, high.plane.steadiness);
+    skill.plane.care = between(low.plane.care, high.plane.care);
     skill.scope.post_error = between(low.scope.post_error, high.scope.post_error);
     skill.scope.level_error = between(low.scope.level_error, high.scope.level_error);
     skill.scope.together = between(low.scope.together, high.scope.together);
