@@ -80,25 +80,26 @@ int run_report(const Arguments& arguments) {
 }  // namespace
 
 Command report_command() {
-    return {"report",
-            "",
-            0,
-            0,
-            "Writes a progress report of a person, a cohort or an attempt; needs --as, or a programme server.",
-            joined({{"--person", "LOGIN", "A report of this person."},
-                    {"--cohort", "NAME", "A report of this cohort."},
-                    {"--attempt", "ID", "A report of this attempt."},
-                    {"--format",
-                     "FORMAT",
-                     "The kind of file.",
-                     "pdf",
-                     {"pdf", "csv", "xlsx", "json", "xapi", "trace"}},
-                    {"--home-page", "ADDRESS",
-                     "With --format xapi: the web address that the ids of your people belong to."},
-                    {"--output", "FILE", "The file to write; with --format trace the folder.", "", {}, "-o"}},
-                   session_options()),
-            run_report,
-            true};
+    return {
+        "report",
+        "",
+        0,
+        0,
+        "Writes a progress report of a person, a cohort or an attempt; needs --as, or a programme server.",
+        joined({{"--person", "LOGIN", "A report of this person."},
+                {"--cohort", "NAME", "A report of this cohort."},
+                {"--attempt", "ID", "A report of this attempt."},
+                {"--format",
+                 "FORMAT",
+                 "The kind of file.",
+                 "pdf",
+                 {"pdf", "csv", "xlsx", "json", "xapi", "trace"}},
+                {"--home-page", "ADDRESS",
+                 "With --format xapi: the web address that the ids of your people belong to."},
+                {"--output", "FILE", "The file to write; with --format trace the folder.", "", {}, "-o"}},
+               session_options()),
+        run_report,
+        true};
 }
 
 }  // namespace fulcrum::app
