@@ -78,8 +78,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     certificates_ = new CertificateCard(context);
     standing_ = new StandingCard(context);
     layout->addWidget(standing_);
-    goals_ = new GoalsCard(context, false);
-    layout->addWidget(goals_);
+    layout->addWidget(goals_ = new GoalsCard(context, false));
     curriculum_ = new CurriculumCard(context);
     connect(curriculum_, &CurriculumCard::moved, this,
             [this] { standing_->show_task(person_id_, task_id_); });
