@@ -189,6 +189,10 @@ QString standing_detail(const TaskStanding& standing) {
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Next check on %1."))
                 .arg(date_text(standing.next_check));
         case Standing::due:
+            if (standing.provisional)
+                return say(QT_TRANSLATE_NOOP(
+                    "fulcrum::ui::standing",
+                    "The limits are provisional, and passes on them do not complete it: ask your educator."));
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Two passes on one day complete it."));
         case Standing::relapsed:
             return say(

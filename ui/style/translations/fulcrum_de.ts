@@ -13025,6 +13025,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>The ratings of the attempt of %1 are below the limit: the next pass that meets the rule is rated.</source>
         <translation>Die Beurteilungen des Versuchs vom %1 liegen unter der Grenze: Der nächste bestandene Versuch, mit dem die Regel erfüllt ist, wird beurteilt.</translation>
     </message>
+    <message>
+        <source>The limits are provisional, and passes on them do not complete it: ask your educator.</source>
+        <translation>Die Grenzwerte sind vorläufig, und mit ihnen bestandene Versuche schließen sie nicht ab: Fragen Sie Ihren Ausbilder.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::text</name>
