@@ -58,7 +58,7 @@ class RatedReports : public ::testing::Test {
     }
     CohortReport cohort() const {
         return *gather_cohort(*programme.store, programme.session("director"), programme.cohort, tasks,
-                              "0.1.0", true);
+                              "0.1.0", PeoplePages::with_metrics);
     }
     std::map<std::string, QString> cells(const DataSheet& sheet, std::size_t row) const {
         const QString path = folder.filePath(QStringLiteral("sheet.xlsx"));
