@@ -53,6 +53,8 @@ std::vector<double> values(const Skill& s) {
             s.plane.recognition,
             s.plane.blur,
             s.plane.lean,
+            s.plane.steadiness,
+            s.plane.care,
             s.scope.post_error,
             s.scope.level_error,
             s.scope.together,

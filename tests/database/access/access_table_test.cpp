@@ -349,6 +349,7 @@ bool at_stations_only(Operation operation) {
         case Operation::export_cohort:
         case Operation::read_tissues:
         case Operation::read_ratings:
+        case Operation::read_goals:
             return false;
         default:
             return true;

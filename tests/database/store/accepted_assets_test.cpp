@@ -22,10 +22,10 @@ std::string digest_of_file(const std::string& name) {
 
 TEST(AcceptedAssets, TheProgramKnowsEveryFileThatItIsDeliveredWith) {
     std::size_t files = 0;
-    for (const char* folder : {"scenes", "tasks", "benchmarks", "curricula"}) {
+    for (const char* folder : {"scenes", "tasks", "benchmarks", "curricula", "demonstration"}) {
         for (const auto& entry :
              std::filesystem::directory_iterator(fulcrum::test::source_path(std::string("assets/") + folder)))
-            files += entry.path().extension() == ".json" ? 1 : 0;
+            files += entry.path().extension() != ".md" ? 1 : 0;
     }
     EXPECT_EQ(delivered_assets().size(), files);
     EXPECT_GT(files, 10U);
