@@ -201,6 +201,7 @@ class TaskRun {
             result.standing = at >= next_check_ ? Standing::due
                               : maintained_     ? Standing::maintained
                                                 : Standing::proficient;
+            result.provisional = provisional_ && result.standing == Standing::due;
             return result;
         }
         result.standing = passes_ > 0     ? Standing::passed

@@ -80,7 +80,7 @@ struct PersonRecord {
 struct TaskStanding {
     std::string task;
     Standing standing = Standing::locked;
-    bool provisional = false;           ///< passed: every pass so far is by provisional limits
+    bool provisional = false;           ///< passed, or due: every pass so far is by provisional limits
     bool met_provisionally = false;     ///< the rule is met, by provisional limits
     bool one_more_day = false;          ///< the rule is met but for passes on a second day
     int more_variants = 0;              ///< the rule is met but for passes on so many more variants

@@ -118,7 +118,7 @@ std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people
         for (const PersonStandings& person : people) {
             const PersonTask& task = person.tasks[t];
             ++one.people[task.standing.standing];
-            if (task.standing.provisional) ++one.provisional;
+            if (task.standing.provisional && task.standing.standing != Standing::due) ++one.provisional;
             if (task.first_attempt == 0) continue;
             ++one.attempted;
             if (task.first_pass > 0) ++one.passed;

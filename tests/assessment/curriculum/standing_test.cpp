@@ -147,6 +147,21 @@ TEST(Standing, ProvisionalLimitsUnlockButNeverDeclare) {
     EXPECT_EQ(ann.at("A", begin + 3 * day).standing, Standing::proficient);
 }
 
+TEST(Standing, ACheckIsProvisionalWhereEveryPassWas) {
+    const Curriculum curriculum = example();
+    Trainee ann(curriculum);
+    ann.attempt("A", begin, true).provisional = true;
+    ann.record.overrides.push_back({"1", "A", StandingOverride::Kind::proficient, begin + day});
+    EXPECT_EQ(ann.at("A", begin + 2 * day).standing, Standing::proficient);
+    EXPECT_FALSE(ann.at("A", begin + 2 * day).provisional);
+    ann.attempt("A", begin + 20 * day, true).provisional = true;
+    ann.attempt("A", begin + 20 * day + hour, true).provisional = true;
+    EXPECT_EQ(ann.at("A", begin + 21 * day).standing, Standing::due) << "they do not complete it";
+    EXPECT_TRUE(ann.at("A", begin + 21 * day).provisional);
+    ann.attempt("A", begin + 21 * day, true);
+    EXPECT_FALSE(ann.at("A", begin + 21 * day).provisional);
+}
+
 TEST(Standing, ChecksComeDueAndAreMaintainedOrOverdue) {
     const Curriculum curriculum = example();
     Trainee ann(curriculum);
