@@ -68,9 +68,7 @@ class DemonstrationStore : public ::testing::Test {
         unpacked_ms_ = timer.elapsed();
     }
     static void TearDownTestSuite() { delete folder_; }
-    void SetUp() override {
-        if (!has_demonstration()) GTEST_SKIP() << demo_asset << " was not made yet";
-    }
+    void SetUp() override { ASSERT_TRUE(has_demonstration()) << demo_asset << " is missing"; }
     static QTemporaryDir* folder_;
     static std::string path_;
     static qint64 unpacked_ms_;
@@ -189,7 +187,7 @@ TEST_F(DemonstrationStore, HasCommentsOfEachEducatorRatingsAndARequest) {
 }
 
 TEST(DemonstrationUnpacking, CanBeStoppedAndLeavesNothing) {
-    if (!has_demonstration()) GTEST_SKIP() << demo_asset << " was not made yet";
+    ASSERT_TRUE(has_demonstration()) << demo_asset << " is missing";
     const QTemporaryDir folder;
     const std::string path = folder.filePath("new/demo.db").toStdString();
     for (const double at : {0.1, 0.4, 0.8}) {
@@ -208,9 +206,7 @@ class DemonstrationWindow : public ::testing::Test {
         if (!qEnvironmentVariableIsEmpty("FULCRUM_TEST_DEMONSTRATION"))
             unpack_tested(services->store_path(true));
     }
-    void SetUp() override {
-        if (!has_demonstration()) GTEST_SKIP() << demo_asset << " was not made yet";
-    }
+    void SetUp() override { ASSERT_TRUE(has_demonstration()) << demo_asset << " is missing"; }
     ~DemonstrationWindow() override { ui::apply_theme(*qApp, ui::Theme::light); }
     void open(QSize size) {
         window = std::make_unique<ui::MainWindow>(*services);
