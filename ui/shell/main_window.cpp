@@ -138,6 +138,8 @@ QWidget* MainWindow::build_top_bar() {
     role_ = new QComboBox;
     role_->setObjectName(QStringLiteral("acting_role"));
     role_->setAccessibleName(tr("Acting role"));
+    // Otherwise it keeps the width that the first person needed.
+    role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     bar->addWidget(role_);
     theme_ = make_button(theme_title(current_theme() == Theme::light ? Theme::dark : Theme::light), "theme");

@@ -157,10 +157,15 @@ void apply_theme(QApplication& application, Theme theme) {
     load_style_resources();
     theme_in_force = theme;
     const Palette& p = palette_of(theme);
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    // Each of these is carried to every widget of every page, so what stays as it is is not set again.
+    constexpr const char* styled = "fulcrum_styled";
+    if (!application.property(styled).toBool()) {
+        application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+        application.setProperty(styled, true);
+    }
     QFont font = application.font();
     font.setPointSizeF(usual_points * percent_in_force / 100.0);
-    application.setFont(font);
+    if (font != application.font()) application.setFont(font);
     QPalette colours;
     colours.setColor(QPalette::Window, p.window);
     colours.setColor(QPalette::WindowText, p.text);
@@ -176,8 +181,9 @@ void apply_theme(QApplication& application, Theme theme) {
     colours.setColor(QPalette::PlaceholderText, p.muted);
     colours.setColor(QPalette::Disabled, QPalette::Text, p.muted);
     colours.setColor(QPalette::Disabled, QPalette::ButtonText, p.muted);
-    application.setPalette(colours);
-    application.setStyleSheet(style_sheet(p));
+    if (colours != application.palette()) application.setPalette(colours);
+    const QString sheet = style_sheet(p);
+    if (sheet != application.styleSheet()) application.setStyleSheet(sheet);
 }
 
 }  // namespace fulcrum::ui
