@@ -102,9 +102,7 @@ std::string ServerAddress::options() const {
 
 void fail_to_connect(const std::string& server, const std::string& said) {
     const char* hint = QT_TRANSLATE_NOOP(
-        "errors",
-        "check the address, the network, and that the server runs; nothing is lost, and the next sync "
-        "transfers what this one could not");
+        "errors", "check the address, the network, and that the server runs, and try again; nothing is lost");
     if (contains(said, "password"))
         hint = QT_TRANSLATE_NOOP(
             "errors",

@@ -138,8 +138,6 @@ QWidget* MainWindow::build_top_bar() {
     role_ = new QComboBox;
     role_->setObjectName(QStringLiteral("acting_role"));
     role_->setAccessibleName(tr("Acting role"));
-    // Otherwise it keeps the width that the first person needed.
-    role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     bar->addWidget(role_);
     theme_ = make_button(theme_title(current_theme() == Theme::light ? Theme::dark : Theme::light), "theme");
@@ -414,6 +412,10 @@ void MainWindow::show_session() {
         role_->addItem(tr("Acting as %1").arg(role_text(database::role_name(held))), static_cast<int>(held));
         if (held == session.role()) role_->setCurrentIndex(role_->count() - 1);
     }
+    // Qt keeps the least width of a combo box when its content changes: it would stay as wide as the last
+    // person's role.
+    QEvent look_again(QEvent::StyleChange);
+    QCoreApplication::sendEvent(role_, &look_again);
     // The server signs in, when the program starts.
     switch_user_->setVisible(!on_server());
     fill_rail();

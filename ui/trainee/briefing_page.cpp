@@ -187,8 +187,11 @@ QLayout* BriefingPage::make_beginning() {
     begin_at_->setToolTip(
         tr("From a later goal on, a simulated expert does what comes before. Such a practice run is "
            "never scored."));
+    // As long as a goal's sentence is: it takes what is left of its line.
+    begin_at_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    begin_at_->setMinimumContentsLength(18);
     beginning->add(begin_words_);
-    beginning->add(begin_at_);
+    beginning->add(begin_at_, 1);
     ghost_ = new QCheckBox(tr("With the ghost of an expert"));
     ghost_->setObjectName(QStringLiteral("with_ghost"));
     ghost_->setToolTip(

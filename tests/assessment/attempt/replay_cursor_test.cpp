@@ -9,6 +9,7 @@
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/operators/operator.h"
 #include "sim_core/numerics/state_archive.h"
+#include "tests/assessment/attempt/expert_record.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -36,7 +37,6 @@ struct Performed {
     Scene scene;
     std::uint64_t seed = 2001;
     AttemptRecord record;
-    std::uint64_t hash = 0;
 };
 
 Performed perform(const std::string& id, double longest_s) {
@@ -46,8 +46,7 @@ Performed perform(const std::string& id, double longest_s) {
     AttemptEngine engine(made.scene, made.task, made.seed);
     const auto rig = make_operator(OperatorLevel::expert, made.task, made.scene, made.seed);
     MemorySink sink;
-    made.hash =
-        run_headless(engine, *rig, sink, [longest_s](double now) { return now < longest_s; }).state_hash;
+    run_headless(engine, *rig, sink, [longest_s](double now) { return now < longest_s; });
     made.record = std::move(sink.record);
     return made;
 }
@@ -64,11 +63,11 @@ std::vector<Event> since(const std::vector<Event>& events, std::uint32_t tick) {
 class KeyFrames : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(KeyFrames, GiveTheSameSamplesEventsAndHashAsFromTheBeginning) {
-    const Performed made = perform(GetParam(), 60);
+    const test::ExpertRecord& made = test::expert_record(GetParam());
     std::vector<Frame> frames;
     std::vector<Event> events;
     {
-        AttemptEngine engine(made.scene, made.task, made.seed);
+        AttemptEngine engine(made.scene, made.task, test::expert_seed);
         ReplayCursor cursor(engine, made.record);
         std::mt19937 random(7);
         const auto last = static_cast<std::uint32_t>(made.record.inputs.size());
@@ -80,13 +79,13 @@ TEST_P(KeyFrames, GiveTheSameSamplesEventsAndHashAsFromTheBeginning) {
         cursor.run_to_end();
         const ReplayOutcome whole = cursor.take_outcome();
         ASSERT_TRUE(whole.identical);
-        ASSERT_EQ(whole.state_hash, made.hash);
+        ASSERT_EQ(whole.state_hash, made.outcome.state_hash);
         events = whole.events;
     }
     ASSERT_GE(frames.size(), 6U);
 
     // Another engine, from one place to another, back and forth.
-    AttemptEngine engine(made.scene, made.task, made.seed);
+    AttemptEngine engine(made.scene, made.task, test::expert_seed);
     ReplayCursor cursor(engine, made.record);
     std::mt19937 random(11);
     for (int round = 0; round < 12; ++round) {
@@ -103,7 +102,7 @@ TEST_P(KeyFrames, GiveTheSameSamplesEventsAndHashAsFromTheBeginning) {
     cursor.run_to_end();
     const ReplayOutcome rest = cursor.take_outcome();
     EXPECT_TRUE(rest.identical) << rest.first_divergence_s;
-    EXPECT_EQ(rest.state_hash, made.hash);
+    EXPECT_EQ(rest.state_hash, made.outcome.state_hash);
     const std::vector<Event> expected = since(events, middle.tick), found = since(rest.events, middle.tick);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -4423,8 +4423,8 @@
         <translation>nennt keine Datenbank</translation>
     </message>
     <message>
-        <source>check the address, the network, and that the server runs; nothing is lost, and the next sync transfers what this one could not</source>
-        <translation>prüfen Sie die Adresse, das Netz und ob der Server läuft; nichts ist verloren, und der nächste Abgleich überträgt, was dieser nicht konnte</translation>
+        <source>check the address, the network, and that the server runs, and try again; nothing is lost</source>
+        <translation>prüfen Sie die Adresse, das Netz und ob der Server läuft, und versuchen Sie es noch einmal; nichts ist verloren</translation>
     </message>
     <message>
         <source>put the right password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name such a file in PGPASSFILE</source>
