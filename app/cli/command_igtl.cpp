@@ -109,7 +109,7 @@ class Served {
 };
 
 int run_serve(const Arguments& arguments) {
-    const igtl::Address address = igtl::parse_address(arguments.value_or("--address", ""), "--address");
+    const igtl::Address address = igtl::parse_address(arguments.value_or("--address", ""), "--address", 0);
     const auto rate = static_cast<int>(arguments.integer("--rate", 60, 1, 1000));
     const auto speed = static_cast<int>(arguments.integer("--speed", 1, 1, 1000));
     const std::string& id = arguments.words()[0];
@@ -174,7 +174,7 @@ std::optional<RecordEnd> take_all(igtl::Decoder& decoder, TraceRecording& record
     for (Found found = decoder.next(message); found != Found::nothing; found = decoder.next(message)) {
         if (found == Found::broken) return RecordEnd::not_openigtlink;
         if (found == Found::wrong_checksum || found == Found::wrong_content) ++received.wrong;
-        if (found == Found::message && recording.take(message) == TraceRecording::Took::end)
+        if (found == Found::message && recording.take(message, wall_clock_ns()) == TraceRecording::Took::end)
             return RecordEnd::attempt_ended;
     }
     return std::nullopt;

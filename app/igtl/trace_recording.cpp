@@ -77,24 +77,25 @@ void append_hand(HandTrace& to, const WireHand& hand) {
 
 }  // namespace
 
-TraceRecording::Took TraceRecording::take(const igtl::Message& message) {
+TraceRecording::Took TraceRecording::take(const igtl::Message& message, std::int64_t arrived) {
     const std::size_t before = rows_made_;
+    const std::uint64_t time = message.time != 0 ? message.time : igtl::timestamp_of(arrived);
     igtl::Transform transform;
     igtl::Position position;
     igtl::Sensor sensor;
     igtl::Status status;
     if (message.type == "TRANSFORM" && igtl::read_transform(message.content, transform)) {
-        take_pose(message.device, message.time, igtl::pose_of(transform));
+        take_pose(message.device, time, igtl::pose_of(transform));
     } else if (message.type == "POSITION" && igtl::read_position(message.content, position)) {
-        take_pose(message.device, message.time, igtl::pose_of(position));
+        take_pose(message.device, time, igtl::pose_of(position));
     } else if (message.type == "TDATA") {
         const std::size_t count = igtl::count_of_tdata(message.content).value_or(0);
         for (std::size_t i = 0; i < count; ++i) {
             const igtl::Tracked tracked = igtl::element_of_tdata(message.content, i);
-            take_pose(tracked.name, message.time, igtl::pose_of(tracked.transform));
+            take_pose(tracked.name, time, igtl::pose_of(tracked.transform));
         }
     } else if (message.type == "SENSOR" && igtl::read_sensor(message.content, sensor)) {
-        take_sensor(message.device, message.time, sensor);
+        take_sensor(message.device, time, sensor);
     } else if (message.type == "STRING" && message.device == "Tissues") {
         std::string_view text;
         std::uint16_t encoding = 0;
@@ -106,7 +107,7 @@ TraceRecording::Took TraceRecording::take(const igtl::Message& message) {
             }
     } else if (message.type == "STATUS" && message.device == "Attempt" &&
                igtl::read_status(message.content, status)) {
-        if (status.name == "begin" && rows_made_ == 0 && in_row_ == 0) begin_ns_ = igtl::ns_of(message.time);
+        if (status.name == "begin" && rows_made_ == 0 && in_row_ == 0) begin_ns_ = igtl::ns_of(time);
         if (status.name == "end") {
             close_row();
             return Took::end;

@@ -61,8 +61,8 @@ class TraceRecording {
         : names_(std::move(names)) {}
 
     enum class Took { nothing, row, end };
-    /// Any message.
-    Took take(const igtl::Message& message);
+    /// Any message. Where it has no time of its own it gets that of its arrival (ns).
+    Took take(const igtl::Message& message, std::int64_t arrived = 0);
     std::size_t rows() const { return trace_.t.size(); }
     /// Rows that were left out because a tool that comes later was still missing, and messages whose time or
     /// content was not usable.

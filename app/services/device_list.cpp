@@ -5,11 +5,15 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "sim_core/controllers/sdl_library.h"
 #include "sim_core/devices/daemon_client.h"
+#include "sim_core/igtl/connection.h"
 #include "ui/theatre/two_mice.h"
 
 namespace fulcrum::app {
@@ -75,6 +79,56 @@ ListedDevice driven_by_library(const VendorDriver& driver, const Machine& machin
     return listed;
 }
 
+/// A program listens at this port; looked up without connecting, since some servers take one client only.
+bool is_listened_to(const std::string& sockets, int port) {
+    constexpr const char* listening = "0A";
+    char wanted[8];
+    std::snprintf(wanted, sizeof wanted, ":%04X", static_cast<unsigned>(port) & 0xffffU);
+    for (const char* name : {"/tcp", "/tcp6"}) {
+        std::ifstream lines(sockets + name);
+        std::string line;
+        while (std::getline(lines, line)) {
+            std::istringstream words(line);
+            std::string number, own, other, state;
+            words >> number >> own >> other >> state;
+            if (state == listening && own.size() > 5 && own.compare(own.size() - 5, 5, wanted) == 0) return true;
+        }
+    }
+    return false;
+}
+
+ListedDevice tracked_instruments(const Machine& machine) {
+    const igtl::Address standard;
+    ListedDevice listed{"openigtlink",
+                        QT_TRANSLATE_NOOP("fulcrum::device_list", "tracked instruments over OpenIGTLink"),
+                        DeviceClass::tracked,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {}};
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        no_daemon(listed, machine.daemon, errno);
+    } else if (machine.sends_at.find(":" + std::to_string(standard.port)) != std::string::npos) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                       "Fulcrum itself sends attempts at the port where a tracker is expected");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "switch that off, or name the tracker's server: FULCRUM_DEVICE=openigtlink:HOST:PORT");
+    } else if (is_listened_to(machine.sockets, standard.port)) {
+        listed.state = DeviceState::usable;
+        listed.found.push_back("FULCRUM_DEVICE=openigtlink:" + standard.text());
+    } else {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                       "no server listens at port 18944 of this computer");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "start PLUS, 3D Slicer or the tracker's program with an OpenIGTLink server; for one on another "
+            "computer start Fulcrum with FULCRUM_DEVICE=openigtlink:HOST:PORT");
+    }
+    return listed;
+}
+
 ListedDevice game_controllers(const ControllerLook& look) {
     using namespace controllers;
     ListedDevice listed{"controller",
@@ -118,7 +172,7 @@ ListedDevice game_controllers(const ControllerLook& look) {
 
 }  // namespace
 
-std::function<std::vector<ListedDevice>()> devices_of_machine() {
+std::function<std::vector<ListedDevice>()> devices_of_machine(const std::string& sends_at) {
     const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     std::vector<std::string> mice;
     for (const ui::MouseDevice& mouse : ui::TwoMice::connected(false)) mice.push_back(mouse.name);
@@ -131,6 +185,8 @@ std::function<std::vector<ListedDevice>()> devices_of_machine() {
         return look_at_library(daemon, kind);
     };
     machine.controllers = GameController::look;
+    machine.sockets = "/proc/net";
+    machine.sends_at = sends_at;
     return [machine] { return list_devices(machine); };
 }
 
@@ -198,6 +254,7 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
     const std::vector<UsbDevice> connected = usb_devices(machine.usb);
     for (const VendorDriver& driver : vendor_drivers())
         listed.push_back(driven_by_library(driver, machine, connected));
+    listed.push_back(tracked_instruments(machine));
     for (const UsbKind& kind : not_driven) {
         ListedDevice device{kind.kind, kind.title, kind.device_class, {}, {}, {}, {}, {}};
         for (const UsbDevice& one : connected)

@@ -16,7 +16,7 @@ DeviceClass class_of(const DeviceFacts& facts) {
 Devices::Devices(std::string specification) : specification_(std::move(specification)) {}
 
 namespace {
-constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller";
+constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller", *tracked = "openigtlink";
 constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
@@ -88,7 +88,7 @@ void Devices::set_slot_choice(const std::string& kind, const ui::SlotChoice& cho
 
 std::string Devices::chosen() {
     const std::string kind = QSettings().value(QLatin1String(chosen_key)).toString().toStdString();
-    const bool known = kind == two_mice || kind == controller || vendor_driver(kind) != nullptr;
+    const bool known = kind == two_mice || kind == controller || kind == tracked || vendor_driver(kind) != nullptr;
     return known ? kind : std::string();
 }
 
@@ -176,7 +176,9 @@ ui::DeviceInUse Devices::in_use() const {
             pad_ != nullptr ? pad_->name() : QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller");
         return device;
     }
-    device.device_class = client_ != nullptr ? class_of(client_->facts()) : DeviceClass::haptic;
+    device.device_class = client_ != nullptr      ? class_of(client_->facts())
+                          : device.kind == tracked ? DeviceClass::tracked
+                                                   : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
     return device;
 }

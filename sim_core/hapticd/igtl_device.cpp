@@ -143,9 +143,13 @@ void IgtlDevice::take_pose(std::string_view tool, const std::optional<igtl::Pose
     TrackedHandle next = handle_of(*pose, wanted_);
     next.roll += 2 * pi * std::round((slot.to.roll - next.roll) / (2 * pi));
     const bool first = slot.arrived == 0 || now - slot.arrived > largest_silence;
-    slot.interval = first ? 0 : now - slot.arrived;
-    slot.from = first ? next : slot.now;
     slot.to = next;
+    if (!first && now == slot.arrived) return;  // two that arrived together: the newer one is reached
+    if (first)
+        slot.interval = 0;
+    else
+        slot.interval = slot.interval == 0 ? now - slot.arrived : (3 * slot.interval + now - slot.arrived) / 4;
+    slot.from = first ? next : slot.now;
     if (first) slot.now = next;
     slot.arrived = now;
 }

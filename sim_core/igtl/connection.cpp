@@ -54,7 +54,7 @@ std::string Address::text() const {
     return (bare ? host : "[" + host + "]") + ":" + std::to_string(port);
 }
 
-Address parse_address(const std::string& text, const std::string& named) {
+Address parse_address(const std::string& text, const std::string& named, int least_port) {
     Address address;
     std::string host = text, port;
     const std::size_t bracket = text.rfind(']'), colon = text.rfind(':');
@@ -69,7 +69,7 @@ Address parse_address(const std::string& text, const std::string& named) {
     if (!host.empty()) address.host = host;
     char* end = nullptr;
     const long number = port.empty() ? standard_port : std::strtol(port.c_str(), &end, 10);
-    const bool is_port = number >= 1 && number <= 65535 &&
+    const bool is_port = number >= least_port && number <= 65535 &&
                          (port.empty() || (*end == '\0' && port[0] >= '0' && port[0] <= '9'));
     const char* const no_part = text.empty() || text[0] != '[' ? " \t\r\n:[]" : " \t\r\n[]";
     if (!is_port || address.host.find_first_of(no_part) != std::string::npos)

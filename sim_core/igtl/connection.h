@@ -15,8 +15,8 @@ struct Address {
     std::string text() const;
 };
 /// "HOST", ":PORT", "HOST:PORT" or "[HOST]:PORT"; empty: this computer at the standard port. Throws
-/// InputError, in which `named` is where the text is from.
-Address parse_address(const std::string& text, const std::string& named);
+/// InputError, in which `named` is where the text is from. Port 0 only for a server: one that is free.
+Address parse_address(const std::string& text, const std::string& named, int least_port = 1);
 
 /// Owns a socket that does not block.
 class Connection {

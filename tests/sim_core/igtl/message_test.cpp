@@ -141,7 +141,7 @@ TEST(IgtlMessage, ContentsOfTheGoldenMessagesAreRead) {
     Sensor sensor;
     ASSERT_TRUE(read_sensor(content_of(sensor_message), sensor));
     EXPECT_EQ(sensor.count, 6);
-    EXPECT_EQ(sensor.unit, 0x443e000000000000ULL);
+    EXPECT_EQ(sensor.unit, 0x00443e0000000000ULL) << "m/s2";
     EXPECT_DOUBLE_EQ(sensor.values[0], 123456.78);
     EXPECT_DOUBLE_EQ(sensor.values[1], 12345.678);
     const Taken position_message = decode(from_hex(golden::position_1))[0];
