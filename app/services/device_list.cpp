@@ -13,20 +13,14 @@
 
 #include "sim_core/controllers/sdl_library.h"
 #include "sim_core/devices/daemon_client.h"
+#include "sim_core/devices/spacenavd_socket.h"
 #include "sim_core/igtl/connection.h"
 #include "ui/theatre/two_mice.h"
 
 namespace fulcrum::app {
 namespace {
 
-/// A kind that this version of Fulcrum knows and cannot drive.
-struct UsbKind {
-    const char *kind, *title;
-    DeviceClass device_class;
-    const char* vendor;
-};
-constexpr UsbKind not_driven[] = {{"space-mouse", QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
-                                   DeviceClass::controller, "256f"}};
+constexpr const char* space_mouse_vendor = "256f";
 
 std::string words_of(const UsbDevice& device) {
     return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +
@@ -129,6 +123,35 @@ ListedDevice tracked_instruments(const Machine& machine) {
     return listed;
 }
 
+ListedDevice space_mouse(const Machine& machine, const std::vector<UsbDevice>& connected) {
+    ListedDevice listed{"space-mouse",
+                        QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
+                        DeviceClass::controller,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {}};
+    for (const UsbDevice& one : connected)
+        if (one.vendor == space_mouse_vendor) listed.found.push_back(words_of(one));
+    listed.state = listed.found.empty() ? DeviceState::absent : DeviceState::connected;
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        const DeviceState state = listed.state;
+        no_daemon(listed, machine.daemon, errno);
+        listed.state = state;
+    } else if (access(machine.spacenavd.c_str(), W_OK) != 0) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "spacenavd, which reads it, does not run");
+        listed.detail = machine.spacenavd + ": " + std::strerror(errno);
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "install the package spacenavd and start it with `sudo systemctl restart spacenavd`");
+    } else {  // a wireless one has a USB number that does not say so
+        listed.state = DeviceState::usable;
+        listed.found.emplace_back("FULCRUM_DEVICE=space-mouse");
+    }
+    return listed;
+}
+
 ListedDevice game_controllers(const ControllerLook& look) {
     using namespace controllers;
     ListedDevice listed{"controller",
@@ -186,6 +209,7 @@ std::function<std::vector<ListedDevice>()> devices_of_machine(const std::string&
     };
     machine.controllers = GameController::look;
     machine.sockets = "/proc/net";
+    machine.spacenavd = spacenavd_socket();
     machine.sends_at = sends_at;
     return [machine] { return list_devices(machine); };
 }
@@ -255,15 +279,7 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
     for (const VendorDriver& driver : vendor_drivers())
         listed.push_back(driven_by_library(driver, machine, connected));
     listed.push_back(tracked_instruments(machine));
-    for (const UsbKind& kind : not_driven) {
-        ListedDevice device{kind.kind, kind.title, kind.device_class, {}, {}, {}, {}, {}};
-        for (const UsbDevice& one : connected)
-            if (one.vendor == kind.vendor) device.found.push_back(words_of(one));
-        device.state = device.found.empty() ? DeviceState::absent : DeviceState::connected;
-        device.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "this version of Fulcrum cannot drive it");
-        device.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list", "use mouse and keyboard");
-        listed.push_back(device);
-    }
+    listed.push_back(space_mouse(machine, connected));
     return listed;
 }
 

@@ -27,6 +27,7 @@ struct Machine {
     std::function<LibraryLook(const std::string&)> look;  ///< at the library for a kind of device
     std::function<ControllerLook()> controllers;
     std::string sockets;  ///< folder with the system's lists of sockets, /proc/net
+    std::string spacenavd;  ///< path of its socket
     std::string sends_at;  ///< address at which this program sends over OpenIGTLink; empty: it does not
 };
 std::vector<ListedDevice> list_devices(const Machine& machine);

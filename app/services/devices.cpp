@@ -10,13 +10,14 @@
 namespace fulcrum::app {
 
 DeviceClass class_of(const DeviceFacts& facts) {
+    if (facts.kind == "space-mouse") return DeviceClass::controller;
     return facts.force[0] || facts.force[1] ? DeviceClass::haptic : DeviceClass::tracked;
 }
 
 Devices::Devices(std::string specification) : specification_(std::move(specification)) {}
 
 namespace {
-constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller", *tracked = "openigtlink";
+constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller", *tracked = "openigtlink", *space_mouse = "space-mouse";
 constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
@@ -88,7 +89,8 @@ void Devices::set_slot_choice(const std::string& kind, const ui::SlotChoice& cho
 
 std::string Devices::chosen() {
     const std::string kind = QSettings().value(QLatin1String(chosen_key)).toString().toStdString();
-    const bool known = kind == two_mice || kind == controller || kind == tracked || vendor_driver(kind) != nullptr;
+    const bool known = kind == two_mice || kind == controller || kind == tracked || kind == space_mouse ||
+                       vendor_driver(kind) != nullptr;
     return known ? kind : std::string();
 }
 
@@ -177,8 +179,9 @@ ui::DeviceInUse Devices::in_use() const {
         return device;
     }
     device.device_class = client_ != nullptr      ? class_of(client_->facts())
-                          : device.kind == tracked ? DeviceClass::tracked
-                                                   : DeviceClass::haptic;
+                          : device.kind == tracked     ? DeviceClass::tracked
+                          : device.kind == space_mouse ? DeviceClass::controller
+                                                       : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
     return device;
 }

@@ -55,12 +55,16 @@ const char* words_of(DeviceFault fault) {
                                      "used. Install the newest version of the program that sends them.");
         case DeviceFault::not_a_pose:
             return QT_TRANSLATE_NOOP("errors",
-                                     "The tracker sends poses that are not poses. Bring the instrument into "
+                                     "The tracker sends poses that cannot be used. Bring the instrument into "
                                      "its view, and calibrate it where that does not help.");
         case DeviceFault::no_poses:
             return QT_TRANSLATE_NOOP("errors",
                                      "The tracker sends no pose of an instrument. Bring the instrument into "
                                      "its view, and check that the tracker is running.");
+        case DeviceFault::spacenavd:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "spacenavd, which reads the SpaceMouse, ended or sends something else. "
+                                     "Start it again: `sudo systemctl restart spacenavd`.");
     }
     return "";
 }

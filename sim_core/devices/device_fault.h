@@ -21,7 +21,8 @@ enum class DeviceFault : std::uint32_t {
     not_openigtlink,    ///< what that server sends is not OpenIGTLink
     wrong_checksum,     ///< its messages have wrong checksums
     not_a_pose,         ///< its poses are not numbers, or not a rotation and a place
-    no_poses            ///< it sends no poses of a tool
+    no_poses,           ///< it sends no poses of a tool
+    spacenavd           ///< the program that reads a SpaceMouse ended, or sends something else
 };
 
 struct FaultReport {
@@ -37,7 +38,7 @@ const char* words_of(DeviceFault fault);
 constexpr bool needs_opening(DeviceFault fault) {
     return fault == DeviceFault::no_answer || fault == DeviceFault::servo_stopped ||
            fault == DeviceFault::driver || fault == DeviceFault::connection_ended ||
-           fault == DeviceFault::not_openigtlink;
+           fault == DeviceFault::not_openigtlink || fault == DeviceFault::spacenavd;
 }
 
 }  // namespace fulcrum

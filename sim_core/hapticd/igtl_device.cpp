@@ -225,7 +225,7 @@ void IgtlDevice::refuse() const {
         throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "its messages have wrong checksums"),
                          QT_TRANSLATE_NOOP("errors", "install the newest version of the program that sends"));
     if (bad_pose_at_ != 0)
-        throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "the poses that it sends are not poses"),
+        throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "it sends poses that cannot be used"),
                          QT_TRANSLATE_NOOP("errors", "calibrate the tracker, and send a rotation and a place "
                                                      "in millimetres"));
     std::string wanted, others;

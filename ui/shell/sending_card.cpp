@@ -32,7 +32,7 @@ SendingCard::SendingCard(Context& context)
     layout->addWidget(trouble_);
     layout->addWidget(
         make_label(tr("For example to 3D Slicer: poses of instruments and camera, and forces, 60 times a "
-                      "second, without names of people. Only programs on this computer can connect."),
+                      "second, without names of people."),
                    "muted"));
     connect(wanted_, &QCheckBox::clicked, this, [this](bool wanted) {
         context_.services().choose_sending(wanted);
@@ -59,8 +59,11 @@ void SendingCard::show_state() {
     wanted_->setChecked(now.wanted);
     wanted_->setEnabled(!now.fixed);
     QStringList lines;
-    if (!now.address.empty())
+    if (!now.address.empty()) {
         lines << tr("At %1; programs connected: %2").arg(text(now.address)).arg(now.clients);
+        lines << (now.other_computers ? tr("Programs on other computers can connect, without a password.")
+                                      : tr("Only programs on this computer can connect."));
+    }
     if (now.dropped > 0)
         lines << tr("Connections closed because the program read too slowly or sent something else: %1")
                      .arg(now.dropped);

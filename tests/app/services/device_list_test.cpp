@@ -131,6 +131,22 @@ TEST(DeviceList, ATouchIsUsableOnlyWithItsLibraryAndTheRightToOpenEachOfItsFiles
     }
 }
 
+TEST(DeviceList, ASpaceMouseIsUsableWhereSpacenavdListens) {
+    const fulcrum::test::OwnFolder usb;
+    Machine machine = machine_with(usb.path(), "/bin/sh");
+    machine.spacenavd = (usb.path() / "spnav.sock").string();
+    const auto listed = [&] { return row(list_devices(machine), "space-mouse"); };
+    EXPECT_EQ(listed().state, DeviceState::absent);
+    EXPECT_NE(listed().what_to_do.find("systemctl restart spacenavd"), std::string::npos);
+    EXPECT_EQ(listed().detail, machine.spacenavd + ": No such file or directory");
+    plug_in(usb.path(), "1-3", "256f", "c635", "SpaceMouse Compact");
+    EXPECT_EQ(listed().state, DeviceState::connected);
+    std::ofstream(machine.spacenavd) << "";
+    EXPECT_EQ(listed().state, DeviceState::usable);
+    EXPECT_EQ(listed().found, (std::vector<std::string>{"SpaceMouse Compact (256f:c635)",
+                                                        "FULCRUM_DEVICE=space-mouse"}));
+}
+
 TEST(DeviceList, ATrackersServerOnThisComputerIsFoundWithoutConnecting) {
     const fulcrum::test::OwnFolder usb, net;
     Machine machine = machine_with(usb.path(), "/bin/true");
