@@ -93,8 +93,7 @@ class Served {
             if (!last && trace_.t[row] < next_) continue;
             while (next_ <= trace_.t[row]) next_ = static_cast<double>(++slot_) / rate_;
             wait_until(trace_.t[row]);
-            server_.send(messages_of(frame_of(trace_, row, scene_), scene_, at(row)),
-                         monotonic_ns() / ms);
+            server_.send(messages_of(frame_of(trace_, row, scene_), scene_, at(row)), monotonic_ns() / ms);
             ++frames_;
         }
     }
@@ -120,22 +119,20 @@ int run_serve(const Arguments& arguments) {
     const database::Trace record = attempts.read_trace(session, id);
     const LoadedTask loaded = load_recorded(attempts, session, summary);
     const WireScene scene = wire_scene(loaded.scene);
-    const Trace trace = trace_from_samples(record.samples, record.events, scene.tissues,
-                                           loaded.scene.tick_rate, {scene.trocar[0].has_value(),
-                                                                    scene.trocar[1].has_value()});
+    const Trace trace =
+        trace_from_samples(record.samples, record.events, scene.tissues, loaded.scene.tick_rate,
+                           {scene.trocar[0].has_value(), scene.trocar[1].has_value()});
     igtl::Server server(address);
     const EndsOnInterrupt ends;
-    std::cerr << "fulcrum: sends attempt " << id << " at " << igtl::Address{address.host, server.port()}.text()
+    std::cerr << "fulcrum: sends attempt " << id << " at "
+              << igtl::Address{address.host, server.port()}.text()
               << " as soon as a program connects; Ctrl-C ends it\n";
     while (server.clients() == 0 && igtl_stopped == 0) server.step(look_ms);
     Served served(server, trace, scene, rate, speed);
     if (igtl_stopped == 0) served.run();
-    const nlohmann::json document = {{"attempt", id},
-                                     {"frames", served.frames()},
-                                     {"rate_hz", rate},
-                                     {"duration_s", trace.end},
-                                     {"clients_dropped", server.dropped()},
-                                     {"interrupted", igtl_stopped != 0}};
+    const nlohmann::json document = {
+        {"attempt", id},           {"frames", served.frames()},           {"rate_hz", rate},
+        {"duration_s", trace.end}, {"clients_dropped", server.dropped()}, {"interrupted", igtl_stopped != 0}};
     if (arguments.has("--json"))
         print_json(document);
     else
@@ -184,8 +181,10 @@ Received receive_all(igtl::Connection& connection, TraceRecording& recording, st
     Received received;
     igtl::Decoder decoder;
     for (;;) {
-        if (igtl_stopped != 0) received.end = RecordEnd::by_signal;
-        else if (monotonic_ns() >= until) received.end = RecordEnd::time_over;
+        if (igtl_stopped != 0)
+            received.end = RecordEnd::by_signal;
+        else if (monotonic_ns() >= until)
+            received.end = RecordEnd::time_over;
         else {
             connection.wait(look_ms);
             const bool open = connection.read_into(decoder);
@@ -200,15 +199,14 @@ Received receive_all(igtl::Connection& connection, TraceRecording& recording, st
 [[noreturn]] void refuse_empty(const igtl::Address& address, const TraceRecording& recording,
                                const Received& received, const TraceRecording::Names& names) {
     if (received.end == RecordEnd::not_openigtlink)
-        throw InputError(address.text(), "",
-                         QT_TRANSLATE_NOOP("errors", "what it sends is not OpenIGTLink"),
-                         QT_TRANSLATE_NOOP("errors", "check that this is the port of the OpenIGTLink server"));
+        throw InputError(
+            address.text(), "", QT_TRANSLATE_NOOP("errors", "what it sends is not OpenIGTLink"),
+            QT_TRANSLATE_NOOP("errors", "check that this is the port of the OpenIGTLink server"));
     std::string others;
     for (const std::string& name : recording.unknown_tools()) others += (others.empty() ? "" : ", ") + name;
     const std::string wanted = names[0] + ", " + names[1] + ", " + names[2];
     if (others.empty())
-        throw InputError(address.text(), "",
-                         {QT_TRANSLATE_NOOP("errors", "sent no pose of %1"), wanted},
+        throw InputError(address.text(), "", {QT_TRANSLATE_NOOP("errors", "sent no pose of %1"), wanted},
                          QT_TRANSLATE_NOOP("errors", "start sending there, then record again"));
     throw InputError(address.text(), "",
                      {QT_TRANSLATE_NOOP("errors", "sent no pose of %1, only of %2"), wanted, others},
@@ -255,33 +253,30 @@ int run_record(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> igtl_commands() {
-    return {{"igtl serve",
-             "ATTEMPT",
-             1,
-             1,
-             "Sends a stored attempt over OpenIGTLink, for example to 3D Slicer, as soon as a program connects.",
-             joined({{"--address", "ADDRESS:PORT",
-                      "Where to listen. Without it other computers cannot connect.", "127.0.0.1:18944"},
-                     {"--rate", "HZ", "Frames a second, 1 to 1000.", "60"},
-                     {"--speed", "N", "How many times as fast as it was performed, 1 to 1000.", "1"}},
-                    session_options()),
-             run_serve,
-             false,
-             "Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, CameraToPatient; "
-             "mm, axes of 3D Slicer), the force of each instrument on tissue (SENSOR LeftForce, RightForce; "
-             "N) and its state (LeftState, RightState). docs/FORMATS.md has the details."},
-            {"igtl record",
-             "[HOST:PORT]",
-             0,
-             1,
-             "Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md.",
-             {{"--output", "TRACE.csv", "The file to write.", "", {}, "-o"},
-              {"--left", "NAME", "The tool of the left hand.", tool_names[0]},
-              {"--right", "NAME", "The tool of the right hand.", tool_names[1]},
-              {"--camera", "NAME", "The tool of the scope.", tool_names[2]},
-              {"--seconds", "S", "Stop after this time, 1 to 7200.", "until the attempt ends, or Ctrl-C"},
-              json_option()},
-             run_record}};
+    return {
+        {"igtl serve", "ATTEMPT", 1, 1,
+         "Sends a stored attempt over OpenIGTLink, for example to 3D Slicer, as soon as a program connects.",
+         joined({{"--address", "ADDRESS:PORT", "Where to listen. Without it other computers cannot connect.",
+                  "127.0.0.1:18944"},
+                 {"--rate", "HZ", "Frames a second, 1 to 1000.", "60"},
+                 {"--speed", "N", "How many times as fast as it was performed, 1 to 1000.", "1"}},
+                session_options()),
+         run_serve, false,
+         "Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, CameraToPatient; "
+         "mm, axes of 3D Slicer), the force of each instrument on tissue (SENSOR LeftForce, RightForce; "
+         "N) and its state (LeftState, RightState). docs/FORMATS.md has the details."},
+        {"igtl record",
+         "[HOST:PORT]",
+         0,
+         1,
+         "Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md.",
+         {{"--output", "TRACE.csv", "The file to write.", "", {}, "-o"},
+          {"--left", "NAME", "The tool of the left hand.", tool_names[0]},
+          {"--right", "NAME", "The tool of the right hand.", tool_names[1]},
+          {"--camera", "NAME", "The tool of the scope.", tool_names[2]},
+          {"--seconds", "S", "Stop after this time, 1 to 7200.", "until the attempt ends, or Ctrl-C"},
+          json_option()},
+         run_record}};
 }
 
 }  // namespace fulcrum::app

@@ -34,7 +34,8 @@ class LiveSender::Pass {
     }
     void send_newest() {
         if (attempt_ == nullptr || ended_with(attempt_)) return;
-        const bool over = attempt_->tap->ended.load(std::memory_order_acquire);  // then the newest is the last
+        const bool over =
+            attempt_->tap->ended.load(std::memory_order_acquire);  // then the newest is the last
         TappedSample newest;
         if (attempt_->tap->newest.read(newest) && newest.sample.tick != tick_) send(newest.sample);
         if (over) end();

@@ -46,8 +46,7 @@ std::string label_of(std::string_view text) {
 /// Keeps the rows from `first` on.
 template <typename T>
 void drop_front(std::vector<T>& column, std::size_t first) {
-    if (!column.empty())
-        column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(first));
+    if (!column.empty()) column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 template <typename Visit>
@@ -130,7 +129,8 @@ void TraceRecording::take_pose(std::string_view device, std::uint64_t time,
     while (tool <= hand_count && device != names_[tool]) ++tool;
     if (tool > hand_count) {
         const std::string name(device);
-        if (unknown_.size() < most_unknown && std::find(unknown_.begin(), unknown_.end(), name) == unknown_.end())
+        if (unknown_.size() < most_unknown &&
+            std::find(unknown_.begin(), unknown_.end(), name) == unknown_.end())
             unknown_.push_back(name);
         return;
     }

@@ -180,6 +180,7 @@ class Services : public ui::ApplicationServices {
             replay.start_is_readable = attempt.meta.origin->build == state_build();
             replay.start = attempts.start_state(session, attempt.meta.id);
         }
+        replay.tap = sending_.begin(replay.loaded.scene);
         return make_replay_source(std::move(replay));
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {

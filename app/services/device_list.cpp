@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -85,7 +85,8 @@ bool is_listened_to(const std::string& sockets, int port) {
             std::istringstream words(line);
             std::string number, own, other, state;
             words >> number >> own >> other >> state;
-            if (state == listening && own.size() > 5 && own.compare(own.size() - 5, 5, wanted) == 0) return true;
+            if (state == listening && own.size() > 5 && own.compare(own.size() - 5, 5, wanted) == 0)
+                return true;
         }
     }
     return false;
@@ -104,8 +105,8 @@ ListedDevice tracked_instruments(const Machine& machine) {
     if (access(machine.daemon.c_str(), X_OK) != 0) {
         no_daemon(listed, machine.daemon, errno);
     } else if (machine.sends_at.find(":" + std::to_string(standard.port)) != std::string::npos) {
-        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list",
-                                       "Fulcrum itself sends attempts at the port where a tracker is expected");
+        listed.why = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list", "Fulcrum itself sends attempts at the port where a tracker is expected");
         listed.what_to_do = QT_TRANSLATE_NOOP(
             "fulcrum::device_list",
             "switch that off, or name the tracker's server: FULCRUM_DEVICE=openigtlink:HOST:PORT");
@@ -113,8 +114,8 @@ ListedDevice tracked_instruments(const Machine& machine) {
         listed.state = DeviceState::usable;
         listed.found.push_back("FULCRUM_DEVICE=openigtlink:" + standard.text());
     } else {
-        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list",
-                                       "no server listens at port 18944 of this computer");
+        listed.why =
+            QT_TRANSLATE_NOOP("fulcrum::device_list", "no server listens at port 18944 of this computer");
         listed.what_to_do = QT_TRANSLATE_NOOP(
             "fulcrum::device_list",
             "start PLUS, 3D Slicer or the tracker's program with an OpenIGTLink server; for one on another "

@@ -17,7 +17,8 @@ DeviceClass class_of(const DeviceFacts& facts) {
 Devices::Devices(std::string specification) : specification_(std::move(specification)) {}
 
 namespace {
-constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller", *tracked = "openigtlink", *space_mouse = "space-mouse";
+constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller",
+                     *tracked = "openigtlink", *space_mouse = "space-mouse";
 constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
@@ -178,7 +179,7 @@ ui::DeviceInUse Devices::in_use() const {
             pad_ != nullptr ? pad_->name() : QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller");
         return device;
     }
-    device.device_class = client_ != nullptr      ? class_of(client_->facts())
+    device.device_class = client_ != nullptr           ? class_of(client_->facts())
                           : device.kind == tracked     ? DeviceClass::tracked
                           : device.kind == space_mouse ? DeviceClass::controller
                                                        : DeviceClass::haptic;

@@ -40,8 +40,8 @@ ui::SendingState Sending::state() const {
     state.trouble = trouble_;
     if (sender_ == nullptr) return state;
     state.address = address_;
-    state.other_computers =
-        address_.rfind("127.", 0) != 0 && address_.rfind("[::1]", 0) != 0 && address_.rfind("localhost:", 0) != 0;
+    state.other_computers = address_.rfind("127.", 0) != 0 && address_.rfind("[::1]", 0) != 0 &&
+                            address_.rfind("localhost:", 0) != 0;
     state.clients = sender_->clients();
     state.dropped = sender_->dropped();
     return state;

@@ -18,12 +18,11 @@ std::unique_ptr<Backend> make_backend(const std::string& specification) {
     if (kind == "openigtlink") return std::make_unique<IgtlDevice>(igtl_specification(specification));
     if (kind == "space-mouse") return std::make_unique<SpaceMouseDevice>(space_mouse_slot(specification));
     if (specification.rfind(prefix, 0) != 0)
-        throw InputError(
-            "device", "", {QT_TRANSLATE_NOOP("errors", "'%1' is not known"), specification},
-            QT_TRANSLATE_NOOP(
-                "errors",
-                "use touch, force-dimension, openigtlink, space-mouse or virtual:SCRIPT.json; `fulcrum devices` "
-                "lists the devices"));
+        throw InputError("device", "", {QT_TRANSLATE_NOOP("errors", "'%1' is not known"), specification},
+                         QT_TRANSLATE_NOOP("errors",
+                                           "use touch, force-dimension, openigtlink, space-mouse or "
+                                           "virtual:SCRIPT.json; `fulcrum devices` "
+                                           "lists the devices"));
     return std::make_unique<VirtualDevice>(read_device_script(specification.substr(prefix.size())));
 }
 

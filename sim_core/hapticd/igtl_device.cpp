@@ -12,9 +12,9 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr std::int64_t ms = 1'000'000;
 constexpr int connect_limit_ms = 2000;
-constexpr std::int64_t pose_limit = 2000 * ms;      // for the first pose
-constexpr std::int64_t ask_after = 700 * ms;        // then TDATA is asked for
-constexpr std::int64_t others_limit = 400 * ms;     // for the other tools, after the first
+constexpr std::int64_t pose_limit = 2000 * ms;   // for the first pose
+constexpr std::int64_t ask_after = 700 * ms;     // then TDATA is asked for
+constexpr std::int64_t others_limit = 400 * ms;  // for the other tools, after the first
 constexpr std::int64_t least_span = 2 * ms, largest_span = 60 * ms;
 constexpr std::int64_t least_silence = 100 * ms, largest_silence = 250 * ms;
 constexpr std::int64_t fault_memory = 1000 * ms;
@@ -58,8 +58,8 @@ void take_word(IgtlSpecification& wanted, const std::string& word) {
         return;
     }
     if (key == "length") {
-        const bool digits = !value.empty() && value.size() <= 4 &&
-                            value.find_first_not_of("0123456789") == std::string::npos;
+        const bool digits =
+            !value.empty() && value.size() <= 4 && value.find_first_not_of("0123456789") == std::string::npos;
         if (!digits || std::stoi(value) > 1000) refuse_word(word);
         wanted.length = 1e-3 * std::stoi(value);
     } else if (key == "shaft") {
@@ -68,7 +68,8 @@ void take_word(IgtlSpecification& wanted, const std::string& word) {
         wanted.shaft = *direction;
     } else if (key == "axes" && value.size() == 6) {
         for (int row = 0; row < 3; ++row) {
-            const auto direction = direction_of(std::string_view(value).substr(static_cast<std::size_t>(2 * row), 2));
+            const auto direction =
+                direction_of(std::string_view(value).substr(static_cast<std::size_t>(2 * row), 2));
             if (!direction) refuse_word(word);
             wanted.axes.row(row) = direction->transpose();
         }
@@ -148,7 +149,8 @@ void IgtlDevice::take_pose(std::string_view tool, const std::optional<igtl::Pose
     if (first)
         slot.interval = 0;
     else
-        slot.interval = slot.interval == 0 ? now - slot.arrived : (3 * slot.interval + now - slot.arrived) / 4;
+        slot.interval =
+            slot.interval == 0 ? now - slot.arrived : (3 * slot.interval + now - slot.arrived) / 4;
     slot.from = first ? next : slot.now;
     if (first) slot.now = next;
     slot.arrived = now;
@@ -215,19 +217,22 @@ bool IgtlDevice::all_seen(bool named_only) const noexcept {
 void IgtlDevice::refuse() const {
     const std::string where = wanted_.address.text();
     if (ended_ == DeviceFault::not_openigtlink)
-        throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "what it sends is not OpenIGTLink"),
-                         QT_TRANSLATE_NOOP("errors", "check that this is the port of the OpenIGTLink server"));
+        throw InputError(
+            where, "", QT_TRANSLATE_NOOP("errors", "what it sends is not OpenIGTLink"),
+            QT_TRANSLATE_NOOP("errors", "check that this is the port of the OpenIGTLink server"));
     if (ended_ != DeviceFault::none)
         throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "the server closed the connection"),
-                         QT_TRANSLATE_NOOP("errors", "end other programs that are connected to it, or "
-                                                     "restart it"));
+                         QT_TRANSLATE_NOOP("errors",
+                                           "end other programs that are connected to it, or "
+                                           "restart it"));
     if (wrong_checksum_at_ != 0)
         throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "its messages have wrong checksums"),
                          QT_TRANSLATE_NOOP("errors", "install the newest version of the program that sends"));
     if (bad_pose_at_ != 0)
         throw InputError(where, "", QT_TRANSLATE_NOOP("errors", "it sends poses that cannot be used"),
-                         QT_TRANSLATE_NOOP("errors", "calibrate the tracker, and send a rotation and a place "
-                                                     "in millimetres"));
+                         QT_TRANSLATE_NOOP("errors",
+                                           "calibrate the tracker, and send a rotation and a place "
+                                           "in millimetres"));
     std::string wanted, others;
     for (std::size_t i = 0; i < device_slots; ++i)
         if (!wanted_.tool[i].empty() && slots_[i].arrived == 0)
@@ -236,10 +241,9 @@ void IgtlDevice::refuse() const {
     if (others.empty())
         throw InputError(where, "", {QT_TRANSLATE_NOOP("errors", "sent no pose of %1"), wanted},
                          QT_TRANSLATE_NOOP("errors", "start tracking there, with the tools in its view"));
-    throw InputError(where, "",
-                     {QT_TRANSLATE_NOOP("errors", "sent no pose of %1, only of %2"), wanted, others},
-                     {QT_TRANSLATE_NOOP("errors", "name its tools: openigtlink:%1,left=NAME,right=NAME"),
-                      where});
+    throw InputError(
+        where, "", {QT_TRANSLATE_NOOP("errors", "sent no pose of %1, only of %2"), wanted, others},
+        {QT_TRANSLATE_NOOP("errors", "name its tools: openigtlink:%1,left=NAME,right=NAME"), where});
 }
 
 void IgtlDevice::open() {
@@ -297,9 +301,10 @@ void IgtlDevice::read(std::int64_t now, DevicePose (&poses)[device_slots]) noexc
     }
     DeviceFault fault = ended_;
     if (fault == DeviceFault::none && any_absent)
-        fault = wrong_checksum_at_ != 0 && now - wrong_checksum_at_ < fault_memory ? DeviceFault::wrong_checksum
-                : bad_pose_at_ != 0 && now - bad_pose_at_ < fault_memory           ? DeviceFault::not_a_pose
-                                                                                   : DeviceFault::no_poses;
+        fault = wrong_checksum_at_ != 0 && now - wrong_checksum_at_ < fault_memory
+                    ? DeviceFault::wrong_checksum
+                : bad_pose_at_ != 0 && now - bad_pose_at_ < fault_memory ? DeviceFault::not_a_pose
+                                                                         : DeviceFault::no_poses;
     report_.fault = static_cast<std::uint64_t>(fault);
     report_.hands = absent;
 }

@@ -21,9 +21,9 @@ struct IgtlSpecification {
     std::array<std::string, device_slots> tool = {"LeftTipToPatient", "RightTipToPatient",
                                                   "ScopeTipToPatient"};
     std::array<bool, device_slots> named = {};  ///< by the person: it has to be there
-    double length = 0.34;                       ///< m, from the tracked point back along the shaft to the handle
-    Matrix3 axes = Matrix3::Identity();         ///< the device frame from the tracker's
-    Vector3 shaft = Vector3::UnitZ();           ///< towards the tip, in the tool's frame
+    double length = 0.34;                ///< m, from the tracked point back along the shaft to the handle
+    Matrix3 axes = Matrix3::Identity();  ///< the device frame from the tracker's
+    Vector3 shaft = Vector3::UnitZ();    ///< towards the tip, in the tool's frame
 };
 /// "openigtlink", "openigtlink:HOST:PORT,left=NAME,…" (docs/DEVICES.md). Throws InputError.
 IgtlSpecification igtl_specification(const std::string& specification);

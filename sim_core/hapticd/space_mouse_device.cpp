@@ -35,7 +35,8 @@ double space_mouse_response(std::int32_t counts) noexcept {
 }
 
 int space_mouse_slot(const std::string& specification) {
-    constexpr const char* words[device_slots] = {"space-mouse:left", "space-mouse:right", "space-mouse:scope"};
+    constexpr const char* words[device_slots] = {"space-mouse:left", "space-mouse:right",
+                                                 "space-mouse:scope"};
     for (int i = 0; i < device_slots; ++i)
         if (specification == words[i]) return i;
     if (specification == "space-mouse") return scope_slot;
@@ -57,12 +58,13 @@ void SpaceMouseDevice::open() {
     if (!fits || socket_ < 0 ||
         connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
         const int why = fits ? errno : ENAMETOOLONG;
-        throw InputError(path, "",
-                         {QT_TRANSLATE_NOOP("errors", "spacenavd, which reads the SpaceMouse, does not answer: %1"),
-                          std::strerror(why)},
-                         QT_TRANSLATE_NOOP("errors",
-                                           "install it (package spacenavd) and start it with `sudo systemctl "
-                                           "restart spacenavd`; SPNAV_SOCKET names another socket"));
+        throw InputError(
+            path, "",
+            {QT_TRANSLATE_NOOP("errors", "spacenavd, which reads the SpaceMouse, does not answer: %1"),
+             std::strerror(why)},
+            QT_TRANSLATE_NOOP("errors",
+                              "install it (package spacenavd) and start it with `sudo systemctl "
+                              "restart spacenavd`; SPNAV_SOCKET names another socket"));
     }
     greet();
     facts_.kind = "space-mouse";

@@ -44,8 +44,8 @@ std::optional<Pose> pose_of(const Position& position) noexcept;
 
 /// An element of TDATA.
 struct Tracked {
-    std::string_view name;   ///< at most 20 bytes
-    std::uint8_t kind = 2;   ///< 1 tracker, 2 instrument with 6 degrees of freedom, 3 with 3, 4 with 5
+    std::string_view name;  ///< at most 20 bytes
+    std::uint8_t kind = 2;  ///< 1 tracker, 2 instrument with 6 degrees of freedom, 3 with 3, 4 with 5
     Transform transform;
 };
 inline constexpr std::size_t tracked_size = 70;

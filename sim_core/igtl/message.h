@@ -21,7 +21,7 @@ struct ByteView {
 
 inline constexpr std::size_t header_size = 58;
 inline constexpr std::size_t extended_header_size = 12;
-inline constexpr std::size_t largest_body = 65536;  ///< bytes; a longer body is skipped, not stored
+inline constexpr std::size_t largest_body = 65536;          ///< bytes; a longer body is skipped, not stored
 inline constexpr std::uint64_t longest_skip = 1ULL << 32U;  ///< bytes; a longer body is no OpenIGTLink
 inline constexpr std::size_t type_size = 12, device_size = 20;
 inline constexpr int standard_port = 18944;

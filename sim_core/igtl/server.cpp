@@ -40,8 +40,7 @@ int port_of(int socket) {
     sockaddr_storage address{};
     socklen_t size = sizeof address;
     getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
-    if (address.ss_family == AF_INET6)
-        return ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port);
+    if (address.ss_family == AF_INET6) return ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port);
     return ntohs(reinterpret_cast<const sockaddr_in&>(address).sin_port);
 }
 

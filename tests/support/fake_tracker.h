@@ -19,7 +19,17 @@ namespace fulcrum::test {
 
 class FakeTracker {
   public:
-    enum class Mode { good, silent, not_a_number, not_a_rotation, wrong_checksum, garbage, tdata, position, image };
+    enum class Mode {
+        good,
+        silent,
+        not_a_number,
+        not_a_rotation,
+        wrong_checksum,
+        garbage,
+        tdata,
+        position,
+        image
+    };
 
     explicit FakeTracker(std::vector<std::string> tools, int port = 0, double rate = 100)
         : tools_(std::move(tools)), poses_(tools_.size()), period_ns_(static_cast<std::int64_t>(1e9 / rate)) {

@@ -94,8 +94,8 @@ inline constexpr double least_force_scale = 0.1;
 /// Whether attempts are sent to other programs over OpenIGTLink.
 struct SendingState {
     bool wanted = false;
-    bool fixed = false;   ///< an environment variable says so
-    std::string address;  ///< where they connect; empty while it is off, or cannot be served
+    bool fixed = false;            ///< an environment variable says so
+    std::string address;           ///< where they connect; empty while it is off, or cannot be served
     bool other_computers = false;  ///< can connect there
     std::size_t clients = 0;
     std::size_t dropped = 0;  ///< connections closed because of what the other side did

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum igtl serve and record: a stored attempt that was sent and recorded gives the metrics of the attempt.
+// fulcrum igtl serve and record: a stored attempt that was sent and recorded gives the metrics of the
+// attempt.
 #include <gtest/gtest.h>
 
 #include <QProcess>
@@ -73,7 +74,8 @@ double largest_difference(const nlohmann::json& stored, const nlohmann::json& re
     for (const nlohmann::json& one : stored) {
         if (one["value"].is_null()) continue;
         const auto same = std::find_if(read.begin(), read.end(), [&](const nlohmann::json& other) {
-            return other["id"] == one["id"] && other["hand"] == one["hand"] && other["tissue"] == one["tissue"];
+            return other["id"] == one["id"] && other["hand"] == one["hand"] &&
+                   other["tissue"] == one["tissue"];
         });
         const bool left_out = std::find(without.begin(), without.end(), one["id"]) != without.end();
         if (same == read.end() || (*same)["value"].is_null()) {
@@ -92,8 +94,7 @@ double largest_difference(const nlohmann::json& stored, const nlohmann::json& re
 }
 
 TEST_F(IgtlCommands, AnAttemptThatIsSentAndRecordedGivesTheMetricsOfTheAttempt) {
-    const nlohmann::json attempt =
-        run_json({"perform", "A2", "--seed", "7", "--db", path("store.db")});
+    const nlohmann::json attempt = run_json({"perform", "A2", "--seed", "7", "--db", path("store.db")});
     const std::string id = attempt["attempt"];
     struct Case {
         int rate;
@@ -127,9 +128,10 @@ TEST_F(IgtlCommands, WhatCannotBeRecordedSaysWhyAndWritesNothing) {
               std::string::npos);
     others.mode = FakeTracker::Mode::good;
     const std::string names = error_of({"igtl", "record", others.address(), "-o", file, "--seconds", "1"});
-    EXPECT_NE(names.find("sent no pose of LeftTipToPatient, RightTipToPatient, CameraToPatient, only of Probe; "
-                         "name its tools with --left"),
-              std::string::npos)
+    EXPECT_NE(
+        names.find("sent no pose of LeftTipToPatient, RightTipToPatient, CameraToPatient, only of Probe; "
+                   "name its tools with --left"),
+        std::string::npos)
         << names;
     EXPECT_NE(error_of({"igtl", "record", others.address()}).find("-o TRACE.csv"), std::string::npos);
     EXPECT_NE(error_of({"igtl", "record", "a b", "-o", file}).find("is not HOST:PORT"), std::string::npos);

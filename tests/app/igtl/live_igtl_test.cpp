@@ -120,7 +120,8 @@ TEST(LiveIgtl, TrackedInstrumentsMoveAnAttemptWhichPausesWhereTheTrackerStops) {
     tracker.move(0, pose);
     while (left().handle[1] - before.handle[1] < 49'000 && monotonic_ns() < limit) usleep(1000);
     const DeviceSample moved = left();
-    EXPECT_NEAR(moved.handle[0] - before.handle[0], -100'000, 300) << "to the right is -x of the trocar's frame";
+    EXPECT_NEAR(moved.handle[0] - before.handle[0], -100'000, 300)
+        << "to the right is -x of the trocar's frame";
     EXPECT_NEAR(moved.handle[1] - before.handle[1], 50'000, 300);
     EXPECT_EQ(moved.present, 1);
     tracker.mode = test::FakeTracker::Mode::silent;

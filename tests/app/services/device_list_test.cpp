@@ -143,8 +143,8 @@ TEST(DeviceList, ASpaceMouseIsUsableWhereSpacenavdListens) {
     EXPECT_EQ(listed().state, DeviceState::connected);
     std::ofstream(machine.spacenavd) << "";
     EXPECT_EQ(listed().state, DeviceState::usable);
-    EXPECT_EQ(listed().found, (std::vector<std::string>{"SpaceMouse Compact (256f:c635)",
-                                                        "FULCRUM_DEVICE=space-mouse"}));
+    EXPECT_EQ(listed().found,
+              (std::vector<std::string>{"SpaceMouse Compact (256f:c635)", "FULCRUM_DEVICE=space-mouse"}));
 }
 
 TEST(DeviceList, ATrackersServerOnThisComputerIsFoundWithoutConnecting) {

@@ -43,8 +43,8 @@ TEST(IgtlSpecification, NamesLengthsAndAxesAreRead) {
     EXPECT_EQ(plain.address.text(), "127.0.0.1:18944");
     EXPECT_EQ(plain.tool[1], "RightTipToPatient");
     EXPECT_FALSE(plain.named[1]);
-    const auto full = igtl_specification(
-        "openigtlink:tracker.local:1234,right=Probe,length=0,shaft=-z,axes=+y+z+x");
+    const auto full =
+        igtl_specification("openigtlink:tracker.local:1234,right=Probe,length=0,shaft=-z,axes=+y+z+x");
     EXPECT_EQ(full.address.text(), "tracker.local:1234");
     EXPECT_EQ(full.tool[0], "") << "not looked for where others are named";
     EXPECT_EQ(full.tool[1], "Probe");
@@ -54,10 +54,11 @@ TEST(IgtlSpecification, NamesLengthsAndAxesAreRead) {
     EXPECT_EQ(igtl_specification("openigtlink:left=A").address.text(), "127.0.0.1:18944");
     EXPECT_EQ(igtl_specification("openigtlink:[::1]:99").address.text(), "[::1]:99");
     for (const char* wrong :
-         {"openigtlink:a:0", "openigtlink:a:70000", "openigtlink:a:x", "openigtlink:a,left=",
-          "openigtlink:a,middle=B", "openigtlink:a,length=-3", "openigtlink:a,length=1e3",
-          "openigtlink:a,shaft=z", "openigtlink:a,axes=+x+y-z", "openigtlink:a,axes=+x+x+z", "openigtlink:a b",
-          "openigtlink:a,left=ANameOfMoreThanTwentyBytes", "openigtlink:a,", "openigtlink:a,,left=B"}) {
+         {"openigtlink:a:0", "openigtlink:a:70000", "openigtlink:a:x",
+          "openigtlink:a,left=", "openigtlink:a,middle=B", "openigtlink:a,length=-3",
+          "openigtlink:a,length=1e3", "openigtlink:a,shaft=z", "openigtlink:a,axes=+x+y-z",
+          "openigtlink:a,axes=+x+x+z", "openigtlink:a b", "openigtlink:a,left=ANameOfMoreThanTwentyBytes",
+          "openigtlink:a,", "openigtlink:a,,left=B"}) {
         if (std::string(wrong) == "openigtlink:a,") {
             EXPECT_NO_THROW(igtl_specification(wrong));
             continue;
@@ -95,8 +96,8 @@ TEST(IgtlThroughTheDaemon, PosesJawsAndButtonsArriveFromEachKindOfMessage) {
     const double jaw[] = {0.25, 4};
     igtl::append_sensor(image_and_jaw, "RightJaw", 0, jaw, 2, 0);
     tracker.also_send(image_and_jaw);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address() + ",left=" + two_tools[0] +
-                                                     ",right=" + two_tools[1] + ",length=0");
+    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address() + ",left=" +
+                                                     two_tools[0] + ",right=" + two_tools[1] + ",length=0");
     EXPECT_EQ(client.facts().kind, "openigtlink");
     EXPECT_TRUE(client.facts().slot[0] && client.facts().slot[1]);
     EXPECT_FALSE(client.facts().slot[scope_slot]);
@@ -208,14 +209,15 @@ TEST(IgtlThroughTheDaemon, WhatDoesNotOpenSaysWhy) {
     EXPECT_EQ(opening_error("openigtlink:" + others.address() + ",left=Probe,right=Stylus"), "opened");
     others.mode = Mode::garbage;
     const std::string garbage = opening_error("openigtlink:" + others.address() + ",left=Probe");
-    EXPECT_NE(garbage.find("what it sends is not OpenIGTLink; check that this is the port"), std::string::npos)
+    EXPECT_NE(garbage.find("what it sends is not OpenIGTLink; check that this is the port"),
+              std::string::npos)
         << garbage;
 }
 
 TEST(IgtlDevice, TheLoopAllocatesNothingAndASlowTrackerMovesWithoutSteps) {
     FakeTracker tracker(two_tools, 0, 50);
-    hapticd::IgtlDevice device(igtl_specification("openigtlink:" + tracker.address() + ",left=" +
-                                                  two_tools[0] + ",length=0"));
+    hapticd::IgtlDevice device(
+        igtl_specification("openigtlink:" + tracker.address() + ",left=" + two_tools[0] + ",length=0"));
     device.open();
     DevicePose poses[device_slots];
     // 1 mm with each frame of the tracker, on a clock of the test: 20 ms between two frames.

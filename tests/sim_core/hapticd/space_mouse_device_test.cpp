@@ -155,7 +155,8 @@ TEST_F(SpaceMouseThroughTheDaemon, WithoutSpacenavdItSaysWhatToDo) {
         FAIL();
     } catch (const InputError& error) {
         const std::string what = error.what();
-        EXPECT_EQ(what.find(path + ": spacenavd, which reads the SpaceMouse, does not answer: No such file"), 0U)
+        EXPECT_EQ(what.find(path + ": spacenavd, which reads the SpaceMouse, does not answer: No such file"),
+                  0U)
             << what;
         EXPECT_NE(what.find("systemctl restart spacenavd"), std::string::npos);
     }

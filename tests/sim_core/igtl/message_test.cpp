@@ -95,8 +95,8 @@ TEST(IgtlMessage, EveryGoldenMessageIsDecodedAndEncodedToTheSameBytes) {
 }
 
 TEST(IgtlMessage, ContentsOfTheGoldenMessagesAreRead) {
-    const std::array<float, 12> pose = {-0.954892F, 0.196632F,  -0.222525F, -0.196632F, 0.142857F, 0.970014F,
-                                        0.222525F,  0.970014F,  -0.0977491F, 46.0531F,  19.4709F,  46.0531F};
+    const std::array<float, 12> pose = {-0.954892F, 0.196632F, -0.222525F,  -0.196632F, 0.142857F, 0.970014F,
+                                        0.222525F,  0.970014F, -0.0977491F, 46.0531F,   19.4709F,  46.0531F};
     const auto is_that = [&](const Transform& read) {
         for (std::size_t i = 0; i < pose.size(); ++i) EXPECT_NEAR(read.values[i], pose[i], 1e-4) << i;
     };
@@ -164,7 +164,8 @@ TEST(IgtlMessage, OurOwnEncodersMakeTheGoldenBytes) {
     append_transform(out, "DeviceName", time, transform);
     EXPECT_EQ(out, from_hex(golden::transform_1));
     out.clear();
-    const Tracked tracked[] = {{"Tracker0", 2, transform}, {"Tracker1", 2, transform}, {"Tracker2", 2, transform}};
+    const Tracked tracked[] = {
+        {"Tracker0", 2, transform}, {"Tracker1", 2, transform}, {"Tracker2", 2, transform}};
     append_tdata(out, "DeviceName", time, tracked, 3);
     EXPECT_EQ(out, from_hex(golden::tdata_1));
     out.clear();

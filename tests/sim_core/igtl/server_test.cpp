@@ -164,8 +164,8 @@ TEST(IgtlServer, AddressesAreRead) {
     EXPECT_EQ(parse_address("host:7", "x").text(), "host:7");
     EXPECT_EQ(parse_address("[::1]", "x").text(), "[::1]:18944");
     EXPECT_EQ(parse_address("[fe80::1]:8", "x").text(), "[fe80::1]:8");
-    for (const char* wrong : {"host:", "host:0", "host:65536", "host:-1", "host:+1", "host: 1", "::1", "a b:1",
-                              "[::1", "[::1]x", "host:1x"}) {
+    for (const char* wrong : {"host:", "host:0", "host:65536", "host:-1", "host:+1", "host: 1", "::1",
+                              "a b:1", "[::1", "[::1]x", "host:1x"}) {
         if (std::string(wrong) == "host:") {
             EXPECT_EQ(parse_address(wrong, "x").port, standard_port);
             continue;
