@@ -45,7 +45,7 @@ int space_mouse_slot(const std::string& specification) {
 }
 
 SpaceMouseDevice::~SpaceMouseDevice() {
-    if (socket_ >= 0) close(socket_);
+    if (socket_ >= 0) ::close(socket_);
 }
 
 void SpaceMouseDevice::open() {

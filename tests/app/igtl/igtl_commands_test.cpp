@@ -80,7 +80,9 @@ double largest_difference(const nlohmann::json& stored, const nlohmann::json& re
         const bool left_out = std::find(without.begin(), without.end(), one["id"]) != without.end();
         if (same == read.end() || (*same)["value"].is_null()) {
             ++not_scored;
-            if (same != read.end()) EXPECT_FALSE((*same)["absent_because"].is_null()) << one["id"];
+            if (same != read.end()) {
+                EXPECT_FALSE((*same)["absent_because"].is_null()) << one["id"];
+            }
             continue;
         }
         if (left_out) continue;

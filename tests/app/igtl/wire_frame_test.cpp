@@ -19,7 +19,7 @@ namespace {
 using Took = TraceRecording::Took;
 
 Scene scene_of_a2() {
-    return load_task_and_scene({"A2", {}, {}}).scene;
+    return load_task_and_scene("A2").scene;
 }
 
 /// A sample of any content with unit axes and quaternion.

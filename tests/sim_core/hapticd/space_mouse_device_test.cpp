@@ -104,7 +104,7 @@ TEST_F(SpaceMouseThroughTheDaemon, TheCapMovesTheHandleAndTurnsTheRollInBothProt
         EXPECT_TRUE(client.facts().slot[scope_slot]);
         EXPECT_FALSE(client.facts().slot[0]);
         ASSERT_TRUE(until([&] { return daemon.connected() && pose(client, scope_slot).present == 1; }));
-        if (protocol == 0) EXPECT_EQ(daemon.sensitivity, 1.0F);
+        EXPECT_EQ(daemon.sensitivity, protocol == 0 ? 1.0F : 0.0F);
         daemon.send_event(3, {1, 2, 3, 4, 5, 6, 7});  // another device was connected: of no concern
         // To the right, down and away from the person; the cap turned clockwise.
         ASSERT_TRUE(until([&] {
