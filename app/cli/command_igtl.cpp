@@ -82,10 +82,11 @@ class Served {
     void wait_until(double t) {
         const std::int64_t due = begun_ + static_cast<std::int64_t>(t * 1e9 / speed_);
         for (std::int64_t now = monotonic_ns(); now < due && igtl_stopped == 0; now = monotonic_ns())
-            server_.step(static_cast<int>(std::min<std::int64_t>((due - now) / ms, look_ms)));
+            server_.step(static_cast<int>(std::min<std::int64_t>((due - now) / ms + 1, look_ms)));
         server_.step(0);
         const std::int64_t until = monotonic_ns() + patience;
         while (server_.backlog() > igtl::longest_queue / 2 && monotonic_ns() < until) server_.step(1);
+        server_.drop_behind(igtl::longest_queue / 2);
     }
     void send_block(const TraceBlock& block) {
         for (std::size_t row = block.first; row < block.last && igtl_stopped == 0; ++row) {

@@ -102,6 +102,7 @@ ListedDevice tracked_instruments(const Machine& machine) {
                         {},
                         {},
                         {}};
+    listed.state = DeviceState::absent;
     if (access(machine.daemon.c_str(), X_OK) != 0) {
         no_daemon(listed, machine.daemon, errno);
     } else if (machine.sends_at.find(":" + std::to_string(standard.port)) != std::string::npos) {
@@ -124,7 +125,7 @@ ListedDevice tracked_instruments(const Machine& machine) {
     return listed;
 }
 
-ListedDevice space_mouse(const Machine& machine, const std::vector<UsbDevice>& connected) {
+ListedDevice listed_space_mouse(const Machine& machine, const std::vector<UsbDevice>& connected) {
     ListedDevice listed{"space-mouse",
                         QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
                         DeviceClass::controller,
@@ -280,7 +281,7 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
     for (const VendorDriver& driver : vendor_drivers())
         listed.push_back(driven_by_library(driver, machine, connected));
     listed.push_back(tracked_instruments(machine));
-    listed.push_back(space_mouse(machine, connected));
+    listed.push_back(listed_space_mouse(machine, connected));
     return listed;
 }
 

@@ -112,6 +112,11 @@ std::size_t Server::backlog() const {
     return most;
 }
 
+void Server::drop_behind(std::size_t bytes) {
+    for (Client& client : clients_) client.gone = client.gone || client.queue.size() - client.sent > bytes;
+    remove_gone();
+}
+
 void Server::step(int wait_ms) {
     std::array<pollfd, most_clients + 1> waits{};
     waits[0] = {listening_, POLLIN, 0};

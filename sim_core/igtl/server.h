@@ -44,6 +44,8 @@ class Server {
     void step(int wait_ms);
     /// Most bytes that a client is behind.
     std::size_t backlog() const;
+    /// Drops the clients that are more than so many bytes behind.
+    void drop_behind(std::size_t bytes);
 
   private:
     struct Client {

@@ -46,14 +46,14 @@ class IgtlCommands : public ::testing::Test {
     /// Sends the attempt at this rate, as fast as it can be read, and records it.
     nlohmann::json sent_and_recorded(const std::string& attempt, int rate, const std::string& trace) const {
         QProcess serve;
+        serve.setProcessChannelMode(QProcess::MergedChannels);
         serve.start(QString::fromStdString(program_path()),
                     {"igtl", "serve", QString::fromStdString(attempt), "--db",
                      QString::fromStdString(path("store.db")), "--address", "127.0.0.1:0", "--rate",
                      QString::number(rate), "--speed", "1000"});
         EXPECT_TRUE(serve.waitForStarted());
         QByteArray said;
-        while (!said.contains(" as soon as") && serve.waitForReadyRead(20000))
-            said += serve.readAllStandardError() + serve.readAllStandardOutput();
+        while (!said.contains(" as soon as") && serve.waitForReadyRead(20000)) said += serve.readAll();
         const int at = said.indexOf("127.0.0.1:");
         const std::string address = said.mid(at, said.indexOf(' ', at) - at).toStdString();
         nlohmann::json recorded = run_json({"igtl", "record", address, "-o", trace});

@@ -8,6 +8,7 @@
 #include "app/igtl/wire_frame.h"
 #include "app/services/application.h"
 #include "sim_core/devices/device_page.h"
+#include "tests/app/program_path.h"
 #include "tests/support/fake_tracker.h"
 #include "tests/support/own_folder.h"
 
@@ -93,6 +94,9 @@ TEST(LiveIgtl, APortInUseIsSaidAndAttemptsGoOnWithoutSending) {
 TEST(LiveIgtl, TrackedInstrumentsMoveAnAttemptWhichPausesWhereTheTrackerStops) {
     const test::OwnFolder folder;
     test::FakeTracker tracker({"LeftTipToPatient", "RightTipToPatient"});
+    const std::string program = program_path();
+    const SetVariable daemon("FULCRUM_HAPTICD",
+                             program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd");
     const SetVariable device("FULCRUM_DEVICE", "openigtlink:" + tracker.address());
     const auto services = make_services(folder.path().string());
     services->open_store(false);

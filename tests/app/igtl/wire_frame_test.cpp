@@ -33,7 +33,7 @@ TickSample any_sample(std::mt19937& random, std::uint32_t tick) {
     for (HandSample& hand : sample.hand) {
         const Vector3 axis = direction();
         for (int i = 0; i < 3; ++i) {
-            hand.tip[i] = static_cast<std::int32_t>(3e6 * normal(random));
+            hand.tip[i] = static_cast<std::int32_t>(random() % 10'000'000U) - 5'000'000;  // half a metre
             hand.axis[i] = static_cast<std::int32_t>(std::lround(1e8 * axis[i]));
             hand.force[i] = static_cast<std::int32_t>(5e3 * normal(random));
         }

@@ -84,7 +84,7 @@ class FakeSpacenavd {
     std::thread thread_;
 };
 
-class SpaceMouseThroughTheDaemon : public ::testing::Test {
+class SpaceMouseOfSpacenavd : public ::testing::Test {
   protected:
     DevicePose pose(const DaemonClient& client, int slot) const {
         DevicePose newest;
@@ -96,7 +96,7 @@ class SpaceMouseThroughTheDaemon : public ::testing::Test {
     test::Variable socket_variable{"SPNAV_SOCKET", path};
 };
 
-TEST_F(SpaceMouseThroughTheDaemon, TheCapMovesTheHandleAndTurnsTheRollInBothProtocols) {
+TEST_F(SpaceMouseOfSpacenavd, TheCapMovesTheHandleAndTurnsTheRollInBothProtocols) {
     for (const int protocol : {1, 0}) {
         FakeSpacenavd daemon(path, protocol);
         DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse");
@@ -125,7 +125,7 @@ TEST_F(SpaceMouseThroughTheDaemon, TheCapMovesTheHandleAndTurnsTheRollInBothProt
     }
 }
 
-TEST_F(SpaceMouseThroughTheDaemon, AfterAHangUpOrRubbishTheHandIsAbsentUntilItIsOpenedAgain) {
+TEST_F(SpaceMouseOfSpacenavd, AfterAHangUpOrRubbishTheHandIsAbsentUntilItIsOpenedAgain) {
     FakeSpacenavd daemon(path, 1);
     DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse:right");
     ASSERT_TRUE(until([&] { return daemon.connected() && pose(client, 1).present == 1; }));
@@ -149,7 +149,7 @@ TEST_F(SpaceMouseThroughTheDaemon, AfterAHangUpOrRubbishTheHandIsAbsentUntilItIs
     }
 }
 
-TEST_F(SpaceMouseThroughTheDaemon, WithoutSpacenavdItSaysWhatToDo) {
+TEST_F(SpaceMouseOfSpacenavd, WithoutSpacenavdItSaysWhatToDo) {
     try {
         DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse");
         FAIL();

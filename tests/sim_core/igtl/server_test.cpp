@@ -111,6 +111,16 @@ TEST(IgtlServer, AClientThatDoesNotReadIsDroppedAndTheOthersGetEverything) {
     for (int i = 0; i < 200 && received < static_cast<std::size_t>(sent); ++i)
         received += good.receive(server).size();
     EXPECT_EQ(received, static_cast<std::size_t>(sent));
+    // Of two that are behind, the one that is further behind goes.
+    Peer another(server);
+    for (int i = 0; i < 400 && server.backlog() < 300000; ++i) {
+        server.send(frame, 0);
+        good.receive(server);
+    }
+    ASSERT_GE(server.backlog(), 300000U);
+    server.drop_behind(200000);
+    EXPECT_EQ(server.clients(), 1U);
+    EXPECT_EQ(server.dropped(), 2U);
 }
 
 TEST(IgtlServer, AClientThatSendsSomethingElseIsDroppedAndOneThatLeavesIsForgotten) {
