@@ -131,7 +131,7 @@ TEST(LiveIgtl, TrackedInstrumentsMoveAnAttemptWhichPausesWhereTheTrackerStops) {
     tracker.mode = test::FakeTracker::Mode::silent;
     while (left().present == 1 && monotonic_ns() < limit) usleep(1000);
     EXPECT_EQ(left().present, 0);
-    EXPECT_EQ(left().handle[1], moved.handle[1]);
+    EXPECT_NEAR(left().handle[1], moved.handle[1], 300) << "it stays where it was";
     while (services->device_trouble().empty() && monotonic_ns() < limit) usleep(1000);
     EXPECT_NE(services->device_trouble().words().find("sends no pose"), std::string::npos);
 }
