@@ -18,6 +18,7 @@ std::vector<Command> headless_commands() {
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
     for (const Command& command : server_commands()) commands.push_back(command);
+    for (const Command& command : igtl_commands()) commands.push_back(command);
     for (const Command& command : laboratory_commands()) commands.push_back(command);
     return commands;
 }

@@ -29,6 +29,7 @@ std::vector<Command> roster_commands();      ///< people import, cohort import
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
 std::vector<Command> server_commands();      ///< sync, server ...
+std::vector<Command> igtl_commands();        ///< igtl serve, record
 std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab
 
 Option json_option();

@@ -134,6 +134,7 @@ std::uint32_t LiveAttempt::State::device_flags(const RigSample& sample) noexcept
 void LiveAttempt::State::run_haptic() noexcept {
     counters.real_time_priority(raise_priority(80));
     Rig& rig = *request.rig;
+    SampleTap* const tap = request.tap.get();
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
     const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
     const auto period = static_cast<std::int64_t>(1e9 / engine->scene().tick_rate);
@@ -179,6 +180,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         write_forces(rig, output);
         world_ring.push(output);
         record_ring.push({output.input, output.sample});
+        if (tap != nullptr) tap->newest.write({output.sample});
         tick_count.store(tick, std::memory_order_relaxed);
         if (tick % ticks_per_step == 0) ticks_ready.post();
         last_duration = now_ns() - begin;
@@ -186,6 +188,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         counters.tick_ends(last_duration, last_use);
     }
     write_forces(rig, TickOutput{});
+    if (tap != nullptr) tap->ended.store(true, std::memory_order_release);
     haptic_stopped.store(true);
     ticks_ready.post();
 }

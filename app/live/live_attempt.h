@@ -20,6 +20,7 @@
 
 #include "app/live/loop_statistics.h"
 #include "app/live/performance.h"
+#include "app/live/sample_tap.h"
 #include "assessment/attempt/ghost.h"
 #include "database/records/recorder.h"
 #include "ui/services/application_services.h"
@@ -42,6 +43,8 @@ struct LiveRequest {
     std::function<bool(AttemptEngine& engine, const std::atomic<bool>& stop)> bring = {};
     /// Makes the ghost to be shown, null where `stop` became true before. Empty: none. As bring.
     std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>& stop)> make_ghost = {};
+    /// Gets every sample; null: nobody looks.
+    std::shared_ptr<SampleTap> tap = {};
 };
 
 class LiveAttempt : public ui::AttemptSession {

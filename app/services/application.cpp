@@ -16,6 +16,7 @@
 #include "app/services/devices.h"
 #include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
+#include "app/services/sending.h"
 #include "assessment/assets/assets.h"
 #include "assessment/attempt/engine.h"
 #include "assessment/metrics/version.h"
@@ -116,7 +117,7 @@ class Services : public ui::ApplicationServices {
                                  request.device_class, request.device, limits);
         note_curriculum(request.session, live.meta);
         live.meta.person_id = request.session.person_id();
-        return std::make_unique<LiveAttempt>(std::move(live));
+        return begin(std::move(live));
     }
     Statement why_not_comparable(const database::Session& session, const std::string& task_id,
                                  DeviceClass device_class, const std::string& variant) override {
@@ -145,7 +146,7 @@ class Services : public ui::ApplicationServices {
         live.assessed = false;
         live.rig =
             make_operator(OperatorLevel::expert, live.loaded.task, live.loaded.scene, demonstration_seed);
-        return std::make_unique<LiveAttempt>(std::move(live));
+        return begin(std::move(live));
     }
     std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
                                                         const ui::Progress& progress) override {
@@ -179,6 +180,7 @@ class Services : public ui::ApplicationServices {
             replay.start_is_readable = attempt.meta.origin->build == state_build();
             replay.start = attempts.start_state(session, attempt.meta.id);
         }
+        replay.tap = sending_.begin(replay.loaded.scene);
         return make_replay_source(std::move(replay));
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
@@ -188,6 +190,8 @@ class Services : public ui::ApplicationServices {
                           const database::TissueValues& values, const std::string& reason) override {
         fulcrum::set_site_tissues(*store_, session, task_id, seen, values, reason);
     }
+    ui::SendingState sending() const override { return sending_.state(); }
+    void choose_sending(bool wanted) override { sending_.choose(wanted); }
     ui::DeviceInUse device_in_use() const override { return devices_.in_use(); }
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
         return devices_.hands(scene, std::move(others));
@@ -210,7 +214,10 @@ class Services : public ui::ApplicationServices {
     void stop_force_test() override { devices_.stop_force_test(); }
     ui::ForceTestState force_test() override { return devices_.force_test(); }
     Sentence device_trouble() override { return devices_.trouble(); }
-    std::function<std::vector<ui::ListedDevice>()> list_devices() override { return devices_of_machine(); }
+    std::function<std::vector<ui::ListedDevice>()> list_devices() override {
+        const ui::SendingState now = sending_.state();
+        return devices_of_machine(now.address);
+    }
     std::optional<ui::DeviceReadings> device_readings() override { return devices_.readings(); }
     double force_scale(const std::string& kind) const override { return Devices::force_scale(kind); }
     void set_force_scale(const std::string& kind, double scale) override {
@@ -241,6 +248,11 @@ class Services : public ui::ApplicationServices {
         };
     }
 
+    std::unique_ptr<ui::AttemptSession> begin(LiveRequest live) {
+        live.tap = sending_.begin(live.loaded.scene);
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+
     /// Practice that begins with the state that `bring` makes.
     std::unique_ptr<ui::AttemptSession> begin_from(
         const ui::AttemptRequest& request, LoadedTask loaded, std::uint64_t seed,
@@ -267,7 +279,7 @@ class Services : public ui::ApplicationServices {
         live.limits = limits;
         live.bring = std::move(bring);
         if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
-        return std::make_unique<LiveAttempt>(std::move(live));
+        return begin(std::move(live));
     }
     std::unique_ptr<ui::AttemptSession> begin_at_moment(const ui::AttemptRequest& request) {
         const auto moment = std::dynamic_pointer_cast<const TraceMoment>(request.from);
@@ -331,6 +343,7 @@ class Services : public ui::ApplicationServices {
     Curriculum curriculum_;
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
+    Sending sending_;
     Devices devices_{device_from_environment().empty() ? Devices::chosen() : device_from_environment()};
 };
 

@@ -167,7 +167,8 @@ Command devices_command() {
             0,
             "Lists the devices for the hands: what is connected, what is not, why and what to do.",
             {{"--test", "DEVICE",
-              "Open this device (touch, force-dimension, controller, virtual:SCRIPT.json) and measure rate, "
+              "Open this device (touch, force-dimension, controller, openigtlink:HOST:PORT, space-mouse, "
+              "virtual:SCRIPT.json) and measure rate, "
               "jitter and delays."},
              {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
              {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},

@@ -4,25 +4,23 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "sim_core/controllers/sdl_library.h"
 #include "sim_core/devices/daemon_client.h"
+#include "sim_core/devices/spacenavd_socket.h"
+#include "sim_core/igtl/connection.h"
 #include "ui/theatre/two_mice.h"
 
 namespace fulcrum::app {
 namespace {
 
-/// A kind that this version of Fulcrum knows and cannot drive.
-struct UsbKind {
-    const char *kind, *title;
-    DeviceClass device_class;
-    const char* vendor;
-};
-constexpr UsbKind not_driven[] = {{"space-mouse", QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
-                                   DeviceClass::controller, "256f"}};
+constexpr const char* space_mouse_vendor = "256f";
 
 std::string words_of(const UsbDevice& device) {
     return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +
@@ -75,6 +73,87 @@ ListedDevice driven_by_library(const VendorDriver& driver, const Machine& machin
     return listed;
 }
 
+/// A program listens at this port; looked up without connecting, since some servers take one client only.
+bool is_listened_to(const std::string& sockets, int port) {
+    constexpr const char* listening = "0A";
+    char wanted[8];
+    std::snprintf(wanted, sizeof wanted, ":%04X", static_cast<unsigned>(port) & 0xffffU);
+    for (const char* name : {"/tcp", "/tcp6"}) {
+        std::ifstream lines(sockets + name);
+        std::string line;
+        while (std::getline(lines, line)) {
+            std::istringstream words(line);
+            std::string number, own, other, state;
+            words >> number >> own >> other >> state;
+            if (state == listening && own.size() > 5 && own.compare(own.size() - 5, 5, wanted) == 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+ListedDevice tracked_instruments(const Machine& machine) {
+    const igtl::Address standard;
+    ListedDevice listed{"openigtlink",
+                        QT_TRANSLATE_NOOP("fulcrum::device_list", "tracked instruments over OpenIGTLink"),
+                        DeviceClass::tracked,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {}};
+    listed.state = DeviceState::absent;
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        no_daemon(listed, machine.daemon, errno);
+    } else if (machine.sends_at.find(":" + std::to_string(standard.port)) != std::string::npos) {
+        listed.why = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list", "Fulcrum itself sends attempts at the port where a tracker is expected");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "switch that off, or name the tracker's server: FULCRUM_DEVICE=openigtlink:HOST:PORT");
+    } else if (is_listened_to(machine.sockets, standard.port)) {
+        listed.state = DeviceState::usable;
+        listed.found.push_back("FULCRUM_DEVICE=openigtlink:" + standard.text());
+    } else {
+        listed.why =
+            QT_TRANSLATE_NOOP("fulcrum::device_list", "no server listens at port 18944 of this computer");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "start PLUS, 3D Slicer or the tracker's program with an OpenIGTLink server; for one on another "
+            "computer start Fulcrum with FULCRUM_DEVICE=openigtlink:HOST:PORT");
+    }
+    return listed;
+}
+
+ListedDevice listed_space_mouse(const Machine& machine, const std::vector<UsbDevice>& connected) {
+    ListedDevice listed{"space-mouse",
+                        QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
+                        DeviceClass::controller,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {}};
+    for (const UsbDevice& one : connected)
+        if (one.vendor == space_mouse_vendor) listed.found.push_back(words_of(one));
+    listed.state = listed.found.empty() ? DeviceState::absent : DeviceState::connected;
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        const DeviceState state = listed.state;
+        no_daemon(listed, machine.daemon, errno);
+        listed.state = state;
+    } else if (access(machine.spacenavd.c_str(), W_OK) != 0) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "spacenavd, which reads it, does not run");
+        listed.detail = machine.spacenavd + ": " + std::strerror(errno);
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "install the package spacenavd and start it with `sudo systemctl restart spacenavd`");
+    } else {  // a wireless one has a USB number that does not say so
+        listed.state = DeviceState::usable;
+        listed.found.emplace_back("FULCRUM_DEVICE=space-mouse");
+    }
+    return listed;
+}
+
 ListedDevice game_controllers(const ControllerLook& look) {
     using namespace controllers;
     ListedDevice listed{"controller",
@@ -118,7 +197,7 @@ ListedDevice game_controllers(const ControllerLook& look) {
 
 }  // namespace
 
-std::function<std::vector<ListedDevice>()> devices_of_machine() {
+std::function<std::vector<ListedDevice>()> devices_of_machine(const std::string& sends_at) {
     const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     std::vector<std::string> mice;
     for (const ui::MouseDevice& mouse : ui::TwoMice::connected(false)) mice.push_back(mouse.name);
@@ -131,6 +210,9 @@ std::function<std::vector<ListedDevice>()> devices_of_machine() {
         return look_at_library(daemon, kind);
     };
     machine.controllers = GameController::look;
+    machine.sockets = "/proc/net";
+    machine.spacenavd = spacenavd_socket();
+    machine.sends_at = sends_at;
     return [machine] { return list_devices(machine); };
 }
 
@@ -198,15 +280,8 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
     const std::vector<UsbDevice> connected = usb_devices(machine.usb);
     for (const VendorDriver& driver : vendor_drivers())
         listed.push_back(driven_by_library(driver, machine, connected));
-    for (const UsbKind& kind : not_driven) {
-        ListedDevice device{kind.kind, kind.title, kind.device_class, {}, {}, {}, {}, {}};
-        for (const UsbDevice& one : connected)
-            if (one.vendor == kind.vendor) device.found.push_back(words_of(one));
-        device.state = device.found.empty() ? DeviceState::absent : DeviceState::connected;
-        device.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "this version of Fulcrum cannot drive it");
-        device.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list", "use mouse and keyboard");
-        listed.push_back(device);
-    }
+    listed.push_back(tracked_instruments(machine));
+    listed.push_back(listed_space_mouse(machine, connected));
     return listed;
 }
 

@@ -10,13 +10,15 @@
 namespace fulcrum::app {
 
 DeviceClass class_of(const DeviceFacts& facts) {
+    if (facts.kind == "space-mouse") return DeviceClass::controller;
     return facts.force[0] || facts.force[1] ? DeviceClass::haptic : DeviceClass::tracked;
 }
 
 Devices::Devices(std::string specification) : specification_(std::move(specification)) {}
 
 namespace {
-constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller";
+constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller",
+                     *tracked = "openigtlink", *space_mouse = "space-mouse";
 constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
@@ -88,7 +90,8 @@ void Devices::set_slot_choice(const std::string& kind, const ui::SlotChoice& cho
 
 std::string Devices::chosen() {
     const std::string kind = QSettings().value(QLatin1String(chosen_key)).toString().toStdString();
-    const bool known = kind == two_mice || kind == controller || vendor_driver(kind) != nullptr;
+    const bool known = kind == two_mice || kind == controller || kind == tracked || kind == space_mouse ||
+                       vendor_driver(kind) != nullptr;
     return known ? kind : std::string();
 }
 
@@ -176,7 +179,10 @@ ui::DeviceInUse Devices::in_use() const {
             pad_ != nullptr ? pad_->name() : QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller");
         return device;
     }
-    device.device_class = client_ != nullptr ? class_of(client_->facts()) : DeviceClass::haptic;
+    device.device_class = client_ != nullptr           ? class_of(client_->facts())
+                          : device.kind == tracked     ? DeviceClass::tracked
+                          : device.kind == space_mouse ? DeviceClass::controller
+                                                       : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
     return device;
 }

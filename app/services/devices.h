@@ -50,7 +50,7 @@ class Devices {
     std::int64_t counted_at_ = -1;  ///< ns; -1: not called since the device was opened
 };
 
-/// The class of a device: with force it is haptic, else tracked.
+/// The class of a device: with force it is haptic, a SpaceMouse is a controller, others are tracked.
 DeviceClass class_of(const DeviceFacts& facts);
 
 }  // namespace fulcrum::app

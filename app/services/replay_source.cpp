@@ -65,6 +65,7 @@ class Replay : public ui::ReplaySource {
         { const std::lock_guard<std::mutex> lock(mutex_); }
         asked_.notify_one();
         thread_.join();
+        if (request_.tap != nullptr) request_.tap->ended.store(true);
     }
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;
@@ -234,6 +235,7 @@ class Replay : public ui::ReplaySource {
         const auto index =
             std::min<std::size_t>(static_cast<std::size_t>(found - samples.begin()), samples.size() - 1);
         const TickSample& sample = samples[index];
+        if (request_.tap != nullptr) request_.tap->newest.write({sample});
         const RigSample& input = record_->inputs[index];
         for (int hand = 0; hand < hand_count; ++hand) {
             if (scene().instrument(static_cast<Hand>(hand)) == nullptr) continue;

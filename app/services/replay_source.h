@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/live/performance.h"
+#include "app/live/sample_tap.h"
 #include "database/rows/trace_codec.h"
 #include "ui/services/application_services.h"
 
@@ -15,9 +16,10 @@ struct ReplayRequest {
     std::uint64_t seed = 1;
     std::string attempt_id;
     std::shared_ptr<const database::Trace> trace;
-    ForceDevices devices;             ///< that rendered force in the attempt
-    std::vector<std::uint8_t> start;  ///< state that it began with (Attempts::start_state); empty: none
-    bool start_is_readable = true;    ///< false: another build wrote `start`; only poses are shown
+    ForceDevices devices;                 ///< that rendered force in the attempt
+    std::vector<std::uint8_t> start;      ///< state that it began with (Attempts::start_state); empty: none
+    bool start_is_readable = true;        ///< false: another build wrote `start`; only poses are shown
+    std::shared_ptr<SampleTap> tap = {};  ///< gets the recorded sample of what is shown; null: nobody looks
 };
 
 /// On a thread of its own one engine runs through the record once and leaves key frames (FrameStore); a

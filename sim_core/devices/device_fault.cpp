@@ -42,6 +42,29 @@ const char* words_of(DeviceFault fault) {
             return QT_TRANSLATE_NOOP("errors",
                                      "The maker's driver of the device refused a request. Install the "
                                      "driver's newest version; its messages are on standard error.");
+        case DeviceFault::connection_ended:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The connection to the tracker's server ended. Start the server again "
+                                     "and check the network.");
+        case DeviceFault::not_openigtlink:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "What the tracker's server sends is not OpenIGTLink. Check its port.");
+        case DeviceFault::wrong_checksum:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "Messages of the tracker's server have wrong checksums and are not "
+                                     "used. Install the newest version of the program that sends them.");
+        case DeviceFault::not_a_pose:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The tracker sends poses that cannot be used. Bring the instrument into "
+                                     "its view, and calibrate it where that does not help.");
+        case DeviceFault::no_poses:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The tracker sends no pose of an instrument. Bring the instrument into "
+                                     "its view, and check that the tracker is running.");
+        case DeviceFault::spacenavd:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "spacenavd, which reads the SpaceMouse, ended or sends something else. "
+                                     "Start it again: `sudo systemctl restart spacenavd`.");
     }
     return "";
 }

@@ -16,7 +16,13 @@ enum class DeviceFault : std::uint32_t {
     switched_off,       ///< force is switched off at the device
     no_answer,          ///< communication error: cable, power or firmware
     servo_stopped,      ///< the loop of the maker's library does not run
-    driver              ///< the maker's library refused a call
+    driver,             ///< the maker's library refused a call
+    connection_ended,   ///< the server of a tracker closed the connection, or it failed
+    not_openigtlink,    ///< what that server sends is not OpenIGTLink
+    wrong_checksum,     ///< its messages have wrong checksums
+    not_a_pose,         ///< its poses are not numbers, or not a rotation and a place
+    no_poses,           ///< it sends no poses of a tool
+    spacenavd           ///< the program that reads a SpaceMouse ended, or sends something else
 };
 
 struct FaultReport {
@@ -31,7 +37,8 @@ const char* words_of(DeviceFault fault);
 /// True if the device has to be opened again.
 constexpr bool needs_opening(DeviceFault fault) {
     return fault == DeviceFault::no_answer || fault == DeviceFault::servo_stopped ||
-           fault == DeviceFault::driver;
+           fault == DeviceFault::driver || fault == DeviceFault::connection_ended ||
+           fault == DeviceFault::not_openigtlink || fault == DeviceFault::spacenavd;
 }
 
 }  // namespace fulcrum

@@ -91,6 +91,17 @@ inline constexpr double least_motion_scale = 0.5, largest_motion_scale = 2;
 /// Share of the model's force that a device may render: at least this, at most 1.
 inline constexpr double least_force_scale = 0.1;
 
+/// Whether attempts are sent to other programs over OpenIGTLink.
+struct SendingState {
+    bool wanted = false;
+    bool fixed = false;            ///< an environment variable says so
+    std::string address;           ///< where they connect; empty while it is off, or cannot be served
+    bool other_computers = false;  ///< can connect there
+    std::size_t clients = 0;
+    std::size_t dropped = 0;  ///< connections closed because of what the other side did
+    Sentence trouble;         ///< why it cannot be served, and what to do
+};
+
 class DeviceService {
   public:
     virtual ~DeviceService() = default;
@@ -106,6 +117,9 @@ class DeviceService {
     virtual void set_rumble_wanted(bool /*wanted*/) {}
     /// What is wrong with the device in use and what to do; empty while nothing is.
     virtual Sentence device_trouble() { return {}; }
+    virtual SendingState sending() const { return {}; }
+    /// Remembered; from the next attempt on.
+    virtual void choose_sending(bool /*wanted*/) {}
     /// The devices of this machine. The function that is returned does the work and may run on any thread.
     virtual std::function<std::vector<ListedDevice>()> list_devices() {
         return [] { return std::vector<ListedDevice>(); };

@@ -7,6 +7,7 @@
 
 #include "ui/shell/devices_card.h"
 #include "ui/shell/keys_card.h"
+#include "ui/shell/sending_card.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -48,6 +49,7 @@ SettingsPage::SettingsPage(Context& context)
     layout->addWidget(build_language());
     layout->addWidget(new KeysCard(context));
     layout->addWidget(new DevicesCard(context));
+    layout->addWidget(new SendingCard(context));
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);

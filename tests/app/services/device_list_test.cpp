@@ -131,5 +131,43 @@ TEST(DeviceList, ATouchIsUsableOnlyWithItsLibraryAndTheRightToOpenEachOfItsFiles
     }
 }
 
+TEST(DeviceList, ASpaceMouseIsUsableWhereSpacenavdListens) {
+    const fulcrum::test::OwnFolder usb;
+    Machine machine = machine_with(usb.path(), "/bin/sh");
+    machine.spacenavd = (usb.path() / "spnav.sock").string();
+    const auto listed = [&] { return row(list_devices(machine), "space-mouse"); };
+    EXPECT_EQ(listed().state, DeviceState::absent);
+    EXPECT_NE(listed().what_to_do.find("systemctl restart spacenavd"), std::string::npos);
+    EXPECT_EQ(listed().detail, machine.spacenavd + ": No such file or directory");
+    plug_in(usb.path(), "1-3", "256f", "c635", "SpaceMouse Compact");
+    EXPECT_EQ(listed().state, DeviceState::connected);
+    std::ofstream(machine.spacenavd) << "";
+    EXPECT_EQ(listed().state, DeviceState::usable);
+    EXPECT_EQ(listed().found,
+              (std::vector<std::string>{"SpaceMouse Compact (256f:c635)", "FULCRUM_DEVICE=space-mouse"}));
+}
+
+TEST(DeviceList, ATrackersServerOnThisComputerIsFoundWithoutConnecting) {
+    const fulcrum::test::OwnFolder usb, net;
+    Machine machine = machine_with(usb.path(), "/bin/true");
+    machine.sockets = net.path().string();
+    EXPECT_EQ(row(list_devices(machine), "openigtlink").state, DeviceState::absent);
+    EXPECT_NE(row(list_devices(machine), "openigtlink").what_to_do.find("openigtlink:HOST:PORT"),
+              std::string::npos);
+    const auto socket_is = [&](const char* file, const char* state) {
+        std::ofstream(net.path() / file) << "  sl  local_address rem_address   st tx_queue rx_queue\n"
+                                         << "   0: 0100007F:1F90 00000000:0000 0A 0:0\n"
+                                         << "   1: 0100007F:4A00 00000000:0000 " << state << " 0:0\n";
+    };
+    socket_is("tcp", "06");  // a connection that is closing
+    EXPECT_EQ(row(list_devices(machine), "openigtlink").state, DeviceState::absent);
+    socket_is("tcp6", "0A");
+    const ListedDevice found = row(list_devices(machine), "openigtlink");
+    EXPECT_EQ(found.state, DeviceState::usable);
+    EXPECT_EQ(found.found, std::vector<std::string>{"FULCRUM_DEVICE=openigtlink:127.0.0.1:18944"});
+    machine.sends_at = "127.0.0.1:18944";
+    EXPECT_EQ(row(list_devices(machine), "openigtlink").state, DeviceState::absent);
+}
+
 }  // namespace
 }  // namespace fulcrum::app::program_test

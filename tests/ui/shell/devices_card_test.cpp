@@ -39,8 +39,9 @@ class DevicesOnThePage : public Screens {
                              DeviceClass::controller,
                              DeviceState::absent,
                              {},
-                             "this version of Fulcrum cannot drive it",
-                             "use mouse and keyboard"}};
+                             "spacenavd, which reads it, does not run",
+                             "install the package spacenavd and start it with `sudo systemctl restart "
+                             "spacenavd`"}};
     }
     ~DevicesOnThePage() override {
         window.reset();

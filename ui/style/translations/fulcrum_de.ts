@@ -4699,10 +4699,6 @@
         <translation>installieren Sie die neueste Version des Treibers des Herstellers</translation>
     </message>
     <message>
-        <source>use touch, force-dimension or virtual:SCRIPT.json; `fulcrum devices` lists the devices</source>
-        <translation>verwenden Sie touch, force-dimension oder virtual:SKRIPT.json; `fulcrum devices` zeigt die Geräte</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; does not number the devices</source>
         <translation>„%1“ nummeriert die Geräte nicht</translation>
     </message>
@@ -5234,6 +5230,150 @@
         <source>install the program again</source>
         <translation>installieren Sie das Programm neu</translation>
     </message>
+    <message>
+        <source>The connection to the tracker&apos;s server ended. Start the server again and check the network.</source>
+        <translation>Die Verbindung zum Server des Trackers ist beendet. Starten Sie den Server neu und prüfen Sie das Netzwerk.</translation>
+    </message>
+    <message>
+        <source>What the tracker&apos;s server sends is not OpenIGTLink. Check its port.</source>
+        <translation>Was der Server des Trackers sendet, ist kein OpenIGTLink. Prüfen Sie seinen Port.</translation>
+    </message>
+    <message>
+        <source>Messages of the tracker&apos;s server have wrong checksums and are not used. Install the newest version of the program that sends them.</source>
+        <translation>Nachrichten des Tracker-Servers haben falsche Prüfsummen und werden nicht verwendet. Installieren Sie die neueste Version des Programms, das sie sendet.</translation>
+    </message>
+    <message>
+        <source>The tracker sends no pose of an instrument. Bring the instrument into its view, and check that the tracker is running.</source>
+        <translation>Der Tracker sendet von einem Instrument keine Lage. Bringen Sie das Instrument in sein Sichtfeld und prüfen Sie, ob der Tracker läuft.</translation>
+    </message>
+    <message>
+        <source>spacenavd, which reads the SpaceMouse, ended or sends something else. Start it again: `sudo systemctl restart spacenavd`.</source>
+        <translation>spacenavd, das die SpaceMouse liest, hat sich beendet oder sendet etwas anderes. Starten Sie es neu: `sudo systemctl restart spacenavd`.</translation>
+    </message>
+    <message>
+        <source>use touch, force-dimension, openigtlink, space-mouse or virtual:SCRIPT.json; `fulcrum devices` lists the devices</source>
+        <translation>verwenden Sie touch, force-dimension, openigtlink, space-mouse oder virtual:SCRIPT.json; `fulcrum devices` listet die Geräte auf</translation>
+    </message>
+    <message>
+        <source>use openigtlink:HOST:PORT, then left=NAME, right=NAME, scope=NAME, length=MM, shaft=+z or axes=+x+y+z, each after a comma</source>
+        <translation>verwenden Sie openigtlink:HOST:PORT, danach left=NAME, right=NAME, scope=NAME, length=MM, shaft=+z oder axes=+x+y+z, jeweils nach einem Komma</translation>
+    </message>
+    <message>
+        <source>%1 is not a right-handed frame</source>
+        <translation>%1 ist kein rechtshändiges Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>name the axis of the tracker that points to the right, the one that points up and the one towards the person</source>
+        <translation>nennen Sie die Achse des Trackers, die nach rechts zeigt, die nach oben und die zur Person hin</translation>
+    </message>
+    <message>
+        <source>what it sends is not OpenIGTLink</source>
+        <translation>was dort gesendet wird, ist kein OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>check that this is the port of the OpenIGTLink server</source>
+        <translation>prüfen Sie, ob dies der Port des OpenIGTLink-Servers ist</translation>
+    </message>
+    <message>
+        <source>the server closed the connection</source>
+        <translation>der Server hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>end other programs that are connected to it, or restart it</source>
+        <translation>beenden Sie andere Programme, die mit ihm verbunden sind, oder starten Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>its messages have wrong checksums</source>
+        <translation>seine Nachrichten haben falsche Prüfsummen</translation>
+    </message>
+    <message>
+        <source>install the newest version of the program that sends</source>
+        <translation>installieren Sie die neueste Version des Programms, das sendet</translation>
+    </message>
+    <message>
+        <source>calibrate the tracker, and send a rotation and a place in millimetres</source>
+        <translation>kalibrieren Sie den Tracker, und senden Sie eine Drehung und einen Ort in Millimetern</translation>
+    </message>
+    <message>
+        <source>sent no pose of %1</source>
+        <translation>hat keine Lage von %1 gesendet</translation>
+    </message>
+    <message>
+        <source>start tracking there, with the tools in its view</source>
+        <translation>starten Sie dort die Verfolgung, mit den Werkzeugen im Sichtfeld</translation>
+    </message>
+    <message>
+        <source>sent no pose of %1, only of %2</source>
+        <translation>hat keine Lage von %1 gesendet, nur von %2</translation>
+    </message>
+    <message>
+        <source>name its tools: openigtlink:%1,left=NAME,right=NAME</source>
+        <translation>nennen Sie seine Werkzeuge: openigtlink:%1,left=NAME,right=NAME</translation>
+    </message>
+    <message>
+        <source>use space-mouse, space-mouse:left or space-mouse:right</source>
+        <translation>verwenden Sie space-mouse, space-mouse:left oder space-mouse:right</translation>
+    </message>
+    <message>
+        <source>spacenavd, which reads the SpaceMouse, does not answer: %1</source>
+        <translation>spacenavd, das die SpaceMouse liest, antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>install it (package spacenavd) and start it with `sudo systemctl restart spacenavd`; SPNAV_SOCKET names another socket</source>
+        <translation>installieren Sie es (Paket spacenavd) und starten Sie es mit `sudo systemctl restart spacenavd`; SPNAV_SOCKET nennt einen anderen Socket</translation>
+    </message>
+    <message>
+        <source>no computer of this name: %1</source>
+        <translation>kein Computer dieses Namens: %1</translation>
+    </message>
+    <message>
+        <source>check the name, or give the number of its address</source>
+        <translation>prüfen Sie den Namen, oder geben Sie die Adresse als Zahl an</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not HOST:PORT</source>
+        <translation>„%1“ ist nicht HOST:PORT</translation>
+    </message>
+    <message>
+        <source>such as 127.0.0.1:18944 or [::1]:18944</source>
+        <translation>zum Beispiel 127.0.0.1:18944 oder [::1]:18944</translation>
+    </message>
+    <message>
+        <source>no OpenIGTLink server answers: %1</source>
+        <translation>kein OpenIGTLink-Server antwortet: %1</translation>
+    </message>
+    <message>
+        <source>start the server (in PLUS, 3D Slicer or the tracker&apos;s own program), and check its address, its port and the firewall</source>
+        <translation>starten Sie den Server (in PLUS, 3D Slicer oder im Programm des Trackers), und prüfen Sie Adresse, Port und Firewall</translation>
+    </message>
+    <message>
+        <source>cannot be served: %1</source>
+        <translation>kann nicht bedient werden: %1</translation>
+    </message>
+    <message>
+        <source>end the other program that uses this port (3D Slicer and PLUS use 18944 as well), or choose another port or an address of this computer</source>
+        <translation>beenden Sie das andere Programm, das diesen Port benutzt (auch 3D Slicer und PLUS benutzen 18944), oder wählen Sie einen anderen Port oder eine Adresse dieses Computers</translation>
+    </message>
+    <message>
+        <source>start sending there, then record again</source>
+        <translation>starten Sie dort das Senden, und nehmen Sie dann noch einmal auf</translation>
+    </message>
+    <message>
+        <source>name its tools with --left, --right and --camera</source>
+        <translation>nennen Sie seine Werkzeuge mit --left, --right und --camera</translation>
+    </message>
+    <message>
+        <source>name the file of the trace: -o TRACE.csv</source>
+        <translation>nennen Sie die Datei der Aufzeichnung: -o TRACE.csv</translation>
+    </message>
+    <message>
+        <source>The tracker sends poses that cannot be used. Bring the instrument into its view, and calibrate it where that does not help.</source>
+        <translation>Der Tracker sendet Lagen, die nicht brauchbar sind. Bringen Sie das Instrument in sein Sichtfeld; hilft das nicht, kalibrieren Sie ihn.</translation>
+    </message>
+    <message>
+        <source>it sends poses that cannot be used</source>
+        <translation>er sendet Lagen, die nicht brauchbar sind</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -5355,14 +5495,6 @@
         <translation>installieren Sie fulcrum-hapticd neben fulcrum, oder nennen Sie es in FULCRUM_HAPTICD</translation>
     </message>
     <message>
-        <source>this version of Fulcrum cannot drive it</source>
-        <translation>diese Version von Fulcrum kann es nicht ansteuern</translation>
-    </message>
-    <message>
-        <source>use mouse and keyboard</source>
-        <translation>verwenden Sie Maus und Tastatur</translation>
-    </message>
-    <message>
         <source>two mice and keyboard</source>
         <translation>zwei Mäuse und Tastatur</translation>
     </message>
@@ -5401,6 +5533,34 @@
     <message>
         <source>connect one by cable or Bluetooth and switch it on; your account needs the right to read /dev/input/event*</source>
         <translation>schließen Sie einen mit Kabel oder Bluetooth an und schalten Sie ihn ein; Ihr Konto braucht das Recht, /dev/input/event* zu lesen</translation>
+    </message>
+    <message>
+        <source>tracked instruments over OpenIGTLink</source>
+        <translation>verfolgte Instrumente über OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>Fulcrum itself sends attempts at the port where a tracker is expected</source>
+        <translation>Fulcrum selbst sendet Versuche an dem Port, an dem ein Tracker erwartet wird</translation>
+    </message>
+    <message>
+        <source>switch that off, or name the tracker&apos;s server: FULCRUM_DEVICE=openigtlink:HOST:PORT</source>
+        <translation>schalten Sie das aus, oder nennen Sie den Server des Trackers: FULCRUM_DEVICE=openigtlink:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>no server listens at port 18944 of this computer</source>
+        <translation>an Port 18944 dieses Computers wartet kein Server</translation>
+    </message>
+    <message>
+        <source>start PLUS, 3D Slicer or the tracker&apos;s program with an OpenIGTLink server; for one on another computer start Fulcrum with FULCRUM_DEVICE=openigtlink:HOST:PORT</source>
+        <translation>starten Sie PLUS, 3D Slicer oder das Programm des Trackers mit einem OpenIGTLink-Server; für einen auf einem anderen Computer starten Sie Fulcrum mit FULCRUM_DEVICE=openigtlink:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>spacenavd, which reads it, does not run</source>
+        <translation>spacenavd, das sie liest, läuft nicht</translation>
+    </message>
+    <message>
+        <source>install the package spacenavd and start it with `sudo systemctl restart spacenavd`</source>
+        <translation>installieren Sie das Paket spacenavd und starten Sie es mit `sudo systemctl restart spacenavd`</translation>
     </message>
 </context>
 <context>
@@ -11448,6 +11608,41 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>No picture: %1</source>
         <translation>Kein Bild: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::SendingCard</name>
+    <message>
+        <source>Send attempts to other programs</source>
+        <translation>Versuche an andere Programme senden</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink</source>
+        <translation>OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>At %1; programs connected: %2</source>
+        <translation>Unter %1; verbundene Programme: %2</translation>
+    </message>
+    <message>
+        <source>Connections closed because the program read too slowly or sent something else: %1</source>
+        <translation>Verbindungen, die geschlossen wurden, weil das Programm zu langsam las oder etwas anderes sendete: %1</translation>
+    </message>
+    <message>
+        <source>The environment variable FULCRUM_OPENIGTLINK names the address when Fulcrum starts.</source>
+        <translation>Die Umgebungsvariable FULCRUM_OPENIGTLINK nennt beim Start von Fulcrum die Adresse.</translation>
+    </message>
+    <message>
+        <source>For example to 3D Slicer: poses of instruments and camera, and forces, 60 times a second, without names of people.</source>
+        <translation>Zum Beispiel an 3D Slicer: Lagen von Instrumenten und Kamera sowie Kräfte, 60-mal pro Sekunde, ohne Namen von Personen.</translation>
+    </message>
+    <message>
+        <source>Programs on other computers can connect, without a password.</source>
+        <translation>Programme auf anderen Computern können sich verbinden, ohne Passwort.</translation>
+    </message>
+    <message>
+        <source>Only programs on this computer can connect.</source>
+        <translation>Nur Programme auf diesem Computer können sich verbinden.</translation>
     </message>
 </context>
 <context>

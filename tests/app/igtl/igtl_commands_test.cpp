@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum igtl serve and record: a stored attempt that was sent and recorded gives the metrics of the
+// attempt.
+#include <gtest/gtest.h>
+
+#include <QProcess>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/services/program.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/app/program_path.h"
+#include "tests/support/fake_tracker.h"
+#include "tests/support/own_folder.h"
+
+namespace fulcrum::app {
+namespace {
+
+using test::FakeTracker;
+
+class IgtlCommands : public ::testing::Test {
+  protected:
+    nlohmann::json run_json(std::vector<std::string> words, int expected = 0) const {
+        words.emplace_back("--json");
+        std::ostringstream text;
+        struct Redirected {
+            explicit Redirected(std::ostream& to) : before(std::cout.rdbuf(to.rdbuf())) {}
+            ~Redirected() { std::cout.rdbuf(before); }
+            std::streambuf* before;
+        } const redirected(text);
+        EXPECT_EQ(run_command(words), expected) << words[0];
+        return nlohmann::json::parse(text.str(), nullptr, false);
+    }
+    std::string error_of(const std::vector<std::string>& words) const {
+        try {
+            run_command(words);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "no error";
+    }
+    std::string path(const char* name) const { return (folder_ / name).string(); }
+    /// Sends the attempt at this rate, as fast as it can be read, and records it.
+    nlohmann::json sent_and_recorded(const std::string& attempt, int rate, const std::string& trace) const {
+        QProcess serve;
+        serve.setProcessChannelMode(QProcess::MergedChannels);
+        serve.start(QString::fromStdString(program_path()),
+                    {"igtl", "serve", QString::fromStdString(attempt), "--db",
+                     QString::fromStdString(path("store.db")), "--address", "127.0.0.1:0", "--rate",
+                     QString::number(rate), "--speed", "1000"});
+        EXPECT_TRUE(serve.waitForStarted());
+        QByteArray said;
+        while (!said.contains(" as soon as") && serve.waitForReadyRead(20000)) said += serve.readAll();
+        const int at = said.indexOf("127.0.0.1:");
+        const std::string address = said.mid(at, said.indexOf(' ', at) - at).toStdString();
+        nlohmann::json recorded = run_json({"igtl", "record", address, "-o", trace});
+        EXPECT_TRUE(serve.waitForFinished(20000));
+        EXPECT_EQ(serve.exitCode(), 0) << said.toStdString();
+        return recorded;
+    }
+
+  private:
+    test::OwnFolder folder_;
+};
+
+/// Metrics that a trace without events has, of an attempt that has them: their relative difference.
+double largest_difference(const nlohmann::json& stored, const nlohmann::json& read,
+                          const std::vector<std::string>& without, int& compared, int& not_scored) {
+    double largest = 0;
+    compared = not_scored = 0;
+    for (const nlohmann::json& one : stored) {
+        if (one["value"].is_null()) continue;
+        const auto same = std::find_if(read.begin(), read.end(), [&](const nlohmann::json& other) {
+            return other["id"] == one["id"] && other["hand"] == one["hand"] &&
+                   other["tissue"] == one["tissue"];
+        });
+        const bool left_out = std::find(without.begin(), without.end(), one["id"]) != without.end();
+        if (same == read.end() || (*same)["value"].is_null()) {
+            ++not_scored;
+            if (same != read.end()) {
+                EXPECT_FALSE((*same)["absent_because"].is_null()) << one["id"];
+            }
+            continue;
+        }
+        if (left_out) continue;
+        ++compared;
+        const double a = one["value"].get<double>(), b = (*same)["value"].get<double>();
+        const double difference = std::abs(a - b) / std::max(std::abs(a), 1e-9);
+        largest = std::max(largest, difference);
+        EXPECT_LT(difference, 0.1) << one["id"] << one["hand"];
+    }
+    return largest;
+}
+
+TEST_F(IgtlCommands, AnAttemptThatIsSentAndRecordedGivesTheMetricsOfTheAttempt) {
+    const nlohmann::json attempt = run_json({"perform", "A2", "--seed", "7", "--db", path("store.db")});
+    const std::string id = attempt["attempt"];
+    struct Case {
+        int rate;
+        double tolerance;
+        int least_compared;
+    };
+    // docs/FORMATS.md, OpenIGTLink, says these.
+    for (const Case& one : {Case{1000, 1e-6, 75}, Case{60, 0.06, 70}}) {
+        const std::string trace = path("trace.csv");
+        const nlohmann::json recorded = sent_and_recorded(id, one.rate, trace);
+        EXPECT_EQ(recorded["ended_because"], "attempt ended");
+        EXPECT_EQ(recorded["left_out"], 0);
+        EXPECT_EQ(recorded["wrong_checksums"], 0);
+        const nlohmann::json metrics = run_json({"metrics", trace, "--task", "A2"})["metrics"];
+        int compared = 0, not_scored = 0;
+        // The horizon is measured from the first movement on, which is an event.
+        EXPECT_LT(largest_difference(attempt["metrics"], metrics, {"horizon_err"}, compared, not_scored),
+                  one.tolerance)
+            << one.rate;
+        EXPECT_GE(compared, one.least_compared);
+        EXPECT_GT(not_scored, 0) << "what needs events";
+    }
+}
+
+TEST_F(IgtlCommands, WhatCannotBeRecordedSaysWhyAndWritesNothing) {
+    const std::string file = path("t.csv");
+    FakeTracker others({"Probe"});
+    others.mode = FakeTracker::Mode::garbage;
+    EXPECT_NE(error_of({"igtl", "record", others.address(), "-o", file})
+                  .find("what it sends is not OpenIGTLink; check that this is the port"),
+              std::string::npos);
+    others.mode = FakeTracker::Mode::good;
+    const std::string names = error_of({"igtl", "record", others.address(), "-o", file, "--seconds", "1"});
+    EXPECT_NE(
+        names.find("sent no pose of LeftTipToPatient, RightTipToPatient, CameraToPatient, only of Probe; "
+                   "name its tools with --left"),
+        std::string::npos)
+        << names;
+    EXPECT_NE(error_of({"igtl", "record", others.address()}).find("-o TRACE.csv"), std::string::npos);
+    EXPECT_NE(error_of({"igtl", "record", "a b", "-o", file}).find("is not HOST:PORT"), std::string::npos);
+    EXPECT_NE(error_of({"igtl", "record", "127.0.0.1:1", "-o", file}).find("no OpenIGTLink server answers"),
+              std::string::npos);
+    EXPECT_FALSE(std::ifstream(file).good());
+}
+
+TEST_F(IgtlCommands, AServerThatGoesAwayLeavesWhatItSent) {
+    const std::string file = path("cut.csv");
+    auto tracker = std::make_unique<FakeTracker>(std::vector<std::string>{"Probe"}, 0, 200);
+    const std::string address = tracker->address();
+    std::thread ends([&] {
+        while (tracker->frames < 30) std::this_thread::yield();
+        tracker->mode = FakeTracker::Mode::wrong_checksum;
+        while (tracker->frames < 60) std::this_thread::yield();
+        tracker.reset();
+    });
+    const nlohmann::json recorded = run_json({"igtl", "record", address, "-o", file, "--right", "Probe"});
+    ends.join();
+    EXPECT_EQ(recorded["ended_because"], "the server closed the connection");
+    EXPECT_GT(recorded["wrong_checksums"], 0);
+    std::ifstream in(file);
+    std::string header;
+    std::getline(in, header);
+    EXPECT_EQ(header, "t,right.px,right.py,right.pz,right.ax,right.ay,right.az");
+}
+
+}  // namespace
+}  // namespace fulcrum::app

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// A SpaceMouse through its real entry: fulcrum-hapticd connects to the socket of a spacenavd in the test.
+#include "sim_core/hapticd/space_mouse_device.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include "sim_core/devices/daemon_client.h"
+#include "sim_core/devices/spacenavd_socket.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/fakes/fake_page.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/own_folder.h"
+
+namespace fulcrum {
+namespace {
+
+using hapticd::SpaceMouseDevice;
+using test::until;
+constexpr std::int32_t far_away = 350;
+
+/// Takes one client at a time, in a thread of its own.
+class FakeSpacenavd {
+  public:
+    FakeSpacenavd(const std::string& path, int protocol) : protocol_(protocol) {
+        unlink(path.c_str());
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        path.copy(address.sun_path, sizeof address.sun_path - 1);
+        listening_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        if (bind(listening_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+            listen(listening_, 4) != 0)
+            throw std::runtime_error(path);
+        thread_ = std::thread([this] { run(); });
+    }
+    ~FakeSpacenavd() {
+        stop_ = true;
+        thread_.join();
+        hang_up();
+        close(listening_);
+    }
+    FakeSpacenavd(const FakeSpacenavd&) = delete;
+    FakeSpacenavd& operator=(const FakeSpacenavd&) = delete;
+
+    bool connected() const { return client_ >= 0; }
+    void hang_up() {
+        const int client = client_.exchange(-1);
+        if (client >= 0) close(client);
+    }
+    void send_bytes(const void* bytes, std::size_t size) const { send(client_, bytes, size, MSG_NOSIGNAL); }
+    void send_event(std::int32_t kind, std::array<std::int32_t, 7> rest) const {
+        std::int32_t event[8] = {kind};
+        std::copy(rest.begin(), rest.end(), event + 1);
+        send_bytes(event, sizeof event);
+    }
+    std::atomic<float> sensitivity{0};
+
+  private:
+    void run() {
+        while (!stop_) {
+            pollfd one{listening_, POLLIN, 0};
+            if (poll(&one, 1, 10) <= 0) continue;
+            const int client = accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC);
+            std::int32_t greeting = 0;
+            if (recv(client, &greeting, sizeof greeting, 0) == sizeof greeting && protocol_ == 1)
+                send(client, &greeting, sizeof greeting, MSG_NOSIGNAL);
+            if (protocol_ == 0) {
+                float asked = 0;
+                if (recv(client, &asked, sizeof asked, 0) == sizeof asked) sensitivity = asked;
+            }
+            client_ = client;
+        }
+    }
+    int protocol_, listening_ = -1;
+    std::atomic<int> client_{-1};
+    std::atomic<bool> stop_{false};
+    std::thread thread_;
+};
+
+class SpaceMouseOfSpacenavd : public ::testing::Test {
+  protected:
+    DevicePose pose(const DaemonClient& client, int slot) const {
+        DevicePose newest;
+        client.state().pose[slot].read(newest);
+        return newest;
+    }
+    test::OwnFolder folder;
+    const std::string path = (folder.path() / "spnav.sock").string();
+    test::Variable socket_variable{"SPNAV_SOCKET", path};
+};
+
+TEST_F(SpaceMouseOfSpacenavd, TheCapMovesTheHandleAndTurnsTheRollInBothProtocols) {
+    for (const int protocol : {1, 0}) {
+        FakeSpacenavd daemon(path, protocol);
+        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse");
+        EXPECT_EQ(client.facts().kind, "space-mouse");
+        EXPECT_TRUE(client.facts().slot[scope_slot]);
+        EXPECT_FALSE(client.facts().slot[0]);
+        ASSERT_TRUE(until([&] { return daemon.connected() && pose(client, scope_slot).present == 1; }));
+        EXPECT_EQ(daemon.sensitivity, protocol == 0 ? 1.0F : 0.0F);
+        daemon.send_event(3, {1, 2, 3, 4, 5, 6, 7});  // another device was connected: of no concern
+        // To the right, down and away from the person; the cap turned clockwise.
+        ASSERT_TRUE(until([&] {
+            daemon.send_event(0, {far_away, -far_away, far_away, 0, -far_away, 0, 16});
+            return pose(client, scope_slot).position[0] > 2e-3;
+        }));
+        const DevicePose now = pose(client, scope_slot);
+        EXPECT_LT(now.position[1], -1e-3);
+        EXPECT_LT(now.position[2], -1e-3) << "+z of the device frame is towards the person";
+        EXPECT_GT(now.roll, 0.01);
+        daemon.send_event(0, {0, 0, 0, 0, 0, 0, 16});
+        daemon.send_event(1, {0, 1, 0, 0, 0, 0, 0});
+        EXPECT_TRUE(until([&] { return pose(client, scope_slot).buttons == button_primary; }));
+        daemon.send_event(2, {0, 0, 0, 0, 0, 0, 0});
+        EXPECT_TRUE(until([&] { return pose(client, scope_slot).buttons == 0; }));
+        client.poll();
+        EXPECT_TRUE(client.message().empty());
+    }
+}
+
+TEST_F(SpaceMouseOfSpacenavd, AfterAHangUpOrRubbishTheHandIsAbsentUntilItIsOpenedAgain) {
+    FakeSpacenavd daemon(path, 1);
+    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse:right");
+    ASSERT_TRUE(until([&] { return daemon.connected() && pose(client, 1).present == 1; }));
+    for (const bool rubbish : {false, true}) {
+        const auto process = client.device_process();
+        if (rubbish)
+            daemon.send_event(99, {});
+        else
+            daemon.hang_up();
+        EXPECT_TRUE(until([&] { return pose(client, 1).present == 0; }));
+        EXPECT_TRUE(until([&] {
+            client.poll();
+            return client.message().words().find("lost the device") != std::string::npos ||
+                   client.device_process() != process;
+        }));
+        if (rubbish) daemon.hang_up();
+        EXPECT_TRUE(until([&] {
+            client.poll();
+            return client.device_process() != process && pose(client, 1).present == 1;
+        })) << rubbish;
+    }
+}
+
+TEST_F(SpaceMouseOfSpacenavd, WithoutSpacenavdItSaysWhatToDo) {
+    try {
+        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse");
+        FAIL();
+    } catch (const InputError& error) {
+        const std::string what = error.what();
+        EXPECT_EQ(what.find(path + ": spacenavd, which reads the SpaceMouse, does not answer: No such file"),
+                  0U)
+            << what;
+        EXPECT_NE(what.find("systemctl restart spacenavd"), std::string::npos);
+    }
+    EXPECT_THROW(hapticd::space_mouse_slot("space-mouse:middle"), InputError);
+}
+
+TEST(SpaceMouseDevice, ACapThatWasHeldStopsWhenNothingMoreComesAndTheLoopAllocatesNothing) {
+    const test::OwnFolder folder;
+    const std::string path = (folder.path() / "s").string();
+    const test::Variable variable("SPNAV_SOCKET", path);
+    FakeSpacenavd daemon(path, 1);
+    SpaceMouseDevice device(hapticd::space_mouse_slot("space-mouse:left"));
+    device.open();
+    EXPECT_EQ(device.protocol(), 1);
+    ASSERT_TRUE(until([&] { return daemon.connected(); }));
+    DevicePose poses[device_slots];
+    std::int64_t now = 1'000'000'000;
+    const auto run = [&](int ticks) {
+        return test::allocations_in([&] {
+            for (int i = 0; i < ticks; ++i) device.read(now += 1'000'000, poses);
+        });
+    };
+    std::int32_t event[8] = {0, far_away, 0, 0, 0, 0, 0, 16};
+    daemon.send_bytes(event, 11);  // in two parts
+    usleep(2000);
+    EXPECT_EQ(run(1), 0U);
+    EXPECT_EQ(poses[0].position[0], 0);
+    daemon.send_bytes(reinterpret_cast<const char*>(event) + 11, sizeof event - 11);
+    usleep(2000);
+    EXPECT_EQ(run(2000), 0U);
+    // 0.3 s at full speed, although nothing said that the cap was let go.
+    EXPECT_NEAR(poses[0].position[0], 0.3 * hapticd::space_mouse_speed, 2e-4);
+    EXPECT_EQ(poses[0].present, 1U);
+    event[1] = 1 << 20;  // no deflection
+    daemon.send_bytes(event, sizeof event);
+    usleep(2000);
+    run(1);
+    EXPECT_TRUE(device.lost());
+    EXPECT_EQ(device.fault().fault, static_cast<std::uint64_t>(DeviceFault::spacenavd));
+    EXPECT_EQ(device.fault().hands, 1U);
+}
+
+TEST(SpaceMouseDevice, ResponseIsStillInTheMiddleAndRisesToTheFullDeflection) {
+    using hapticd::space_mouse_response;
+    EXPECT_EQ(space_mouse_response(0), 0);
+    EXPECT_EQ(space_mouse_response(10), 0);
+    EXPECT_EQ(space_mouse_response(-350), -1);
+    EXPECT_EQ(space_mouse_response(4000), 1);
+    double before = 0;
+    for (int counts = 14; counts <= 350; ++counts) {
+        EXPECT_GE(space_mouse_response(counts), before);
+        EXPECT_EQ(space_mouse_response(-counts), -space_mouse_response(counts));
+        before = space_mouse_response(counts);
+    }
+}
+
+TEST(SpacenavdSocket, IsNamedByTheConfiguration) {
+    const test::OwnFolder folder;
+    const std::string file = (folder.path() / "spnavrc").string();
+    unsetenv("SPNAV_SOCKET");
+    EXPECT_EQ(spacenavd_socket(file), "/var/run/spnav.sock");
+    std::ofstream(file) << "# socket = /no\nsensitivity = 1\n  socket =  /tmp/other.sock \n";
+    EXPECT_EQ(spacenavd_socket(file), "/tmp/other.sock");
+    const test::Variable variable("SPNAV_SOCKET", "/mine");
+    EXPECT_EQ(spacenavd_socket(file), "/mine");
+}
+
+}  // namespace
+}  // namespace fulcrum
