@@ -15,6 +15,7 @@ std::vector<Command> headless_commands() {
     for (const Command& command : asset_commands()) commands.push_back(command);
     for (const Command& command : curricula_commands()) commands.push_back(command);
     for (const Command& command : roster_commands()) commands.push_back(command);
+    for (const Command& command : merge_commands()) commands.push_back(command);
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
     for (const Command& command : server_commands()) commands.push_back(command);
