@@ -64,18 +64,10 @@ Rows rows_of(Connection& connection, const Columns& columns) {
     return rows;
 }
 
-/// What the steps change on purpose: waits after wrong tries begin again (step 10), and a gate without a
-/// source has no limit where it had 0 (step 4).
+/// What the steps change on purpose: waits after wrong tries begin again (step 10).
 Rows as_migrated(Rows rows, int version) {
-    constexpr int without_limit = 4, with_boot_time = 10;
+    constexpr int with_boot_time = 10;
     if (version < with_boot_time) rows.erase("sign_in_wait");
-    if (version >= without_limit || rows.count("gate") == 0) return rows;
-    std::multiset<std::string> gates;
-    for (std::string row : rows["gate"]) {
-        const std::size_t at = row.find("|0.0|''|");
-        gates.insert(at == std::string::npos ? row : row.replace(at, 4, "|NULL"));
-    }
-    rows["gate"] = gates;
     return rows;
 }
 
