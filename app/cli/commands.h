@@ -23,6 +23,7 @@ Command check_command();
 Command benchmark_command();
 Command tissues_command();
 Command forms_command();
+Command research_command();
 std::vector<Command> asset_commands();       ///< assets ...
 std::vector<Command> curricula_commands();   ///< curriculum list, move
 std::vector<Command> roster_commands();      ///< people import, cohort import
