@@ -310,7 +310,7 @@ ResearchExport research_export(const Store& store, const Session& director) {
                      attempts_by_device_table(rows)};
     if (!store.is_read_only()) {
         Transaction transaction(store.connection());
-        Audit(store).append(director, store.station_id(), "research.export",
+        Audit(store).append(director, store.station_id(), "programme.export_research",
                             json_object({{"people", std::to_string(result.people)},
                                          {"attempts", std::to_string(result.attempts)}}));
         transaction.commit();

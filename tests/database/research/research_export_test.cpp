@@ -155,7 +155,7 @@ TEST_F(Research, NamesNobodyAndShowsNoDateAndNoExactValue) {
         for (const ResearchColumn& column : one.columns)
             EXPECT_NE(research.dictionary().find(one.name + ".csv," + column.name), std::string::npos);
     EXPECT_EQ(Audit(*programme.store).entries(programme.session("administrator")).front().operation,
-              "research.export");
+              "programme.export_research");
 }
 
 TEST_F(Research, PutsSmallGroupsTogetherOrLeavesThemOut) {
