@@ -11,18 +11,20 @@ namespace fulcrum::database {
 
 /// SQL: every person with the one it belongs to, as columns person_id and owner_id.
 inline constexpr const char* person_owners =
-    "(SELECT o.id AS person_id, COALESCE(i.id, o.id) AS owner_id FROM person o LEFT JOIN person i ON i.id = "
-    "o.merged_into AND i.merged_into = '')";
+    "(SELECT same_row.id AS person_id, COALESCE(same_into.id, same_row.id) AS owner_id FROM person same_row "
+    "LEFT "
+    "JOIN person same_into ON same_into.id = same_row.merged_into AND same_into.merged_into = '')";
 
 /// SQL condition with one `?`: what `column` names belongs to this person.
 inline QString belongs_to(const QString& column) {
-    return column + " IN (SELECT person_id FROM " + person_owners + " w WHERE w.owner_id = ?)";
+    return column + " IN (SELECT person_id FROM " + person_owners + " same WHERE same.owner_id = ?)";
 }
 
-/// SQL: id of the person to whom what `column` names belongs.
+/// SQL: id of the person to whom what `column` (named with its table) belongs. Its own names begin with
+/// `same_`, so that no table of the caller is hidden.
 inline QString owner_of(const QString& column) {
-    return "(SELECT COALESCE(i.id, o.id) FROM person o LEFT JOIN person i ON i.id = o.merged_into AND "
-           "i.merged_into = '' WHERE o.id = " +
+    return "(SELECT COALESCE(same_into.id, same_row.id) FROM person same_row LEFT JOIN person same_into ON "
+           "same_into.id = same_row.merged_into AND same_into.merged_into = '' WHERE same_row.id = " +
            column + ")";
 }
 

@@ -110,16 +110,20 @@ void MergeCard::merge() {
     if (context_.guarded([&] {
             database::PersonMerge(context_.store())
                 .merge(context_.session(), person_, chosen(), plain(reason_->text().trimmed()));
-        }))
+        })) {
+        context_.say(tr("Merged."));
         emit merged();
+    }
 }
 
 void MergeCard::undo() {
     if (context_.guarded([&] {
             database::PersonMerge(context_.store())
                 .undo(context_.session(), person_, plain(reason_->text().trimmed()));
-        }))
+        })) {
+        context_.say(tr("The merge was undone."));
         emit merged();
+    }
 }
 
 }  // namespace fulcrum::ui

@@ -10134,6 +10134,14 @@ Kennzahlen: %2</translation>
         <source>These follow to %1:</source>
         <translation>Das geht auf %1 über:</translation>
     </message>
+    <message>
+        <source>Merged.</source>
+        <translation>Zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>The merge was undone.</source>
+        <translation>Das Zusammenführen wurde rückgängig gemacht.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MetricsPage</name>
