@@ -23,9 +23,11 @@ Command check_command();
 Command benchmark_command();
 Command tissues_command();
 Command forms_command();
+Command research_command();
 std::vector<Command> asset_commands();       ///< assets ...
 std::vector<Command> curricula_commands();   ///< curriculum list, move
 std::vector<Command> roster_commands();      ///< people import, cohort import
+std::vector<Command> merge_commands();       ///< people merge, unmerge
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
 std::vector<Command> server_commands();      ///< sync, server ...

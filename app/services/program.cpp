@@ -12,6 +12,7 @@ const CommandTable& program_commands() {
             for (const Command& command :
                  {report_command(), certificate_command(), demonstrate_command(), devices_command()})
                 commands.push_back(command);
+            for (const Command& command : schedule_commands()) commands.push_back(command);
             for (const Command& command : xapi_commands()) commands.push_back(command);
             return commands;
         }(),

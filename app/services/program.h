@@ -14,6 +14,7 @@ Command report_command();
 Command certificate_command();
 Command demonstrate_command();
 Command devices_command();
-std::vector<Command> xapi_commands();  ///< xapi send, list
+std::vector<Command> schedule_commands();  ///< schedule add, list, remove, run
+std::vector<Command> xapi_commands();      ///< xapi send, list
 
 }  // namespace fulcrum::app

@@ -5,6 +5,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
 
@@ -191,11 +192,10 @@ std::vector<CorrectionRequest> Attempts::correction_requests(const Session& sess
     store_.require(session, Operation::read_requests);
     Query rows(
         store_.connection(),
-        "SELECT r.id, r.attempt_id, r.person_id, p.display_name, r.text, r.asked, "
-        "EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = r.attempt_id) FROM correction_request r "
-        "JOIN person p ON p.id = r.person_id WHERE " +
-            visible_people(session, Operation::read_requests, "r.person_id") +
-            " ORDER BY r.asked DESC, r.id");
+        "SELECT r.id, r.attempt_id, p.id, p.display_name, r.text, r.asked, "
+        "EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = r.attempt_id) FROM correction_request r " +
+            join_owner("r.person_id", "p") + "WHERE " +
+            visible_people(session, Operation::read_requests, "p.id") + " ORDER BY r.asked DESC, r.id");
     bind_visible_people(rows, session, Operation::read_requests);
     std::vector<CorrectionRequest> requests;
     while (rows.next()) {

@@ -4,6 +4,7 @@
 #include "database/rows/enum_column.h"
 #include "database/rows/force_devices.h"
 #include "database/rows/person_kind.h"
+#include "database/rows/same_person.h"
 
 namespace fulcrum::database {
 namespace {
@@ -16,7 +17,7 @@ struct Column {
 /// In the order in which summary_of_row() takes them.
 constexpr Column columns[] = {
     {"a.id", true},
-    {"a.person_id", true},
+    {"p.id", true},
     {"a.task_id", true},
     {"a.task_version", true},
     {"a.mode", true},
@@ -65,8 +66,7 @@ QString select(bool for_table) {
     QString list;
     for (const Column& column : columns)
         if (column.in_tables || !for_table) list += (list.isEmpty() ? "" : ", ") + QString(column.sql);
-    QString sql = "SELECT " + list +
-                  " FROM attempt a JOIN person p ON p.id = a.person_id "
+    QString sql = "SELECT " + list + " FROM attempt a " + join_owner("a.person_id", "p") +
                   "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
                   "LEFT JOIN attempt_void v ON v.attempt_id = a.id ";
     if (!for_table)
@@ -192,11 +192,11 @@ void bind_visible_people(Query& query, const Session& session, Operation operati
 std::vector<AttemptSummary> query_attempts(const Store& store, const Session& session,
                                            const AttemptFilter& filter) {
     QString sql =
-        select(filter.for_table) + "WHERE " + visible_people(session, Operation::read_attempt, "a.person_id");
-    if (!filter.person_id.empty()) sql += " AND a.person_id = ?";
+        select(filter.for_table) + "WHERE " + visible_people(session, Operation::read_attempt, "p.id");
+    if (!filter.person_id.empty()) sql += " AND " + belongs_to("a.person_id");
     if (!filter.task_id.empty()) sql += " AND a.task_id = ?";
     if (!filter.cohort_id.empty())
-        sql += " AND a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)";
+        sql += " AND p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)";
     const bool voided = filter.state == AttemptState::voided;
     if (voided) sql += " AND v.attempt_id IS NOT NULL";
     if (filter.state && !voided) sql += " AND v.attempt_id IS NULL AND a.state = ?";
@@ -222,7 +222,7 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
 }
 
 std::string person_of(const Store& store, const std::string& attempt_id) {
-    Query row(store.connection(), "SELECT person_id FROM attempt WHERE id = ?");
+    Query row(store.connection(), "SELECT " + owner_of("a.person_id") + " FROM attempt a WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next()) unknown_attempt(attempt_id);
     return row.text(0);

@@ -36,8 +36,10 @@ void write_people(const Store& store, Table table, const std::string& cohort_id,
                   const std::vector<std::string>& person_ids) {
     Connection& connection = store.connection();
     Query(connection, "DELETE FROM " + table_name(table) + " WHERE cohort_id = ?").bind(cohort_id).run();
-    for (const std::string& id : person_ids) {
-        const Person person = read_person(store, id);
+    for (const std::string& named : person_ids) {
+        Person person = read_person(store, named);
+        if (!person.merged_into.empty()) person = read_person(store, person.merged_into);
+        const std::string& id = person.id;
         if (person.kind != PersonKind::real && !store.is_demo()) {
             throw StoreError(
                 StoreErrorKind::bad_value,

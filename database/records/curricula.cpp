@@ -6,6 +6,7 @@
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -23,8 +24,10 @@ std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& con
                                                                  const Curriculum& newest) {
     std::map<std::string, std::vector<FollowedCurriculum>> result;
     Query attempts(connection,
-                   "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id = p.id ORDER BY "
-                   "a.started, a.id LIMIT 1) FROM person p WHERE " +
+                   "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id IN (SELECT "
+                   "w.person_id FROM " +
+                       QString(person_owners) +
+                       " w WHERE w.owner_id = p.id) ORDER BY a.started, a.id LIMIT 1) FROM person p WHERE " +
                        whose);
     attempts.bind(value);
     while (attempts.next()) {
@@ -39,9 +42,9 @@ std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& con
         result[attempts.text(0)].push_back(std::move(first));
     }
     Query moves(connection,
-                "SELECT m.person_id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m "
-                "JOIN person p ON p.id = m.person_id JOIN person w ON w.id = m.author_id WHERE " +
-                    whose + " ORDER BY m.time, m.id");
+                "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m " +
+                    join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
+                    " ORDER BY m.time, m.id");
     moves.bind(value);
     while (moves.next())
         result[moves.text(0)].push_back({moves.text(1), moves.integer(2), moves.text(3), moves.text(4)});

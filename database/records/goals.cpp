@@ -10,6 +10,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 
 namespace fulcrum::database {
@@ -66,12 +67,14 @@ PersonalGoal read_goal(const Query& row) {
     return goal;
 }
 
-constexpr const char* goal_columns =
-    "SELECT g.id, g.person_id, g.kind, g.task_id, g.metric, g.target, g.due_day, g.time FROM personal_goal g "
-    "WHERE NOT EXISTS (SELECT 1 FROM personal_goal_end e WHERE e.goal_id = g.id) AND ";
+const QString goal_columns =
+    QString(
+        "SELECT g.id, %1, g.kind, g.task_id, g.metric, g.target, g.due_day, g.time FROM personal_goal g "
+        "WHERE NOT EXISTS (SELECT 1 FROM personal_goal_end e WHERE e.goal_id = g.id) AND ")
+        .arg(owner_of("g.person_id"));
 
 std::vector<PersonalGoal> open_goals(Connection& connection, const std::string& person_id) {
-    Query rows(connection, QString(goal_columns) + "g.person_id = ? ORDER BY g.time, g.id");
+    Query rows(connection, goal_columns + belongs_to("g.person_id") + " ORDER BY g.time, g.id");
     rows.bind(person_id);
     std::vector<PersonalGoal> goals;
     while (rows.next()) goals.push_back(read_goal(rows));
@@ -80,7 +83,7 @@ std::vector<PersonalGoal> open_goals(Connection& connection, const std::string& 
 
 PersonalGoal require_own_goal(const Store& store, const Session& trainee, const std::string& goal_id) {
     store.require(trainee, Operation::set_goal, Subject::person(trainee.person_id()));
-    Query row(store.connection(), QString(goal_columns) + "g.id = ?");
+    Query row(store.connection(), goal_columns + "g.id = ?");
     row.bind(goal_id);
     if (!row.next())
         throw StoreError(StoreErrorKind::not_found,
@@ -123,12 +126,15 @@ void end_goal(const Store& store, const Session& trainee, const std::string& goa
 /// Attempts that have ended and are not voided; with the metric, those that were completed have its worst
 /// row as their value.
 std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal& goal, bool higher) {
-    Query rows(connection,
-               "SELECT a.id, a.started, a.utc_offset_min, m.value FROM attempt a LEFT JOIN score s ON "
-               "s.attempt_id = a.id AND s.in_force = 1 AND a.state = 'completed' LEFT JOIN metric m ON "
-               "m.score_id = s.id AND m.id = ? WHERE a.person_id = ? AND ? IN ('', a.task_id) AND a.state <> "
-               "'running' AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) ORDER BY "
-               "a.started, a.id");
+    Query rows(
+        connection,
+        "SELECT a.id, a.started, a.utc_offset_min, m.value FROM attempt a LEFT JOIN score s ON "
+        "s.attempt_id = a.id AND s.in_force = 1 AND a.state = 'completed' LEFT JOIN metric m ON "
+        "m.score_id = s.id AND m.id = ? WHERE " +
+            belongs_to("a.person_id") +
+            " AND ? IN ('', a.task_id) AND a.state <> "
+            "'running' AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) ORDER BY "
+            "a.started, a.id");
     rows.bind(goal.wish.metric).bind(goal.person_id).bind(goal.wish.task);
     std::vector<GoalAttempt> attempts;
     std::string last;

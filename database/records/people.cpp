@@ -10,6 +10,7 @@
 #include "database/records/people_rows.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 #include "database/store/store_state.h"
 
@@ -19,7 +20,7 @@ namespace {
 const char* const person_columns =
     "SELECT p.id, p.login, p.display_name, p.kind, p.active, p.created, COALESCE((SELECT MAX(s.last) FROM "
     "sign_in s "
-    "WHERE s.person_id = p.id), 0) FROM person p ";
+    "WHERE s.person_id = p.id), 0), p.merged_into FROM person p ";
 
 Person person_of_row(const Query& row) {
     Person person;
@@ -30,6 +31,7 @@ Person person_of_row(const Query& row) {
     person.active = row.flag(4);
     person.created = row.integer(5);
     person.last_sign_in = row.integer(6);
+    person.merged_into = row.text(7);
     return person;
 }
 
@@ -206,6 +208,16 @@ Person read_person(const Store& store, const std::string& person_id) {
     return person;
 }
 
+void require_own_account(const Person& person) {
+    if (person.merged_into.empty()) return;
+    throw StoreError(
+        StoreErrorKind::conflict,
+        {QT_TRANSLATE_NOOP("errors", "%1 is merged into another account"), person.login},
+        QT_TRANSLATE_NOOP("errors",
+                          "change the account that stays, or undo the merge first (`fulcrum people "
+                          "unmerge`)"));
+}
+
 void require_open_demo(const Store& store, const Session& station) {
     if (!store.is_demo() || !station.is_station()) {
         throw AccessDenied("build_demo", role_name(station.role()),
@@ -260,6 +272,7 @@ void People::set_active(const Session& administrator, const std::string& person_
     store_.require(administrator, Operation::manage_people);
     Transaction transaction(store_.connection());
     const Person before = read_person(store_, person_id);
+    require_own_account(before);
     if (!active && is_last_administrator(store_.connection(), person_id)) {
         throw StoreError(StoreErrorKind::conflict,
                          QT_TRANSLATE_NOOP("errors", "the last administrator cannot be deactivated"),
@@ -281,6 +294,7 @@ void People::set_roles(const Session& administrator, const std::string& person_i
     store_.require(administrator, Operation::manage_roles);
     Transaction transaction(store_.connection());
     const Person before = read_person(store_, person_id);
+    require_own_account(before);
     if (before.kind != PersonKind::real) {
         throw StoreError(StoreErrorKind::bad_value,
                          QT_TRANSLATE_NOOP("errors", "synthetic and external people cannot have roles"),
@@ -379,7 +393,7 @@ std::optional<Person> People::find_login(const Session& session, const std::stri
     store_.require(session, Operation::list_people);
     std::string id;
     {
-        Query row(store_.connection(), "SELECT id FROM person WHERE login_key = ?");
+        Query row(store_.connection(), "SELECT " + owner_of("p.id") + " FROM person p WHERE p.login_key = ?");
         row.bind(login_key(login));
         if (!row.next()) return std::nullopt;
         id = row.text(0);

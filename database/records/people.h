@@ -22,6 +22,7 @@ struct Person {
     std::vector<Role> roles;
     UtcMilliseconds created = 0;
     UtcMilliseconds last_sign_in = 0;  ///< 0 never
+    std::string merged_into;  ///< id of the person it belongs to now (person_merge.h); empty: to itself
 };
 
 struct Cohort {
@@ -106,6 +107,7 @@ class People {
     std::vector<Person> list(const Session& session) const;
     std::optional<Person> find(const Session& session,
                                const std::string& person_id) const;  ///< empty: unknown
+    /// Of a login that was merged: the person it belongs to now.
     std::optional<Person> find_login(const Session& session, const std::string& login) const;
 
     std::vector<Cohort> cohorts(const Session& session) const;  ///< those the session may see, by name

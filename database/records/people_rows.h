@@ -36,6 +36,8 @@ void write_verifier(const Store& store, const std::string& person_id, const std:
 bool is_last_administrator(Connection& connection, const std::string& person_id);
 /// Throws not_found.
 Person read_person(const Store& store, const std::string& person_id);
+/// Throws conflict where the person is merged into another one.
+void require_own_account(const Person& person);
 /// Throws sealed_demo, or AccessDenied for anyone but the station of a demo store.
 void require_open_demo(const Store& store, const Session& station);
 

@@ -8,6 +8,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 
 namespace fulcrum::database {
@@ -206,12 +207,14 @@ std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) co
         "r.attempt_id = a.id AND r.handed_in > 0), (SELECT COUNT(*) FROM rating r WHERE r.attempt_id = a.id "
         "AND r.handed_in > 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating r WHERE r.attempt_id = a.id "
         "AND r.handed_in = 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating_seen s WHERE s.attempt_id = "
-        "a.id AND s.person_id = ?) FROM attempt a JOIN person p ON p.id = a.person_id WHERE a.state <> "
-        "'running' AND a.events <> -1 AND a.person_id <> ? AND NOT EXISTS (SELECT 1 FROM attempt_void v "
-        "WHERE v.attempt_id = "
-        "a.id) AND " +
+        "a.id AND s.person_id = ?) FROM attempt a " +
+            join_owner("a.person_id", "p") +
+            "WHERE a.state <> 'running' AND a.events <> -1 AND p.id <> ? AND NOT EXISTS (SELECT 1 FROM "
+            "attempt_void v "
+            "WHERE v.attempt_id = "
+            "a.id) AND " +
             QString(store_.is_demo() ? "1 = 1" : "p.kind = 'real'") + " AND " +
-            visible_people(rater, Operation::rate, "a.person_id") + " ORDER BY a.started DESC, a.id LIMIT ?");
+            visible_people(rater, Operation::rate, "p.id") + " ORDER BY a.started DESC, a.id LIMIT ?");
     for (int i = 0; i < 4; ++i) rows.bind(rater.person_id());
     bind_visible_people(rows, rater, Operation::rate);
     rows.bind(limit);
@@ -224,11 +227,13 @@ std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) co
 }
 
 std::vector<ReleasedRating> released_ratings(Connection& connection, const std::string& person_id) {
-    Query rows(connection,
-               "SELECT r.id, r.attempt_id, r.rater_id, r.form, r.blinding, l.time, i.item, i.value FROM "
-               "rating r JOIN rating_release l ON l.rating_id = r.id JOIN attempt a ON a.id = r.attempt_id "
-               "LEFT JOIN rating_item i ON i.rating_id = r.id AND i.value IS NOT NULL WHERE a.person_id = ? "
-               "ORDER BY r.id, i.number");
+    Query rows(
+        connection,
+        "SELECT r.id, r.attempt_id, " + owner_of("r.rater_id") +
+            ", r.form, r.blinding, l.time, i.item, i.value FROM "
+            "rating r JOIN rating_release l ON l.rating_id = r.id JOIN attempt a ON a.id = r.attempt_id "
+            "LEFT JOIN rating_item i ON i.rating_id = r.id AND i.value IS NOT NULL WHERE " +
+            belongs_to("a.person_id") + " ORDER BY r.id, i.number");
     rows.bind(person_id);
     std::vector<ReleasedRating> released;
     while (rows.next()) {
@@ -258,8 +263,8 @@ AttemptRatings Ratings::of_attempt(const Session& session, const std::string& at
 std::map<std::string, AttemptRatings> Ratings::of_person(const Session& session, const std::string& person_id,
                                                          const std::string& task_id) const {
     store_.require(session, Operation::read_ratings, Subject::person(person_id));
-    Query rows(store_.connection(), QString(rating_columns) +
-                                        "WHERE a.person_id = ? AND (? = '' OR a.task_id = ?) ORDER BY "
+    Query rows(store_.connection(), QString(rating_columns) + "WHERE " + belongs_to("a.person_id") +
+                                        " AND (? = '' OR a.task_id = ?) ORDER BY "
                                         "r.handed_in, r.id");
     rows.bind(person_id).bind(task_id).bind(task_id);
     std::map<std::string, std::vector<RatingRow>> by_attempt;
@@ -434,13 +439,12 @@ int Ratings::release(const Session& educator, const std::string& attempt_id) con
 
 std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
     store_.require(rater, Operation::rate);
-    Query rows(store_.connection(),
-               QString(rating_columns) +
-                   "JOIN person w ON w.id = a.person_id WHERE r.handed_in > 0 AND NOT EXISTS (SELECT 1 FROM "
-                   "attempt_void v WHERE v.attempt_id = a.id) AND " +
-                   (store_.is_demo() ? "1 = 1" : "w.kind = 'real'") + " AND " +
-                   visible_people(rater, Operation::rate, "a.person_id") +
-                   " ORDER BY r.form, r.handed_in, r.id");
+    Query rows(store_.connection(), QString(rating_columns) + join_owner("a.person_id", "w") +
+                                        "WHERE r.handed_in > 0 AND NOT EXISTS (SELECT 1 FROM "
+                                        "attempt_void v WHERE v.attempt_id = a.id) AND " +
+                                        (store_.is_demo() ? "1 = 1" : "w.kind = 'real'") + " AND " +
+                                        visible_people(rater, Operation::rate, "w.id") +
+                                        " ORDER BY r.form, r.handed_in, r.id");
     bind_visible_people(rows, rater, Operation::rate);
     std::map<std::string, std::vector<RaterScore>> scores;
     std::map<std::string, FormAgreement> forms;

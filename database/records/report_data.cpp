@@ -12,6 +12,7 @@
 #include "database/records/ratings.h"
 #include "database/records/report_provenance.h"
 #include "database/rows/person_kind.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
 
@@ -142,7 +143,7 @@ std::map<std::string, Decisions> decisions_in(const Store& store, const Session&
     for (auto& [person, followed] : Curricula(store).assignments_in(session, cohort_id, curriculum))
         result[person].followed = std::move(followed);
     for (OverrideRow& row : read_overrides(store.connection(), {})) {
-        const auto person = result.find(row.person_id);
+        const auto person = result.find(row.owner_id);
         if (person != result.end()) person->second.overrides.push_back(std::move(row));
     }
     if (asks_for_ratings(curriculum))
@@ -229,9 +230,9 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
     if (options.curriculum != nullptr)
         decisions = decisions_in(store_, session, cohort_id, *options.curriculum);
     MetricVersions versions(store_);
-    Provenance provenance(store_, versions,
-                          "a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
-                          cohort_id);
+    Provenance provenance(
+        store_, versions,
+        owner_of("a.person_id") + " IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)", cohort_id);
     for (PersonName& person : people) {
         if (person.synthetic && !with_synthetic) {
             ++table.left_out_synthetic;
@@ -370,13 +371,14 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
     PersonSource source{
         name_of(store_, person_id),
         query_attempts(store_, session, filter),
-        read_scores_in_force(store_.connection(), "a.person_id = ? AND a.task_id = ?", {person_id, task_id}),
+        read_scores_in_force(store_.connection(), belongs_to("a.person_id") + " AND a.task_id = ?",
+                             {person_id, task_id}),
         {}};
     if (purpose == ReportPurpose::exported)
         source.released = released_forms(store_, session, person_id, task_id);
     sort_by_start(source.attempts);
     MetricVersions versions(store_);
-    Provenance provenance(store_, versions, "a.person_id = ?", person_id);
+    Provenance provenance(store_, versions, belongs_to("a.person_id"), person_id);
     PersonProgress progress = progress_of(source, task_id, provenance);
     provenance.write(progress);
     return progress;
@@ -393,12 +395,12 @@ PersonData Reports::person_data(const Session& session, const std::string& perso
                         released_forms(store_, session, person_id)};
     sort_by_start(source.attempts);
     if (options.with_metrics)
-        source.scores = read_scores_in_force(store_.connection(), "a.person_id = ?", {person_id});
+        source.scores = read_scores_in_force(store_.connection(), belongs_to("a.person_id"), {person_id});
     Decisions decisions;
     if (options.curriculum != nullptr)
         decisions = decisions_of(store_, session, person_id, *options.curriculum);
     MetricVersions versions(store_);
-    Provenance provenance(store_, versions, "a.person_id = ?", person_id);
+    Provenance provenance(store_, versions, belongs_to("a.person_id"), person_id);
     PersonData data = data_of(source, options, decisions, store_.now(), provenance);
     provenance.write(data);
     return data;
@@ -426,8 +428,9 @@ bool Reports::each_of_cohort(const Session& session, const std::string& cohort_i
             people[i], std::move(of_person[people[i].id]), {}, released_forms(store_, session, people[i].id)};
         sort_by_start(source.attempts);
         if (options.with_metrics)
-            source.scores = read_scores_in_force(store_.connection(), "a.person_id = ?", {people[i].id});
-        Provenance provenance(store_, versions, "a.person_id = ?", people[i].id);
+            source.scores =
+                read_scores_in_force(store_.connection(), belongs_to("a.person_id"), {people[i].id});
+        Provenance provenance(store_, versions, belongs_to("a.person_id"), people[i].id);
         PersonData data = data_of(source, options, decisions[people[i].id], store_.now(), provenance);
         provenance.write(data, head);
         const double done = static_cast<double>(i + 1) / static_cast<double>(people.size());

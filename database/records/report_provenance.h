@@ -28,7 +28,7 @@ class MetricVersions {
 class Provenance {
   public:
     /// Over the attempts (table `a`) for which `whose` holds with this value.
-    Provenance(const Store& store, MetricVersions& versions, const char* whose, const std::string& value)
+    Provenance(const Store& store, MetricVersions& versions, const QString& whose, const std::string& value)
         : store_(store), versions_(versions), whose_(whose), value_(value) {}
     void add(const AttemptSummary& attempt);
     template <typename Report>
@@ -48,7 +48,7 @@ class Provenance {
 
     const Store& store_;
     MetricVersions& versions_;
-    const char* whose_;
+    QString whose_;
     std::string value_;
     std::set<std::string> metrics_, sets_, programs_;
     std::set<const std::set<std::string>*> added_;

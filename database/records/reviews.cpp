@@ -7,6 +7,7 @@
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 
 namespace fulcrum::database {
@@ -32,8 +33,8 @@ struct Place {
 
 Place place_of(const Store& store, const std::string& comment_id) {
     Query row(store.connection(),
-              "SELECT c.attempt_id, c.author_id, a.person_id, c.sent, c.read FROM comment c "
-              "JOIN attempt a ON a.id = c.attempt_id WHERE c.id = ?");
+              "SELECT c.attempt_id, c.author_id, " + owner_of("a.person_id") +
+                  ", c.sent, c.read FROM comment c JOIN attempt a ON a.id = c.attempt_id WHERE c.id = ?");
     row.bind(comment_id);
     if (!row.next())
         throw StoreError(StoreErrorKind::not_found,
@@ -143,9 +144,8 @@ std::vector<Comment> Reviews::drafts(const Session& educator) const {
 
 std::vector<Comment> Reviews::unread(const Session& trainee) const {
     store_.require(trainee, Operation::read_comment, Subject::person(trainee.person_id()));
-    Query rows(
-        store_.connection(),
-        QString(columns) + "WHERE a.person_id = ? AND c.sent > 0 AND c.read = 0 ORDER BY c.sent DESC, c.id");
+    Query rows(store_.connection(), QString(columns) + "WHERE " + belongs_to("a.person_id") +
+                                        " AND c.sent > 0 AND c.read = 0 ORDER BY c.sent DESC, c.id");
     rows.bind(trainee.person_id());
     return read_rows(rows);
 }

@@ -344,6 +344,7 @@ std::string People::issue_one_time_password(const Session& administrator,
     const std::string verifier = make_verifier(password);
     Transaction transaction(store_.connection());
     const Person person = read_person(store_, person_id);
+    require_own_account(person);
     if (person.kind != PersonKind::real) {
         throw StoreError(StoreErrorKind::bad_value,
                          QT_TRANSLATE_NOOP("errors", "synthetic and external people do not sign in"),

@@ -2,6 +2,7 @@
 // Which scores are based on metrics or limits that are no longer in force.
 #include "database/records/attempt_query.h"
 #include "database/rows/enum_column.h"
+#include "database/rows/same_person.h"
 
 namespace fulcrum::database {
 namespace {
@@ -42,13 +43,14 @@ std::vector<StaleScore> Attempts::stale_scores(const Session& session, const Sco
         store_.require(session, Operation::recompute_score, Subject::person(person_id));
     }
     QString sql =
-        "SELECT a.id, a.person_id, p.display_name, a.task_id, s.id, s.limits, s.in_force, s.passed, "
-        "a.variant, a.device_class, a.fidelity FROM attempt a "
-        "JOIN person p ON p.id = a.person_id JOIN score s ON s.attempt_id = a.id "
+        "SELECT a.id, p.id, p.display_name, a.task_id, s.id, s.limits, s.in_force, s.passed, "
+        "a.variant, a.device_class, a.fidelity FROM attempt a " +
+        join_owner("a.person_id", "p") +
+        "JOIN score s ON s.attempt_id = a.id "
         "LEFT JOIN attempt_void v ON v.attempt_id = a.id "
         "WHERE v.attempt_id IS NULL AND a.state <> 'running' AND " +
-        has_trace_here("a") + " AND " + visible_people(session, Operation::recompute_score, "a.person_id");
-    if (!person_id.empty()) sql += " AND a.person_id = ?";
+        has_trace_here("a") + " AND " + visible_people(session, Operation::recompute_score, "p.id");
+    if (!person_id.empty()) sql += " AND " + belongs_to("a.person_id");
     Query rows(store_.connection(), sql + " ORDER BY a.started, a.id, s.in_force DESC, s.computed, s.id");
     bind_visible_people(rows, session, Operation::recompute_score);
     if (!person_id.empty()) rows.bind(person_id);

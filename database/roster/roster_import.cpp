@@ -22,8 +22,14 @@ std::vector<std::string> with(std::vector<std::string> ids, const std::vector<st
 }
 
 std::map<std::string, Person> by_login(const People& people, const Session& session) {
-    std::map<std::string, Person> found;
-    for (const Person& person : people.list(session)) found.emplace(login_key(person.login), person);
+    std::map<std::string, Person> found, by_id;
+    const std::vector<Person> list = people.list(session);
+    for (const Person& person : list) by_id.emplace(person.id, person);
+    // A login that was merged stands for the person it belongs to.
+    for (const Person& person : list) {
+        const auto owner = by_id.find(person.merged_into);
+        found.emplace(login_key(person.login), owner == by_id.end() ? person : owner->second);
+    }
     return found;
 }
 

@@ -6,6 +6,7 @@
 
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 
 namespace fulcrum::database {
 namespace {
@@ -16,12 +17,13 @@ static_assert(in_order(kinds));
 
 }  // namespace
 
-std::vector<OverrideRow> read_overrides(Connection& connection, const std::string& person_id) {
-    Query rows(connection,
-               QString("SELECT o.id, o.person_id, o.task_id, o.kind, o.author_id, o.time, o.reason, "
-                       "p.display_name FROM standing_override o JOIN person p ON p.id = o.author_id ") +
-                   (person_id.empty() ? "" : "WHERE o.person_id = ? ") + "ORDER BY o.time DESC, o.id");
-    if (!person_id.empty()) rows.bind(person_id);
+namespace {
+
+const QString decision_columns =
+    "SELECT o.id, o.person_id, o.task_id, o.kind, o.author_id, o.time, o.reason, p.display_name, %1 FROM "
+    "standing_override o JOIN person p ON p.id = o.author_id ";
+
+std::vector<OverrideRow> read_decisions(Query& rows) {
     std::vector<OverrideRow> result;
     while (rows.next()) {
         OverrideRow row;
@@ -31,9 +33,25 @@ std::vector<OverrideRow> read_overrides(Connection& connection, const std::strin
         row.author_id = rows.text(4);
         row.reason = rows.text(6);
         row.author_name = rows.text(7);
+        row.owner_id = rows.text(8);
         result.push_back(std::move(row));
     }
     return result;
+}
+
+}  // namespace
+
+std::vector<OverrideRow> read_overrides(Connection& connection, const std::string& person_id) {
+    Query rows(connection, decision_columns.arg(owner_of("o.person_id")) +
+                               (person_id.empty() ? QString() : "WHERE " + belongs_to("o.person_id")) +
+                               " ORDER BY o.time DESC, o.id");
+    if (!person_id.empty()) rows.bind(person_id);
+    return read_decisions(rows);
+}
+
+std::vector<OverrideRow> read_raw_overrides(Connection& connection) {
+    Query rows(connection, decision_columns.arg("''") + "ORDER BY o.time DESC, o.id");
+    return read_decisions(rows);
 }
 
 void write_override(Connection& connection, const OverrideRow& row) {

@@ -16,7 +16,22 @@ struct RecordRow {
     const char* name;
     const char* ids;
     std::vector<const char*> rows;
+    /// Of a later schema: in the digest only where it has rows, so that older digests stay as they were.
+    const char* later = nullptr;
 };
+
+#define FULCRUM_ATTEMPT_COLUMNS                                                                         \
+    "id, person_id, station_id, task_id, task_version, mode, device_class, device, operator_name, "     \
+    "variant, seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, " \
+    "started, utc_offset_min, state, duration_s, wall_s, missed_ticks, lost_samples, events, state_hash"
+constexpr const char* attempt_assets =
+    "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? ORDER BY file";
+
+const std::vector<const char*> attempt_before_origins = {
+    "SELECT " FULCRUM_ATTEMPT_COLUMNS
+    " FROM attempt WHERE id = ? AND force_devices = '' AND NOT EXISTS (SELECT 1 FROM attempt_origin o WHERE "
+    "o.attempt_id = attempt.id)",
+    attempt_assets};
 
 const std::vector<RecordRow> record_kinds = {
     {RecordKind::station,
@@ -38,7 +53,8 @@ const std::vector<RecordRow> record_kinds = {
      {"SELECT id, login, login_key, display_name, kind, active, created, version FROM person WHERE id = "
       "?",
       "SELECT role FROM person_role WHERE person_id = ? ORDER BY role",
-      "SELECT verifier, one_time, expires, changed, boot, boot_ms FROM credential WHERE person_id = ?"}},
+      "SELECT verifier, one_time, expires, changed, boot, boot_ms FROM credential WHERE person_id = ?"},
+     "SELECT merged_into FROM person WHERE id = ? AND merged_into <> ''"},
     {RecordKind::cohort,
      "cohort",
      "SELECT id FROM cohort",
@@ -48,12 +64,9 @@ const std::vector<RecordRow> record_kinds = {
     {RecordKind::attempt,
      "attempt",
      "SELECT id FROM attempt",
-     {"SELECT id, person_id, station_id, task_id, task_version, mode, device_class, device, "
-      "operator_name, variant, seed, fidelity, scene, scene_digest, curriculum, limits, program_version, "
-      "cpu_features, started, utc_offset_min, state, duration_s, wall_s, missed_ticks, lost_samples, "
-      "events, state_hash, force_devices FROM attempt WHERE id = ?",
+     {"SELECT " FULCRUM_ATTEMPT_COLUMNS ", force_devices FROM attempt WHERE id = ?",
       "SELECT source_id, tick, goal, build, checksum FROM attempt_origin WHERE attempt_id = ?",
-      "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? ORDER BY file"}},
+      attempt_assets}},
     {RecordKind::trace,
      "trace",
      "SELECT id FROM attempt WHERE state <> 'running' AND (EXISTS (SELECT 1 FROM trace_chunk c WHERE "
@@ -140,6 +153,8 @@ const std::vector<RecordRow> record_kinds = {
      {"SELECT goal_id, time FROM personal_goal_end WHERE goal_id = ?"}},
 };
 
+#undef FULCRUM_ATTEMPT_COLUMNS
+
 const RecordRow& record_row(RecordKind kind) {
     return record_kinds.at(static_cast<std::size_t>(kind));
 }
@@ -216,24 +231,39 @@ RecordDigests::~RecordDigests() = default;
 
 std::string RecordDigests::of(const RecordName& name) {
     const RecordRow& row = record_row(name.kind);
+    return digest_of(name.id, row.rows, row.later);
+}
+
+std::string RecordDigests::of_before_origins(const RecordName& name) {
+    return name.kind == RecordKind::attempt ? digest_of(name.id, attempt_before_origins, nullptr)
+                                            : std::string();
+}
+
+std::string RecordDigests::digest_of(const std::string& id, const std::vector<const char*>& statements,
+                                     const char* later) {
     Bytes bytes;
     bool first = true;
-    for (const char* sql : row.rows) {
+    const auto add_rows_of = [&](const char* sql, bool also_none) {
         std::unique_ptr<Query>& statement = statements_[sql];
         if (!statement) statement = std::make_unique<Query>(connection_, sql);
         Query& rows = statement->again();
-        rows.bind(name.id);
+        rows.bind(id);
         std::uint64_t count = 0;
         Bytes of_rows;
         while (rows.next()) {
             ++count;
             for (const QVariant& value : rows.row()) add_value(of_rows, value);
         }
-        if (first && count == 0) return {};
-        first = false;
+        if (count == 0 && !also_none) return false;
         add_count(bytes, count);
         add_bytes(bytes, of_rows.data(), of_rows.size());
+        return true;
+    };
+    for (const char* sql : statements) {
+        if (!add_rows_of(sql, !first)) return {};
+        first = false;
     }
+    if (later != nullptr) add_rows_of(later, false);
     return to_hex(blake2b(bytes));
 }
 

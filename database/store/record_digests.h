@@ -59,10 +59,15 @@ class RecordDigests {
     /// BLAKE2b-256 of the record's rows, hex; "" where there is no such record. Every value with its type and
     /// length, every number by its bits.
     std::string of(const RecordName& name);
+    /// As programs before schema 12 computed it, which knew no devices with force and no origins: "" where
+    /// the record has either, or is no attempt. Audit rows of that time hold this one.
+    std::string of_before_origins(const RecordName& name);
     /// Ids of the records of this kind.
     std::vector<std::string> ids(RecordKind kind);
 
   private:
+    std::string digest_of(const std::string& id, const std::vector<const char*>& statements,
+                          const char* later);
     Connection& connection_;
     std::map<std::string, std::unique_ptr<Query>> statements_;
 };

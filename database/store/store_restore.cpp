@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
@@ -22,11 +23,13 @@ namespace {
 
 namespace files = std::filesystem;
 
+constexpr const char* restoring = ".restoring-";
+
 /// A file next to the store under a name of its own, removed unless it became the store.
 class CopyFile {
   public:
     explicit CopyFile(const std::string& store_path)
-        : path_(store_path + ".restoring-" + random_uuid().substr(0, 8)) {}
+        : path_(store_path + restoring + random_uuid().substr(0, 8)) {}
     ~CopyFile() {
         for (const char* suffix : {"-wal", "-shm", "-journal", ""}) ::unlink((path_ + suffix).c_str());
     }
@@ -37,6 +40,22 @@ class CopyFile {
   private:
     std::string path_;
 };
+
+/// Copies that a killed restore or migration left next to the store. Only for whoever is alone with it: the
+/// copy of another one that still runs is not touched.
+void remove_left_copies(const std::string& path) {
+    const files::path file(path);
+    const std::string start = file.filename().string() + restoring;
+    std::vector<files::path> left;
+    std::error_code ignored;
+    for (files::directory_iterator
+             entry(file.parent_path().empty() ? files::path(".") : file.parent_path(), ignored),
+         end;
+         !ignored && entry != end; entry.increment(ignored))
+        if (entry->path().filename().string().compare(0, start.size(), start) == 0)
+            left.push_back(entry->path());
+    for (const files::path& copy : left) files::remove(copy, ignored);
+}
 
 /// Keeps every other program out of the store until it ends.
 class Alone {
@@ -49,6 +68,7 @@ class Alone {
             // one's log when this connection is closed.
             connection_->execute("PRAGMA journal_mode = DELETE");
             read_schema_version(*connection_);
+            remove_left_copies(path);
         } catch (const StoreError& error) {
             if (error.kind() == StoreErrorKind::locked)
                 throw StoreError(

@@ -169,15 +169,25 @@ void delete_rows(Connection& connection, const std::string& person_id) {
     // The same on every side, so that both sides agree, and above every version that a station may have.
     constexpr std::int64_t erased_version = 1000000000;
     const std::string login = "erased-" + person_id;
-    Query(
-        connection,
-        "UPDATE person SET login = ?, login_key = ?, display_name = 'Erased person', active = 0, version = ? "
-        "WHERE id = ?")
+    Query(connection,
+          "UPDATE person SET login = ?, login_key = ?, display_name = 'Erased person', active = 0, "
+          "merged_into = '', "
+          "version = ? "
+          "WHERE id = ?")
         .bind(login)
         .bind(login)
         .bind(erased_version)
         .bind(person_id)
         .run();
+}
+
+/// The person, and those that were merged into it: one person's data under several ids.
+std::vector<std::string> with_merged(Connection& connection, const std::string& person_id) {
+    std::vector<std::string> ids = {person_id};
+    Query rows(connection, "SELECT id FROM person WHERE merged_into = ? ORDER BY id");
+    rows.bind(person_id);
+    while (rows.next()) ids.push_back(rows.text(0));
+    return ids;
 }
 
 }  // namespace
@@ -195,15 +205,20 @@ std::vector<ErasedRows> rows_to_erase(Connection& connection, const std::string&
     }
     std::vector<ErasedRows> result;
     for (const Deletion& one : deletions) {
-        Query rows = with_person(
-            connection, std::string("SELECT COUNT(*) FROM ") + one.table + " WHERE " + one.where, person_id);
-        if (rows.next() && rows.integer(0) > 0) result.push_back({one.table, rows.integer(0)});
+        std::int64_t count = 0;
+        for (const std::string& id : with_merged(connection, person_id)) {
+            Query rows = with_person(
+                connection, std::string("SELECT COUNT(*) FROM ") + one.table + " WHERE " + one.where, id);
+            if (rows.next()) count += rows.integer(0);
+        }
+        if (count > 0) result.push_back({one.table, count});
     }
     return result;
 }
 
-void erase_on_server(Connection& server, const std::string& person_id, std::int64_t time) {
-    Transaction transaction(server);
+namespace {
+
+void erase_one_on_server(Connection& server, const std::string& person_id, std::int64_t time) {
     Query(server, "SELECT 1 FROM person WHERE id = ? FOR UPDATE").bind(person_id).run();
     Query(server, "INSERT INTO erasure (person_id, time) VALUES (?, ?) ON CONFLICT (person_id) DO NOTHING")
         .bind(person_id)
@@ -223,12 +238,20 @@ void erase_on_server(Connection& server, const std::string& person_id, std::int6
         "= "
         "p.sequence");
     delete_rows(server, person_id);
+}
+
+}  // namespace
+
+void erase_on_server(Connection& server, const std::string& person_id, std::int64_t time) {
+    Transaction transaction(server);
+    for (const std::string& id : with_merged(server, person_id)) erase_one_on_server(server, id, time);
     transaction.commit();
 }
 
-bool erase_at_station(const Store& store, const std::string& person_id) {
+namespace {
+
+bool erase_one_at_station(const Store& store, const std::string& person_id) {
     Connection& connection = store.connection();
-    Transaction transaction(connection);
     {
         Query person(connection, "SELECT login FROM person WHERE id = ?");
         person.bind(person_id);
@@ -267,8 +290,18 @@ bool erase_at_station(const Store& store, const std::string& person_id) {
         if (const auto record = RecordName::of_text(name)) records.push_back(*record);
     Audit(store).erase_payloads(store.station_session(), sequences, "erased on the programme server",
                                 records);
-    transaction.commit();
     return true;
+}
+
+}  // namespace
+
+bool erase_at_station(const Store& store, const std::string& person_id) {
+    Transaction transaction(store.connection());
+    bool erased = false;
+    for (const std::string& id : with_merged(store.connection(), person_id))
+        erased = erase_one_at_station(store, id) || erased;
+    transaction.commit();
+    return erased;
 }
 
 }  // namespace fulcrum::database

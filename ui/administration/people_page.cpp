@@ -8,6 +8,7 @@
 #include <QTableWidget>
 
 #include "ui/administration/import_card.h"
+#include "ui/administration/merge_card.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -132,6 +133,9 @@ QFrame* PeoplePage::build_editor() {
     row->addWidget(active_);
     row->addStretch();
     card_layout(editor_)->addLayout(row);
+    merge_ = new MergeCard(context());
+    connect(merge_, &MergeCard::merged, this, &PeoplePage::fill);
+    card_layout(editor_)->addWidget(merge_);
     editor_->hide();
     return editor_;
 }
@@ -159,7 +163,9 @@ void PeoplePage::fill() {
         table_->insertRow(row);
         QStringList roles;
         for (const database::Role role : person.roles) roles << role_text(database::role_name(role));
-        QString account = person.active ? tr("active") : tr("deactivated");
+        QString account = person.active                ? tr("active")
+                          : person.merged_into.empty() ? tr("deactivated")
+                                                       : tr("merged");
         if (person.kind != database::PersonKind::real) account += tr(" · synthetic");
         table_->setItem(row, 0, make_cell(text(person.display_name)));
         table_->setItem(row, 1, make_cell(text(person.login)));
@@ -189,6 +195,8 @@ void PeoplePage::select() {
         roles_[i]->setChecked(std::find(person->roles.begin(), person->roles.end(), roles_of_people[i]) !=
                               person->roles.end());
     }
+    merge_->show_for(*person, people_);
+    active_->setEnabled(person->merged_into.empty());
     active_->setText(person->active ? tr("Deactivate") : tr("Activate"));
 }
 

@@ -18,6 +18,7 @@ class QTableWidget;
 namespace fulcrum::ui {
 
 class ImportCard;
+class MergeCard;
 
 class PeoplePage : public Page {
     Q_OBJECT
@@ -47,6 +48,7 @@ class PeoplePage : public Page {
     QPushButton* active_ = nullptr;
     QCheckBox* picker_ = nullptr;
     ImportCard* import_ = nullptr;
+    MergeCard* merge_ = nullptr;
 };
 
 }  // namespace fulcrum::ui

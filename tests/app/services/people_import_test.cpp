@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Accounts from a list on the page People: looked at first, then made, stopped in the middle, and refused
 // where the list or the file for the passwords is wrong.
+#include <QComboBox>
 #include <QFile>
 #include <QPushButton>
 #include <QTableWidget>
@@ -85,6 +86,39 @@ TEST_F(PeopleImport, StoppedItKeepsThePasswordsOfThoseWhoWereMade) {
     QFile passwords(path("passwords.csv"));
     ASSERT_TRUE(passwords.open(QIODevice::ReadOnly));
     EXPECT_EQ(passwords.readAll().split('\n').size(), static_cast<int>(made) + 2);
+}
+
+TEST_F(PeopleImport, MergesSomebodyWhoWasEnteredTwiceAndUndoesIt) {
+    const auto row_of = [&](const char* login) {
+        auto* table = find<QTableWidget>(*window, "people_table");
+        int row = 0;
+        while (row < table->rowCount() && table->item(row, 1)->text() != QLatin1String(login)) ++row;
+        EXPECT_LT(row, table->rowCount());
+        table->selectRow(row);
+        return row;
+    };
+    row_of("eve");
+    auto* into = find<QComboBox>(*window, "merge_into");
+    EXPECT_FALSE(find<QPushButton>(*window, "merge_people")->isEnabled()) << "nobody is chosen";
+    into->setCurrentIndex(into->findText("Ann", Qt::MatchStartsWith));
+    EXPECT_TRUE(find<QLabel>(*window, "merge_plan")->text().contains("Ann"));
+    click(*window, "merge_people");
+    EXPECT_TRUE(complaint().contains("reason")) << complaint().toStdString();
+    auto* reason = find<QLineEdit>(*window, "merge_reason");
+    bring(*reason);
+    reason->setFocus();
+    QTest::keyClicks(reason, "entered twice");
+    bring(*find<QPushButton>(*window, "merge_people"));
+    keep_picture(*window, "people-merge");
+    click(*window, "merge_people");
+    EXPECT_EQ(find<QTableWidget>(*window, "people_table")->item(row_of("eve"), 3)->text(), "merged");
+    EXPECT_FALSE(find<QPushButton>(*window, "toggle_active")->isEnabled());
+    bring(*find<QPushButton>(*window, "unmerge_people"));
+    keep_picture(*window, "people-merged");
+    reason->setFocus();
+    QTest::keyClicks(reason, "another person");
+    click(*window, "unmerge_people");
+    EXPECT_EQ(find<QTableWidget>(*window, "people_table")->item(row_of("eve"), 3)->text(), "deactivated");
 }
 
 TEST_F(PeopleImport, SaysWhatIsWrongWithAList) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens where both sides changed, and where somebody was erased.
+#include <set>
+
+#include "database/records/person_merge.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -170,6 +173,50 @@ TEST_F(SyncErasure, TheServerItselfRefusesRowsOfAnErasedPerson) {
             << sql;
     EXPECT_EQ(error_kind([&] { erase_at_programme_server(server, "nobody", false); }),
               StoreErrorKind::not_found);
+}
+
+TEST_F(SyncConflict, AMergeReachesTheOtherStationAndTakesWhatTheDoubledAccountDidThere) {
+    // While the stations are apart: eve is merged at one, and renamed and performing at the other.
+    const std::string of_ann = a.record("ann");
+    PersonMerge(*a.store).merge(a.session("administrator"), a.id("eve"), a.id("ann"), "entered twice");
+    const std::string of_eve = b.record("eve", 80);
+    for (const char* name : {"Eve B", "Eve C", "Eve D"})
+        People(*b.store).rename(b.sign_in("administrator"), a.id("eve"), name);
+    for (int round = 0; round < 2; ++round) sync(a), sync(b);
+    const auto attempts = [&](const Store& store, const Session& session) {
+        AttemptFilter filter;
+        filter.person_id = a.id("ann");
+        std::set<std::string> ids;
+        for (const AttemptSummary& one : Attempts(store).list(session, filter)) ids.insert(one.meta.id);
+        return ids;
+    };
+    const std::set<std::string> both = {of_ann, of_eve};
+    EXPECT_EQ(attempts(*a.store, a.session("ann")), both);
+    EXPECT_EQ(attempts(*b.store, b.sign_in("ann")), both);
+    EXPECT_THROW(b.sign_in("eve"), SignInRefused);
+    for (const char* login : {"ann", "educator", "director"}) {
+        const Store store = Store::open(grant_at_programme_server(server, login).address, a.clock.options());
+        EXPECT_EQ(attempts(store, People(store).account_session()), both) << login << " at the server";
+    }
+    const Store of_ben = Store::open(grant_at_programme_server(server, "ben").address, a.clock.options());
+    EXPECT_TRUE(Attempts(of_ben).list(People(of_ben).account_session()).empty());
+    try {
+        EXPECT_TRUE(grant_at_programme_server(server, "eve").roles.empty());
+    } catch (const StoreError& error) {
+        EXPECT_EQ(error.kind(), StoreErrorKind::bad_value) << "she had no account there";
+    }
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+    expect_sound(server);
+    erase_at_programme_server(server, a.id("ann"), false);
+    for (int round = 0; round < 2; ++round) sync(a), sync(b);
+    for (const Store* store : {a.store.get(), b.store.get()}) {
+        Query left(store->connection(), "SELECT COUNT(*) FROM attempt");
+        ASSERT_TRUE(left.next());
+        EXPECT_EQ(left.integer(0), 0) << "erasing a person erases both rows";
+        EXPECT_EQ(name_of(*store, a.id("eve")), "Erased person");
+        expect_sound(*store);
+    }
 }
 
 }  // namespace

@@ -5374,6 +5374,146 @@
         <source>it sends poses that cannot be used</source>
         <translation>er sendet Lagen, die nicht brauchbar sind</translation>
     </message>
+    <message>
+        <source>%1 is merged into another account</source>
+        <translation>%1 ist mit einem anderen Konto zusammengeführt</translation>
+    </message>
+    <message>
+        <source>change the account that stays, or undo the merge first (`fulcrum people unmerge`)</source>
+        <translation>ändern Sie das Konto, das bleibt, oder machen Sie das Zusammenführen zuerst rückgängig (`fulcrum people unmerge`)</translation>
+    </message>
+    <message>
+        <source>forms of raters about them</source>
+        <translation>Bewertungsbögen dazu</translation>
+    </message>
+    <message>
+        <source>comments on them</source>
+        <translation>Kommentare dazu</translation>
+    </message>
+    <message>
+        <source>personal goals</source>
+        <translation>persönliche Ziele</translation>
+    </message>
+    <message>
+        <source>comments written, drafts included</source>
+        <translation>selbst geschriebene Kommentare, auch Entwürfe</translation>
+    </message>
+    <message>
+        <source>forms filled in, drafts included</source>
+        <translation>selbst ausgefüllte Bögen, auch Entwürfe</translation>
+    </message>
+    <message>
+        <source>people merged earlier</source>
+        <translation>früher zusammengeführte Personen</translation>
+    </message>
+    <message>
+        <source>this is one account, not two</source>
+        <translation>das ist ein Konto, nicht zwei</translation>
+    </message>
+    <message>
+        <source>name the doubled account, then the one that stays</source>
+        <translation>nennen Sie das doppelte Konto, dann das, das bleibt</translation>
+    </message>
+    <message>
+        <source>only real people are merged</source>
+        <translation>nur echte Personen werden zusammengeführt</translation>
+    </message>
+    <message>
+        <source>simulated people are never part of the results</source>
+        <translation>simulierte Personen gehören nie zu den Ergebnissen</translation>
+    </message>
+    <message>
+        <source>nobody merges an account of their own</source>
+        <translation>niemand führt ein eigenes Konto zusammen</translation>
+    </message>
+    <message>
+        <source>%1 is merged into another account already</source>
+        <translation>%1 ist schon mit einem anderen Konto zusammengeführt</translation>
+    </message>
+    <message>
+        <source>undo that merge first (`fulcrum people unmerge`)</source>
+        <translation>machen Sie dieses Zusammenführen zuerst rückgängig (`fulcrum people unmerge`)</translation>
+    </message>
+    <message>
+        <source>name the account that stays</source>
+        <translation>nennen Sie das Konto, das bleibt</translation>
+    </message>
+    <message>
+        <source>%1 is deactivated</source>
+        <translation>%1 ist deaktiviert</translation>
+    </message>
+    <message>
+        <source>activate the account that stays, or merge the other way round</source>
+        <translation>aktivieren Sie das Konto, das bleibt, oder führen Sie in der anderen Richtung zusammen</translation>
+    </message>
+    <message>
+        <source>%1 holds a role that %2 does not: %3</source>
+        <translation>%1 hat eine Rolle, die %2 nicht hat: %3</translation>
+    </message>
+    <message>
+        <source>a merge grants nothing: give that role to the account that stays, or take it from the other one, first</source>
+        <translation>Zusammenführen vergibt keine Rollen: geben Sie die Rolle zuerst dem Konto, das bleibt, oder nehmen Sie sie dem anderen</translation>
+    </message>
+    <message>
+        <source>the doubled account performs an attempt now</source>
+        <translation>mit dem doppelten Konto läuft gerade ein Versuch</translation>
+    </message>
+    <message>
+        <source>wait until it has ended</source>
+        <translation>warten Sie, bis er beendet ist</translation>
+    </message>
+    <message>
+        <source>%1 is not merged into another account</source>
+        <translation>%1 ist mit keinem anderen Konto zusammengeführt</translation>
+    </message>
+    <message>
+        <source>name an account that was merged</source>
+        <translation>nennen Sie ein zusammengeführtes Konto</translation>
+    </message>
+    <message>
+        <source>no task was performed by %1 people or more</source>
+        <translation>keine Aufgabe wurde von mindestens %1 Personen ausgeführt</translation>
+    </message>
+    <message>
+        <source>fewer could be recognised; export when there are more</source>
+        <translation>weniger ließen sich erkennen; exportieren Sie, wenn es mehr sind</translation>
+    </message>
+    <message>
+        <source>no schedule %1</source>
+        <translation>keine Planung %1</translation>
+    </message>
+    <message>
+        <source>list the schedules and name one of them</source>
+        <translation>zeigen Sie die Planungen an und nennen Sie eine davon</translation>
+    </message>
+    <message>
+        <source>%1: the folder of a schedule is a path from /</source>
+        <translation>%1: der Ordner einer Planung ist ein Pfad ab /</translation>
+    </message>
+    <message>
+        <source>a timer starts in another folder than you; give the whole path</source>
+        <translation>ein Zeitgeber startet in einem anderen Ordner als Sie; geben Sie den ganzen Pfad an</translation>
+    </message>
+    <message>
+        <source>the same report is scheduled already</source>
+        <translation>derselbe Bericht ist schon geplant</translation>
+    </message>
+    <message>
+        <source>list the schedules</source>
+        <translation>zeigen Sie die Planungen an</translation>
+    </message>
+    <message>
+        <source>say why: it is stored in the audit log</source>
+        <translation>sagen Sie, warum: es wird im Protokoll gespeichert</translation>
+    </message>
+    <message>
+        <source>name the folder to write to: -o FOLDER</source>
+        <translation>nennen Sie den Zielordner: -o ORDNER</translation>
+    </message>
+    <message>
+        <source>see `fulcrum schedule add --help`</source>
+        <translation>siehe `fulcrum schedule add --help`</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -10101,6 +10241,69 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::MergeCard</name>
+    <message>
+        <source>Entered twice?</source>
+        <translation>Doppelt eingetragen?</translation>
+    </message>
+    <message>
+        <source>Account that stays</source>
+        <translation>Konto, das bleibt</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Reason, for the audit log</source>
+        <translation>Grund, für das Protokoll</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Zusammenführen</translation>
+    </message>
+    <message>
+        <source>Undo the merge</source>
+        <translation>Zusammenführen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>nobody chosen</source>
+        <translation>niemand gewählt</translation>
+    </message>
+    <message>
+        <source>This account belongs to %1 now. It does not sign in.</source>
+        <translation>Dieses Konto gehört jetzt zu %1. Damit meldet sich niemand an.</translation>
+    </message>
+    <message>
+        <source>Merge this account into the other one of the same person. This login then no longer signs in.</source>
+        <translation>Führen Sie dieses Konto mit dem anderen derselben Person zusammen. Dieser Anmeldename gilt danach nicht mehr.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>cohort: %1</source>
+        <translation>Kohorte: %1</translation>
+    </message>
+    <message>
+        <source>Nothing follows to %1.</source>
+        <translation>Nichts geht auf %1 über.</translation>
+    </message>
+    <message>
+        <source>These follow to %1:</source>
+        <translation>Das geht auf %1 über:</translation>
+    </message>
+    <message>
+        <source>Merged.</source>
+        <translation>Zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>The merge was undone.</source>
+        <translation>Das Zusammenführen wurde rückgängig gemacht.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::MetricsPage</name>
     <message>
         <source>lower is better</source>
@@ -10765,6 +10968,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Saved.</source>
         <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>merged</source>
+        <translation>zusammengeführt</translation>
     </message>
 </context>
 <context>
@@ -12577,6 +12784,38 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Personal goals: all</source>
         <translation>Persönliche Ziele: alle</translation>
+    </message>
+    <message>
+        <source>Person merged into another account</source>
+        <translation>Person mit anderem Konto zusammengeführt</translation>
+    </message>
+    <message>
+        <source>Merge of a person undone</source>
+        <translation>Zusammenführen einer Person rückgängig gemacht</translation>
+    </message>
+    <message>
+        <source>Exported for research</source>
+        <translation>Für die Forschung exportiert</translation>
+    </message>
+    <message>
+        <source>Report scheduled</source>
+        <translation>Bericht geplant</translation>
+    </message>
+    <message>
+        <source>Scheduled report not written</source>
+        <translation>Geplanter Bericht nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>Schedule of a report ended</source>
+        <translation>Planung eines Berichts beendet</translation>
+    </message>
+    <message>
+        <source>Scheduled report written</source>
+        <translation>Geplanter Bericht geschrieben</translation>
+    </message>
+    <message>
+        <source>Scheduled reports: all</source>
+        <translation>Geplante Berichte: alle</translation>
     </message>
 </context>
 <context>

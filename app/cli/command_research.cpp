@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum research export: the programme's attempts for research, without names.
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "database/research/research_export.h"
+#include "sim_core/numerics/output_file.h"
+
+namespace fulcrum::app {
+namespace {
+
+int run_export(const Arguments& arguments) {
+    if (!arguments.has("--output"))
+        throw UsageError("--output", QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "name the folder to write to: -o FOLDER"));
+    const std::string folder = arguments.folder("--output", "");
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    const database::ResearchExport research = database::research_export(store, session);
+    std::vector<std::string> files;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        const std::string path = (std::filesystem::path(folder) / (name + ".csv")).string();
+        write_output_file(path, text, OutputFile::Existing::replace, OutputFile::Access::owner_only);
+        files.push_back(path);
+    };
+    for (const database::ResearchTable& table : research.tables) write(table.name, research.csv(table));
+    write("dictionary", research.dictionary());
+    if (arguments.has("--json")) {
+        print_json({{"people", research.people},
+                    {"attempts", research.attempts},
+                    {"left_out", research.left_out},
+                    {"files", files}});
+        return 0;
+    }
+    for (const std::string& file : files) std::cout << "wrote " << file << '\n';
+    std::cout << research.attempts << " attempts of " << research.people << " people; " << research.left_out
+              << " left out, of tasks with too few people\n";
+    return 0;
+}
+
+}  // namespace
+
+Command research_command() {
+    Command command{
+        "research export",
+        "",
+        0,
+        0,
+        "Writes the programme's attempts for research, without names; needs --as, a director.",
+        joined({{"--output", "FOLDER", "The folder to write to.", "", {}, "-o"}}, session_options()),
+        run_export};
+    command.details =
+        "Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and "
+        "attempts have ids "
+        "that are drawn again at each export, days count from a person's first attempt, values have three "
+        "significant "
+        "digits. What fewer than 5 people did is put together with other rows or left out, and so is every "
+        "count "
+        "from which a smaller one would follow. Somebody who knows a person's attempts well may still "
+        "recognise them: "
+        "give the files to researchers, and do not publish them.";
+    return command;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum schedule: reports of a cohort that are written to a folder every day or week.
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/installed_curriculum.h"
+#include "app/services/application.h"
+#include "app/services/program.h"
+#include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum.h"
+#include "assessment/task/task.h"
+#include "database/records/curricula.h"
+#include "database/records/people.h"
+#include "database/schedules/schedules.h"
+#include "ui/reports/report.h"
+
+namespace fulcrum::app {
+namespace {
+
+using database::ReportSchedule;
+using database::ScheduleEvery;
+using database::Schedules;
+using nlohmann::json;
+
+/// "year-1-2026-W48.pdf": the same in the same period, so that a second run replaces and adds nothing. The
+/// beginning of the schedule's id keeps apart what would have one name.
+std::string file_of(const ReportSchedule& schedule, const std::string& period) {
+    std::string name;
+    for (const char c : schedule.cohort_name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (plain || name.empty() || name.back() != '-') name += plain ? c : '-';
+    }
+    return (std::filesystem::path(schedule.folder) /
+            (name + "-" + period + "-" + schedule.id.substr(0, 8) + "." + schedule.format))
+        .string();
+}
+
+json document_of(const ReportSchedule& one) {
+    return {{"id", one.id},
+            {"cohort", one.cohort_name},
+            {"format", one.format},
+            {"folder", one.folder},
+            {"every", every_name(one.every)},
+            {"last", or_null(one.last_period)},
+            {"problem", or_null(one.problem)}};
+}
+
+std::string required(const Arguments& arguments, const char* option) {
+    const auto value = arguments.value(option);
+    if (!value)
+        throw UsageError(option, QT_TRANSLATE_NOOP("errors", "is missing"),
+                         QT_TRANSLATE_NOOP("errors", "see `fulcrum schedule add --help`"));
+    return *value;
+}
+
+int add(const Arguments& arguments) {
+    ReportSchedule schedule;
+    const std::string cohort = required(arguments, "--cohort");
+    schedule.folder = required(arguments, "--folder");
+    schedule.format = arguments.value_or("--format", "pdf");
+    schedule.every =
+        arguments.value_or("--every", "week") == "day" ? ScheduleEvery::day : ScheduleEvery::week;
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    const auto found = database::People(store).find_cohort(session, cohort);
+    if (!found)
+        throw InputError("--cohort", "",
+                         {QT_TRANSLATE_NOOP("errors", "no cohort '%1' that you may read"), cohort},
+                         QT_TRANSLATE_NOOP("errors", "name a cohort of this store"));
+    schedule.cohort_id = found->id;
+    const std::string id = Schedules(store).add(session, schedule);
+    if (arguments.has("--json")) {
+        print_json({{"id", id}});
+    } else {
+        std::cout << id << '\n';
+    }
+    return 0;
+}
+
+int list(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    json rows = json::array();
+    for (const ReportSchedule& one : Schedules(store).list(session)) {
+        rows.push_back(document_of(one));
+        if (arguments.has("--json")) continue;
+        std::cout << one.id << "  " << one.cohort_name << "  " << one.format << " every "
+                  << every_name(one.every) << " to " << one.folder << "  "
+                  << (one.last_period.empty() ? "not written yet" : "written: " + one.last_period) << '\n';
+        if (!one.problem.empty()) std::cout << "  last try failed: " << one.problem << '\n';
+    }
+    if (arguments.has("--json")) print_json({{"schedules", rows}});
+    return 0;
+}
+
+int remove(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    Schedules(store).remove(session, arguments.words()[0]);
+    if (arguments.has("--json")) print_json({{"id", arguments.words()[0]}});
+    return 0;
+}
+
+/// Writes what is due; one that fails does not keep the others from being written.
+int run_due(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    std::vector<TaskDefinition> tasks;
+    for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
+    const Curriculum curriculum = installed_curriculum();
+    database::Curricula(store).check(curriculum);
+    const Schedules schedules(store);
+    json written = json::array(), failed = json::array();
+    int current = 0;
+    for (const ReportSchedule& one : schedules.list(session)) {
+        const std::string period = database::period_of(one.every, store.now());
+        const std::string path = file_of(one, period);
+        if (one.last_period == period && std::filesystem::exists(path)) {
+            ++current;
+            continue;
+        }
+        try {
+            ui::ReportRequest request;
+            request.cohort_id = one.cohort_id;
+            request.format = ui::parse_report_format(one.format);
+            request.path = path;
+            request.curriculum = &curriculum;
+            for (const std::string& file : ui::write_report(store, session, request, tasks, version_line()))
+                written.push_back(file);
+            schedules.note(session, one.id, period, {});
+        } catch (const std::exception& error) {
+            failed.push_back({{"id", one.id}, {"cohort", one.cohort_name}, {"problem", line_of(error)}});
+            std::cerr << one.id << ": " << line_of(error) << '\n';
+            schedules.note(session, one.id, period, line_of(error));
+        }
+    }
+    if (arguments.has("--json")) {
+        print_json({{"written", written}, {"failed", failed}, {"current", current}});
+    } else {
+        for (const auto& file : written) std::cout << "wrote " << file.get<std::string>() << '\n';
+        std::cout << current << " were written before, " << failed.size() << " failed\n";
+    }
+    return failed.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+std::vector<Command> schedule_commands() {
+    Command adding{
+        "schedule add",
+        "",
+        0,
+        0,
+        "Schedules a report of a cohort; needs --as, a director.",
+        joined({{"--cohort", "NAME", "The cohort."},
+                {"--folder", "FOLDER", "The folder to write to, as a path from /."},
+                {"--every", "TIME", "How often.", "week", {"day", "week"}},
+                {"--format", "FORMAT", "The kind of file.", "pdf", {"pdf", "csv", "xlsx", "json"}}},
+               session_options()),
+        add};
+    Command running{
+        "schedule run",    "",      0,   0, "Writes the reports that are due; needs --as, a director.",
+        session_options(), run_due, true};
+    running.details =
+        "Meant for cron or a systemd timer, any number of times a day: each report is written once in its "
+        "day or week "
+        "(UTC), and again where its file is gone. One that fails is tried again at the next run; the exit "
+        "status is 1 "
+        "then, and `fulcrum schedule list` shows why. The password is read from --password-file.";
+    return {adding,
+            {"schedule list", "", 0, 0, "Lists the scheduled reports; needs --as, a director.",
+             session_options(), list},
+            {"schedule remove", "ID", 1, 1, "Ends a schedule; needs --as, a director.", session_options(),
+             remove},
+            running};
+}
+
+}  // namespace fulcrum::app

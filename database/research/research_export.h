@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a programme gives to research: attempts of real people under ids drawn for this export, with days
+// counted from each person's first attempt; no name, login, date, text, station, seed or device. Always the
+// whole programme: two exports of overlapping cohorts could be subtracted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+struct ResearchColumn {
+    std::string name, unit, meaning;
+};
+
+struct ResearchTable {
+    std::string name;  ///< of its file, without ending
+    std::vector<ResearchColumn> columns;
+    std::vector<std::vector<std::string>> rows;  ///< as they stand in a CSV file
+};
+
+struct ResearchExport {
+    int people = 0, attempts = 0;  ///< exported
+    int left_out = 0;              ///< attempts of tasks that fewer than least_people people performed
+    std::vector<ResearchTable> tables;
+    std::string csv(const ResearchTable& table) const;
+    std::string dictionary() const;
+};
+
+/// Operation::export_cohort of the whole programme; audited where the store is written. Throws AccessDenied,
+/// StoreError conflict with fewer than least_people people.
+ResearchExport research_export(const Store& store, const Session& director);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/schedules/schedules.h"
+
+#include <QDateTime>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+
+#include "database/rows/connection.h"
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+#include "database/store/store_state.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr const char* key_start = "report_schedule ";
+
+std::string key_of(const std::string& id) {
+    return key_start + id;
+}
+
+std::string text_of(const ReportSchedule& schedule) {
+    return json_object({{"cohort", schedule.cohort_id},
+                        {"format", schedule.format},
+                        {"folder", schedule.folder},
+                        {"every", every_name(schedule.every)},
+                        {"last", schedule.last_period},
+                        {"problem", schedule.problem}});
+}
+
+ReportSchedule schedule_of(const std::string& id, const std::string& text) {
+    const QJsonObject said = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+    const auto word = [&](const char* key) {
+        return said.value(QLatin1String(key)).toString().toStdString();
+    };
+    ReportSchedule schedule;
+    schedule.id = id;
+    schedule.cohort_id = word("cohort");
+    schedule.format = word("format");
+    schedule.folder = word("folder");
+    schedule.every =
+        word("every") == every_name(ScheduleEvery::day) ? ScheduleEvery::day : ScheduleEvery::week;
+    schedule.last_period = word("last");
+    schedule.problem = word("problem");
+    return schedule;
+}
+
+std::vector<ReportSchedule> all_schedules(Connection& connection) {
+    Query rows(
+        connection,
+        "SELECT s.key, s.value, COALESCE(c.name, '') FROM setting s LEFT JOIN cohort c ON s.value LIKE "
+        "'%\"' || c.id || '\"%' WHERE s.key LIKE 'report_schedule %' ORDER BY s.key");
+    std::vector<ReportSchedule> schedules;
+    while (rows.next()) {
+        schedules.push_back(schedule_of(rows.text(0).substr(std::string(key_start).size()), rows.text(1)));
+        schedules.back().cohort_name = rows.text(2);
+    }
+    return schedules;
+}
+
+ReportSchedule require_schedule(const Store& store, const std::string& id) {
+    for (ReportSchedule& one : all_schedules(store.connection()))
+        if (one.id == id) return std::move(one);
+    throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no schedule %1"), id},
+                     QT_TRANSLATE_NOOP("errors", "list the schedules and name one of them"));
+}
+
+}  // namespace
+
+const char* every_name(ScheduleEvery every) {
+    return every == ScheduleEvery::day ? "day" : "week";
+}
+
+std::string period_of(ScheduleEvery every, UtcMilliseconds time) {
+    const QDate day = QDateTime::fromMSecsSinceEpoch(time, Qt::UTC).date();
+    if (every == ScheduleEvery::day) return day.toString(Qt::ISODate).toStdString();
+    int year = 0;
+    const int week = day.weekNumber(&year);
+    return QString("%1-W%2").arg(year).arg(week, 2, 10, QLatin1Char('0')).toStdString();
+}
+
+std::string Schedules::add(const Session& director, const ReportSchedule& schedule) const {
+    store_.require(director, Operation::export_cohort, Subject::cohort(schedule.cohort_id));
+    if (schedule.folder.empty() || schedule.folder[0] != '/')
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "%1: the folder of a schedule is a path from /"), schedule.folder},
+            QT_TRANSLATE_NOOP("errors", "a timer starts in another folder than you; give the whole path"));
+    Transaction transaction(store_.connection());
+    for (const ReportSchedule& one : all_schedules(store_.connection()))
+        if (one.cohort_id == schedule.cohort_id && one.format == schedule.format &&
+            one.folder == schedule.folder && one.every == schedule.every)
+            throw StoreError(StoreErrorKind::conflict,
+                             QT_TRANSLATE_NOOP("errors", "the same report is scheduled already"),
+                             QT_TRANSLATE_NOOP("errors", "list the schedules"));
+    ReportSchedule added = schedule;
+    added.last_period.clear();
+    added.problem.clear();
+    std::string id = random_uuid();
+    write_setting(store_.connection(), key_of(id), text_of(added));
+    Audit(store_).append(director, schedule.cohort_id, "schedule.add", text_of(added),
+                         {{RecordKind::setting, key_of(id)}});
+    transaction.commit();
+    return id;
+}
+
+std::vector<ReportSchedule> Schedules::list(const Session& director) const {
+    store_.require(director, Operation::export_cohort);
+    return all_schedules(store_.connection());
+}
+
+void Schedules::remove(const Session& director, const std::string& id) const {
+    store_.require(director, Operation::export_cohort);
+    Transaction transaction(store_.connection());
+    const ReportSchedule before = require_schedule(store_, id);
+    Query(store_.connection(), "DELETE FROM setting WHERE key = ?").bind(key_of(id)).run();
+    Audit(store_).append(director, before.cohort_id, "schedule.remove", text_of(before),
+                         {{RecordKind::setting, key_of(id)}});
+    transaction.commit();
+}
+
+void Schedules::note(const Session& director, const std::string& id, const std::string& period,
+                     const std::string& problem) const {
+    store_.require(director, Operation::export_cohort);
+    Transaction transaction(store_.connection());
+    ReportSchedule now = require_schedule(store_, id);
+    if (problem.empty()) now.last_period = period;
+    now.problem = problem;
+    write_setting(store_.connection(), key_of(id), text_of(now));
+    Audit(store_).append(director, now.cohort_id, problem.empty() ? "schedule.write" : "schedule.fail",
+                         text_of(now), {{RecordKind::setting, key_of(id)}});
+    transaction.commit();
+}
+
+}  // namespace fulcrum::database
