@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Attempts to be rated with an observer form, newest first, without names and scores, so that whoever opens
+// Attempts to be rated with an observer form, first those that the curriculum waits for, then newest first,
+// without names and scores, so that whoever opens
 // one here can rate it blind.
 #pragma once
 
