@@ -69,11 +69,16 @@ ReadTrace read_external(const Arguments& arguments) {
 }
 
 /// Its person: an external one of the station, or somebody of the cohorts of the educator who signed in.
+/// Empty in a dry run where the station would make the person.
 std::string person_of_import(const Arguments& arguments, const database::Store& store,
                              const database::Session& session) {
+    const database::People people(store);
     if (!session.is_station()) return person_named(arguments, store, session);
     const std::string login = *arguments.value("--person");
-    return database::People(store).ensure_synthetic(session, login, login, database::PersonKind::external).id;
+    if (!arguments.has("--dry-run"))
+        return people.ensure_synthetic(session, login, login, database::PersonKind::external).id;
+    const auto known = people.find_login(session, login);
+    return known ? known->id : std::string();
 }
 
 database::ScoreRow measured_alone(const ReadTrace& read) {
@@ -108,11 +113,11 @@ int run_import(const Arguments& arguments) {
                 option, QT_TRANSLATE_NOOP("errors", "is missing"),
                 QT_TRANSLATE_NOOP("errors", "name the exercise and the person who performed it"));
     const ReadTrace read = read_external(arguments);  // errors are reported before a store is opened
-    const database::Store store = open_store(arguments, !arguments.has("--as"));
+    const database::Store store =
+        open_store(arguments, !arguments.has("--as") && !arguments.has("--dry-run"));
     const database::Session session = session_of(arguments, store);
     const QDateTime performed = performed_at(arguments, store);
     ExternalAttempt attempt;
-    attempt.person_id = person_of_import(arguments, store, session);
     attempt.exercise = *arguments.value("--exercise");
     attempt.source = arguments.value_or("--source", read.source.empty() ? "trace file" : read.source);
     attempt.performed = performed.toMSecsSinceEpoch();
@@ -125,10 +130,12 @@ int run_import(const Arguments& arguments) {
     write_trace_csv(read.trace, text);
     attempt.trace = text.str();
     const database::ExternalAttempts imports(store);
+    imports.check_values(attempt);  // before a person is made for it
+    attempt.person_id = person_of_import(arguments, store, session);
     nlohmann::json document = read.document;
     document["attempt"] = nullptr;
     if (arguments.has("--dry-run")) {
-        imports.check(session, attempt);
+        if (!attempt.person_id.empty()) imports.check(session, attempt);
     } else {
         document["attempt"] = imports.add(session, attempt);
     }

@@ -97,9 +97,13 @@ void insert_external(const Store& store, const std::string& id, const ExternalAt
 
 }  // namespace
 
+void ExternalAttempts::check_values(const ExternalAttempt& attempt) const {
+    require_sound(attempt, store_.now());
+}
+
 void ExternalAttempts::check(const Session& session, const ExternalAttempt& attempt) const {
     store_.require(session, Operation::import_attempt, Subject::person(attempt.person_id));
-    require_sound(attempt, store_.now());
+    check_values(attempt);
     require_new(store_.connection(), attempt);
 }
 

@@ -37,6 +37,8 @@ class ExternalAttempts {
     /// One transaction, audited. Returns the attempt's id. Operation::import_attempt. Throws AccessDenied;
     /// StoreError bad_value, conflict where this person has an attempt of the same trace that is not voided.
     std::string add(const Session& session, const ExternalAttempt& attempt) const;
+    /// Throws bad_value where add() would, whoever the person is.
+    void check_values(const ExternalAttempt& attempt) const;
     /// Throws what add() would, and stores nothing.
     void check(const Session& session, const ExternalAttempt& attempt) const;
     /// The trace as it was measured, Trace CSV. Operation::read_trace. Throws StoreError not_found where the

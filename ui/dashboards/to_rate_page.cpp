@@ -11,6 +11,12 @@ namespace fulcrum::ui {
 
 using database::RatableAttempt;
 
+namespace {
+
+constexpr int awaited_column = 1, recorded_column = 4;
+
+}  // namespace
+
 ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     auto* body = new QWidget;
     auto* layout = new QVBoxLayout(body);
@@ -27,9 +33,10 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     row->addWidget(rated_);
     row->addStretch();
     count_ = make_label({}, "muted");
+    count_->setWordWrap(false);
     row->addWidget(count_);
     layout->addLayout(row);
-    table_ = make_table({tr("Task"), tr("Curriculum"), tr("Variant"), tr("Started"), tr("Recorded"),
+    table_ = make_table({tr("Task"), tr("Awaited"), tr("Variant"), tr("Started"), tr("Recorded"),
                          tr("Ratings"), tr("Your ratings"), tr("Blind")},
                         "to_rate_table");
     table_->setMinimumHeight(360);
@@ -49,6 +56,12 @@ void ToRatePage::enter() {
     table_->setFocus();
 }
 
+// In a narrow window what decides what to rate stays.
+void ToRatePage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    table_->setColumnHidden(recorded_column, width() < 130 * fontMetrics().averageCharWidth());
+}
+
 void ToRatePage::fill() {
     attempts_.clear();
     context().guarded([&] {
@@ -65,7 +78,7 @@ void ToRatePage::fill() {
         QString own = one.own_handed_in > 0 ? QString::number(one.own_handed_in) : QStringLiteral("–");
         if (one.own_draft) own = tr("draft");
         const QString cells[] = {context().task_title(one.task_id),
-                                 one.awaited ? tr("● awaiting rating") : QStringLiteral("–"),
+                                 one.awaited ? tr("● yes") : QStringLiteral("–"),
                                  text(one.variant),
                                  local_time(one.started),
                                  clock_text(one.duration_s),
@@ -79,7 +92,11 @@ void ToRatePage::fill() {
                 make_cell(cells[column], (number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
         }
     }
-    fit_columns(table_, {1, 3, 4, 5});
+    for (int row = 0; row < table_->rowCount(); ++row)
+        if (attempts_[static_cast<std::size_t>(row)].awaited)
+            table_->item(row, awaited_column)
+                ->setToolTip(tr("The curriculum waits for ratings of this attempt."));
+    fit_columns(table_, {awaited_column, 3, recorded_column, 5});
     if (table_->rowCount() > 0) table_->setCurrentCell(0, 0);
     open_->setEnabled(table_->rowCount() > 0);
     const auto awaited = std::count_if(attempts_.begin(), attempts_.end(),

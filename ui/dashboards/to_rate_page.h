@@ -22,6 +22,9 @@ class ToRatePage : public Page {
     explicit ToRatePage(Context& context);
     void enter() override;
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void fill();
     void open_row(int row);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/reports/pathology_words.h"
+#include "ui/reports/report_texts.h"
 #include "ui/reports/specimen_map.h"
 #include "ui/style/palette.h"
 
@@ -59,6 +60,11 @@ class SolidView {
         const double up = z * std::cos(pose_.pitch) - near * std::sin(pose_.pitch);
         return centre_ + scale_ * QPointF(x, -up);
     }
+    /// To the right of the specimen, at the height of its axis.
+    QPointF beside(double down) const {
+        const double z = 0.5 * length_ - down * plan_.spacing;
+        return centre_ + scale_ * QPointF(radius_, -z * std::cos(pose_.pitch));
+    }
     bool faces(double along) const { return std::cos((0.5 - along) * solid_pi + pose_.yaw) > 0; }
     bool from_above() const { return pose_.pitch >= 0; }
     /// The part of a stretch that faces the viewer, in strips; empty where none does.
@@ -103,6 +109,7 @@ class SolidPainter {
     void defects();
     void tumour();
     void ends();
+    void names();
 
   private:
     void hatched(const QPolygonF& strip);
@@ -220,6 +227,18 @@ void SolidPainter::ends() {
     painter_.drawPolygon(view_.ring(down, 0.6 * view_.wall()));
 }
 
+void SolidPainter::names() {
+    painter_.setPen(palette_.muted);
+    const double line = painter_.fontMetrics().height();
+    const auto name = [&](double down, const QString& words) {
+        const QPointF place = view_.beside(down);
+        painter_.drawText(QRectF(place.x() + 8, place.y() - 0.5 * line, 1e4, line),
+                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, words);
+    };
+    name(0, ReportTexts::tr("cranial"));
+    name(report_.plan.levels, ReportTexts::tr("caudal"));
+}
+
 /// What the picture says of where one looks from.
 struct SolidTexts {
     Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::SolidTexts)
@@ -266,6 +285,11 @@ void SpecimenSolid::choose(int finding) {
     update();
 }
 
+QRectF SpecimenSolid::area() const {
+    const double line = fontMetrics().height() + 4;
+    return QRectF(rect()).adjusted(0, line, 0, -line);
+}
+
 void SpecimenSolid::turn(double yaw, double pitch) {
     pose_.yaw = std::remainder(pose_.yaw + yaw, 2 * solid_pi);
     pose_.pitch = std::clamp(pose_.pitch + pitch, -steepest, steepest);
@@ -281,7 +305,7 @@ void SpecimenSolid::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const Palette& p = colours();
-    const SolidView view(report_, pose_, rect());
+    const SolidView view(report_, pose_, area());
     if (view.drawable()) {
         SolidPainter solid(painter, report_, view);
         solid.front();
@@ -289,6 +313,7 @@ void SpecimenSolid::paintEvent(QPaintEvent*) {
         solid.tumour();
         solid.defects();
         solid.ends();
+        solid.names();
     }
     painter.setPen(p.muted);
     painter.drawText(rect().adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop,
@@ -318,7 +343,7 @@ void SpecimenSolid::mouseMoveEvent(QMouseEvent* event) {
 
 void SpecimenSolid::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || dragged_) return;
-    for (const SolidFace& face : facing_sectors(report_, pose_, rect())) {
+    for (const SolidFace& face : facing_sectors(report_, pose_, area())) {
         if (!face.outline.containsPoint(event->localPos(), Qt::OddEvenFill)) continue;
         choose(face.finding);
         emit sector_chosen(face.finding);

@@ -34,6 +34,8 @@ class SpecimenSolid : public QWidget {
     void open(const PathologyReport& report);
     void choose(int finding);  ///< is outlined; -1: none
     const SolidPose& pose() const { return pose_; }
+    /// Into which the specimen is drawn.
+    QRectF area() const;
 
   signals:
     /// Index of the report's findings.

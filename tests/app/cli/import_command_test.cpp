@@ -88,8 +88,8 @@ TEST_F(ImportCommand, TraceOfTheJigsawsFormatBecomesAnExternalAttempt) {
     EXPECT_EQ(attempt.meta.person_id, programme.id("ann"));
     EXPECT_FALSE(attempt.counting);
     bool has_path = false;
-    for (const database::MetricRow& row :
-         database::Attempts(*programme.store).score(programme.session("educator"), id)->metrics)
+    const auto score = database::Attempts(*programme.store).score(programme.session("educator"), id);
+    for (const database::MetricRow& row : score->metrics)
         has_path = has_path || (row.id == "path_len" && row.hand == "left" && row.value && *row.value > 1000);
     EXPECT_TRUE(has_path) << "20 s at 0.15 m/s";
     programme.store.reset();
@@ -97,6 +97,14 @@ TEST_F(ImportCommand, TraceOfTheJigsawsFormatBecomesAnExternalAttempt) {
 }
 
 TEST_F(ImportCommand, StationStoresItForAnExternalPersonOnly) {
+    std::vector<std::string> dry = call("external-robot");
+    dry.emplace_back("--dry-run");
+    run(dry);
+    programme.open();
+    EXPECT_FALSE(
+        database::People(*programme.store).find_login(programme.store->station_session(), "external-robot"))
+        << "a dry run makes nobody";
+    programme.store.reset();
     const nlohmann::json stored = run(call("external-robot"));
     const std::string folder = path("exported");
     run({"report", "--attempt", stored["attempt"].get<std::string>(), "--format", "trace", "-o", folder});

@@ -94,14 +94,13 @@ TEST(DemonstrationBuild, OfAnySizeGivesEachTraineeItsAttemptsAndAnotherSeedOther
     const QTemporaryDir folder;
     std::set<std::string> hashes;
     std::size_t made = 0;
-    for (const int seed : {0, 1}) {
+    for (const DemoSize& size : {DemoSize{2, 1, 6, 0}, DemoSize{1, 1, 2, 1}}) {
         DemonstrationRequest request;
         request.output = folder.filePath("sized.zst").toStdString();
-        request.size = {2, 1, 6, seed};
+        request.size = size;
         const DemonstrationResult result = build_demonstration(request);
         ASSERT_TRUE(result.complete);
-        EXPECT_EQ(result.attempts, 12);
-        const std::string path = folder.filePath(QString::number(seed)).toStdString();
+        const std::string path = folder.filePath(QString::number(size.seed)).toStdString();
         ASSERT_TRUE(unpack_demo_file(request.output, path, {}));
         std::map<std::string, int> of;
         const database::Store store = database::Store::open(path);
@@ -110,8 +109,8 @@ TEST(DemonstrationBuild, OfAnySizeGivesEachTraineeItsAttemptsAndAnotherSeedOther
             hashes.insert(one.state_hash);
             ++made;
         }
-        EXPECT_EQ(of.size(), 2U);
-        for (const auto& [login, attempts] : of) EXPECT_EQ(attempts, 6) << login;
+        EXPECT_EQ(of.size(), size.trainees);
+        for (const auto& [login, attempts] : of) EXPECT_EQ(attempts, size.attempts) << login;
     }
     EXPECT_EQ(hashes.size(), made) << "no attempt is made twice";
 }

@@ -91,6 +91,15 @@ TEST_F(External, IsStoredWithItsClassItsTraceAndNoVerdict) {
             .person_progress(programme.session("educator"), programme.id("ann"), "external-peg-transfer");
     ASSERT_EQ(progress.series.size(), 1U);
     EXPECT_EQ(progress.series[0].device_class, DeviceClass::external);
+    const PersonData data =
+        Reports(*programme.store)
+            .person_data(programme.session("director"), programme.id("ann"), {{"A2"}, nullptr, true});
+    ASSERT_EQ(data.progress.size(), 2U);
+    EXPECT_EQ(data.progress[1].task_id, "external-peg-transfer");
+    EXPECT_FALSE(data.progress[1].series.at(0).points.at(0).counting);
+    ASSERT_EQ(data.rows.size(), 2U);
+    EXPECT_EQ(data.rows[1].not_counting, 1);
+    EXPECT_EQ(data.rows[1].attempts, 0);
     ScoringInForce now;
     now.limits = [](const AttemptMeta&) { return std::string("other@9"); };
     for (const StaleScore& stale : programme.attempts().stale_scores(programme.session("educator"), now))

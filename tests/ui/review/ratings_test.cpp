@@ -165,7 +165,7 @@ TEST_F(RatingPages, FromTheListAnAttemptIsRatedWithoutNameAndScore) {
     click(*window, "rail_rate");
     auto* table = find<QTableWidget>(*window, "to_rate_table");
     ASSERT_EQ(table->rowCount(), 1);
-    EXPECT_EQ(table->item(0, 6)->text(), "yes");
+    EXPECT_EQ(table->item(0, 7)->text(), "yes");
     EXPECT_FALSE(page_text().contains("Tara"));
     EXPECT_FALSE(page_text().contains("71"));
     keep("to-rate");
@@ -308,8 +308,9 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     click(*window, "rail_rate");
     auto* list = find<QTableWidget>(*window, "to_rate_table");
     ASSERT_EQ(list->rowCount(), 2);
-    EXPECT_TRUE(list->item(0, 1)->text().contains("awaiting rating"));
-    EXPECT_FALSE(list->item(1, 1)->text().contains("awaiting rating"));
+    EXPECT_EQ(list->item(0, 1)->text(), QString::fromUtf8("● yes"));
+    EXPECT_FALSE(list->item(0, 1)->toolTip().isEmpty());
+    EXPECT_EQ(list->item(1, 1)->text(), QString::fromUtf8("–"));
     keep("rate-awaiting");
     for (const Session* rater : {ed.get(), ida.get()}) {
         act_as(*rater);

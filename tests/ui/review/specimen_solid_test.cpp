@@ -103,7 +103,7 @@ TEST_F(Solid, SectorsHaveTheColoursOfTheMapInBothThemes) {
         std::set<int> looked_at;
         for (int turn = 0; turn < 24; ++turn) {
             const QImage seen = picture();
-            for (const SolidFace& face : facing_sectors(report, solid().pose(), solid().rect())) {
+            for (const SolidFace& face : facing_sectors(report, solid().pose(), solid().area())) {
                 const SectorFinding& finding = report.findings[static_cast<std::size_t>(face.finding)];
                 const QRectF box = face.outline.boundingRect();
                 if (box.width() < 30 || finding.defect > 0) continue;
@@ -125,7 +125,7 @@ TEST_F(Solid, SectorsHaveTheColoursOfTheMapInBothThemes) {
 TEST_F(Solid, UndividedGroundIsHatchedAndAClickChoosesASector) {
     show(varied_specimen(150));
     keep("specimen-solid-undivided");
-    const auto faces = facing_sectors(varied_specimen(150), solid().pose(), solid().rect());
+    const auto faces = facing_sectors(varied_specimen(150), solid().pose(), solid().area());
     ASSERT_FALSE(faces.empty());
     const auto colours_in = [&](const QRectF& box) {
         std::set<QRgb> found;
@@ -153,7 +153,7 @@ TEST_F(Solid, FitsItsCardAtEveryWidthAndSizeOfText) {
             show(varied_specimen(), width);
             auto* map = find<QWidget>(*card, "specimen_map");
             EXPECT_TRUE(map->rect().contains(solid().geometry())) << width << " at " << percent;
-            for (const SolidFace& face : facing_sectors(varied_specimen(), solid().pose(), solid().rect()))
+            for (const SolidFace& face : facing_sectors(varied_specimen(), solid().pose(), solid().area()))
                 EXPECT_TRUE(QRectF(solid().rect()).contains(face.outline.boundingRect()));
             keep(QStringLiteral("specimen-solid-%1-%2").arg(width).arg(percent));
         }

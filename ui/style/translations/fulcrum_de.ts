@@ -12242,16 +12242,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Namen und Bewertungen fehlen hier. Ein Versuch, dessen Namen und Bewertung Sie nicht geöffnet haben, wird blind beurteilt. Versuche, auf deren Beurteilung das Curriculum wartet, stehen zuerst.</translation>
     </message>
     <message>
-        <source>Curriculum</source>
-        <translation>Curriculum</translation>
-    </message>
-    <message>
-        <source>● awaiting rating</source>
-        <translation>● Beurteilung steht aus</translation>
-    </message>
-    <message>
         <source>Attempts: %1, awaiting rating: %2</source>
         <translation>Versuche: %1, davon mit ausstehender Beurteilung: %2</translation>
+    </message>
+    <message>
+        <source>Awaited</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>● yes</source>
+        <translation>● ja</translation>
+    </message>
+    <message>
+        <source>The curriculum waits for ratings of this attempt.</source>
+        <translation>Das Curriculum wartet auf Beurteilungen dieses Versuchs.</translation>
     </message>
 </context>
 <context>
