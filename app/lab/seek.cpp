@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lab/seek.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <iostream>
 #include <random>
 
@@ -25,10 +26,15 @@ constexpr double seek_limit_s = 0.2;
 constexpr int take_overs = 10;
 constexpr double taken_over_s = 1;  // for which a taken-over attempt is performed before it is replayed
 
-using Clock = std::chrono::steady_clock;
+/// Processor time of this thread: all of it is one thread's work, and what else the machine does is left out.
+double thread_seconds() {
+    timespec now = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+double seconds_since(double begin) {
+    return thread_seconds() - begin;
 }
 
 struct Seeks {
@@ -102,13 +108,13 @@ void leave_frames(const LoadedTask& loaded, const AttemptRecord& record, FrameSt
     frames.add(cursor);
     double since_frame = 0;
     while (!cursor.at_end()) {
-        Clock::time_point begin = Clock::now();
+        double begin = thread_seconds();
         cursor.run_to(cursor.tick() + slice_ticks);
         const double took = seconds_since(begin);
         measured.simulate_s += took;
         since_frame += took;
         if (!frames.wants(since_frame)) continue;
-        begin = Clock::now();
+        begin = thread_seconds();
         frames.add(cursor);
         measured.frames_s += seconds_since(begin);
         since_frame = 0;
@@ -127,7 +133,7 @@ void seek_anywhere(const LoadedTask& loaded, const AttemptRecord& record, const 
     std::uniform_int_distribution<std::uint32_t> anywhere(1, record.samples.back().tick);
     for (int i = 0; i < count; ++i) {
         const std::uint32_t tick = anywhere(random);
-        const Clock::time_point begin = Clock::now();
+        const double begin = thread_seconds();
         FrameStore::put(frames.before(tick), cursor);
         cursor.run_to(tick);
         measured.times.push_back(seconds_since(begin));
@@ -171,7 +177,7 @@ void take_over_anywhere(const LoadedTask& loaded, const std::shared_ptr<const At
         moment.tick = settled_tick(*record, anywhere(random));
         if (const FrameStore::Frame frame = frames.before(moment.tick); frame.packed)
             moment.frame = *frame.packed;
-        const Clock::time_point begin = Clock::now();
+        const double begin = thread_seconds();
         AttemptEngine engine(loaded.scene, loaded.task, seed);
         moment.bring(engine, stop);
         engine.begin_here();
@@ -188,13 +194,13 @@ void take_over_anywhere(const LoadedTask& loaded, const std::shared_ptr<const At
 }
 
 void time_ghost(const LoadedTask& loaded, Seeks& measured) {
-    Clock::time_point begin = Clock::now();
+    double begin = thread_seconds();
     const std::shared_ptr<const GhostPath> path =
         make_ghost(loaded.scene, loaded.task, seed, [] { return true; });
     measured.ghost_s = seconds_since(begin);
     measured.ghost_points = path->points.size();
     GhostPace pace(path);
-    begin = Clock::now();
+    begin = thread_seconds();
     // A trainee who moves as the ghost does: every point is looked for once.
     for (const GhostPoint& point : path->points) pace.follow(point.tools, point.goal);
     measured.follow_s = seconds_since(begin) / static_cast<double>(path->points.size());
@@ -292,7 +298,8 @@ Measured measure_seeks(const std::vector<std::string>& tasks, double seconds, in
         "forwards, was replayed once and left key frames; then each task was sought at " +
         std::to_string(seeks) +
         " random moments from any other. A seek unpacks the key frame before the moment and simulates from "
-        "there. \"Bit for bit\": every sample and every state hash on the way is that of the record. The "
+        "there. Times are processor time of the one thread that does it. \"Bit for bit\": every sample and "
+        "every state hash on the way is that of the record. The "
         "limit of a seek is " +
         lab::short_number(1e3 * seek_limit_s, 3) + " ms; the slowest of all took " +
         lab::short_number(1e3 * worst_of_all, 3) +
