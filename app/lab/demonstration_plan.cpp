@@ -105,7 +105,7 @@ constexpr int working_days = 5, days_a_week = 7;
 /// Attempts of a trainee on a day, where everybody performs `all` of them from `first_day` on: as evenly as
 /// whole numbers allow over the days on which the trainee is there.
 int even_share(std::size_t trainee, int day, int first_day, int all) {
-    if (day % days_a_week >= working_days || is_away(trainee, day)) return 0;
+    if (day < first_day || day % days_a_week >= working_days || is_away(trainee, day)) return 0;
     int days = 0, before = 0;
     for (int one = first_day; one < demo_days; ++one) {
         if (one % days_a_week >= working_days || is_away(trainee, one)) continue;
