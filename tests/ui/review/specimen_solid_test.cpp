@@ -8,6 +8,8 @@
 #include <QApplication>
 #include <QLabel>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <set>
 
 #include "tests/ui/hands.h"
@@ -25,12 +27,15 @@ class Solid : public ::testing::Test {
     Solid() { apply_theme(*qApp, Theme::light); }
     ~Solid() override { apply_theme(*qApp, Theme::light); }
     void show(const PathologyReport& report, int width = 900) {
-        card = std::make_unique<PathologyCard>();
-        card->resize(width, 700);
+        area = std::make_unique<QScrollArea>();
+        area->setWidgetResizable(true);
+        card = new PathologyCard;
         card->open(report, std::nullopt);
-        card->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(card.get()));
-        card->activateWindow();
+        area->setWidget(card);
+        area->resize(width, 760);
+        area->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(area.get()));
+        area->activateWindow();
         if (card->findChildren<SpecimenCell*>().isEmpty()) return;
         click(*card, "specimen_as_solid");
         QCoreApplication::processEvents();
@@ -42,7 +47,8 @@ class Solid : public ::testing::Test {
         const QString folder = qEnvironmentVariable("FULCRUM_PICTURES");
         if (!folder.isEmpty()) card->grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
     }
-    std::unique_ptr<PathologyCard> card;
+    std::unique_ptr<QScrollArea> area;
+    PathologyCard* card = nullptr;  ///< of the area
 };
 
 TEST_F(Solid, TakesThePlaceOfTheMapAndBack) {
@@ -153,6 +159,9 @@ TEST_F(Solid, FitsItsCardAtEveryWidthAndSizeOfText) {
             show(varied_specimen(), width);
             auto* map = find<QWidget>(*card, "specimen_map");
             EXPECT_TRUE(map->rect().contains(solid().geometry())) << width << " at " << percent;
+            const auto* below = find<QLabel>(*card, "specimen_sector");
+            EXPECT_LE(map->mapTo(card, map->rect().bottomLeft()).y(), below->mapTo(card, QPoint(0, 0)).y());
+            EXPECT_LE(area->horizontalScrollBar()->maximum(), 0);
             for (const SolidFace& face : facing_sectors(varied_specimen(), solid().pose(), solid().area()))
                 EXPECT_TRUE(QRectF(solid().rect()).contains(face.outline.boundingRect()));
             keep(QStringLiteral("specimen-solid-%1-%2").arg(width).arg(percent));
