@@ -77,7 +77,10 @@ std::vector<Command> laboratory_commands() {
          "Measures what metrics make of the same attempts recorded otherwise: turned, later, at half the "
          "rate, with noise.",
          page},
-        {"lab seek", "[TASK]", 0, 1, "Measures seeks to random moments of a replay, and its key frames.",
+        {"lab seek", "[TASK...]", 0, 20,
+         "Measures seeks to random moments of a replay of every task, or of these, taking over from it, and "
+         "the "
+         "ghost.",
          joined({{"--seconds", "S", "Length of the attempt: 1 to 3600.", "600"},
                  {"--seeks", "N", "Seeks for each task: 1 to 100000.", "200"}},
                 page)},

@@ -10,6 +10,7 @@
 
 #include "app/services/frame_store.h"
 #include "app/services/replay_moment.h"
+#include "assessment/assets/assets.h"
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/ghost.h"
 #include "assessment/attempt/memory_sink.h"
@@ -243,8 +244,12 @@ lab::ResultTable practice_table(const std::vector<Seeks>& all) {
 }  // namespace
 
 Measured measure_seeks(const std::vector<std::string>& tasks, double seconds, int seeks) {
-    Measured measured{
-        lab::ResultPage("lab_seek", "Seeking in a replay", "fulcrum lab seek --output docs/results"), {}};
+    std::string named;
+    if (tasks != task_ids())
+        for (const std::string& task : tasks) named += task + ' ';
+    Measured measured{lab::ResultPage("lab_seek", "Seeking in a replay",
+                                      "fulcrum lab seek " + named + "--output docs/results"),
+                      {}};
     lab::ResultTable table;
     table.name = "lab_seek";
     table.columns = {"task",
