@@ -15,6 +15,7 @@
 #include "assessment/metrics/statement_words.h"
 #include "assessment/trace/events_csv.h"
 #include "assessment/trace/trace_csv.h"
+#include "database/records/external_attempts.h"
 #include "sim_core/numerics/files.h"
 
 namespace fulcrum::app {
@@ -68,10 +69,47 @@ nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::st
     return document;
 }
 
+namespace {
+
+std::vector<std::string> write_files(const std::string& folder,
+                                     const std::vector<std::pair<const char*, std::string>>& contents) {
+    std::filesystem::create_directories(folder);
+    std::vector<std::string> files;
+    for (const auto& [name, text] : contents) {
+        files.push_back((std::filesystem::path(folder) / name).string());
+        write_whole_file(files.back(), text, FileAccess::owner_only);
+    }
+    return files;
+}
+
+std::string text_of(const nlohmann::json& document) {
+    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// An attempt that was recorded elsewhere: its trace as it was measured, and the stored metrics.
+std::vector<std::string> export_external(const database::Store& store, const database::Session& session,
+                                         const database::AttemptSummary& summary, const std::string& folder) {
+    const std::string trace = database::ExternalAttempts(store).trace(session, summary.meta.id);
+    ScoredAttempt measured;
+    measured.state = summary.recorded_state;
+    measured.duration_s = summary.duration_s;
+    measured.score.not_scored_because = summary.not_scored_because;
+    std::istringstream in(trace);
+    measured.metrics = metrics_from_json(
+        metrics_of_trace(read_trace_csv(in, "trace.csv"), "trace.csv")["metrics"], "metrics");
+    return write_files(
+        folder, {{"trace.csv", trace},
+                 {"attempt.json", text_of(attempt_document(summary.meta, summary.meta.id, measured))}});
+}
+
+}  // namespace
+
 std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
                                       const std::string& attempt, const std::string& folder) {
     const database::Attempts attempts(store);
     const database::AttemptSummary summary = attempts.read(session, attempt);
+    if (database::is_external_task(summary.meta.task_id))
+        return export_external(store, session, summary, folder);
     const database::Trace record = attempts.read_trace(session, attempt);
     const LoadedTask loaded = load_recorded(attempts, session, summary);
     const ScoredAttempt scored = score_record(
@@ -86,17 +124,9 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     std::vector<Event> events = record.events;
     put_seed(events, summary.meta.seed);
     write_events_csv(events, labels, loaded.scene.tick_period(), table);
-    std::filesystem::create_directories(folder);
-    const std::string document = attempt_document(summary.meta, attempt, scored)
-                                     .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    std::vector<std::string> files;
-    for (const auto& [name, text] : {std::pair<const char*, std::string>{"trace.csv", trace.str()},
-                                     {"events.csv", table.str()},
-                                     {"attempt.json", document + "\n"}}) {
-        files.push_back((std::filesystem::path(folder) / name).string());
-        write_whole_file(files.back(), text, FileAccess::owner_only);
-    }
-    return files;
+    return write_files(folder, {{"trace.csv", trace.str()},
+                                {"events.csv", table.str()},
+                                {"attempt.json", text_of(attempt_document(summary.meta, attempt, scored))}});
 }
 
 nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,

@@ -16,10 +16,15 @@ Command demonstration_row() {
             "",
             0,
             0,
-            "Simulates the demonstration programme that Look around opens: 24 trainees in 12 weeks.",
+            "Simulates a programme, as Look around opens it: 24 trainees in 12 weeks, or as many as wanted.",
             {{"--output", "FILE", "The packed programme.", "demonstration.db.zst", {}, "-o"},
-             {"--trainees", "N", "The first N trainees of the plan only.", "24"},
+             {"--trainees", "N", "So many trainees: 1 to 200, the first 24 with names.", "24"},
              {"--weeks", "N", "The last N weeks of the plan only.", "12"},
+             {"--attempts", "N",
+              "So many attempts of each trainee (1 to 600), spread over the days on which the trainee is "
+              "there.",
+              "as each kind of trainee practises"},
+             {"--seed", "N", "Other individuals and other attempts: 0 to 1000.", "0"},
              json_option()},
             {},
             false,
@@ -72,7 +77,10 @@ std::vector<Command> laboratory_commands() {
          "Measures what metrics make of the same attempts recorded otherwise: turned, later, at half the "
          "rate, with noise.",
          page},
-        {"lab seek", "[TASK]", 0, 1, "Measures seeks to random moments of a replay, and its key frames.",
+        {"lab seek", "[TASK...]", 0, 20,
+         "Measures seeks to random moments of a replay of every task, or of these, taking over from it, and "
+         "the "
+         "ghost.",
          joined({{"--seconds", "S", "Length of the attempt: 1 to 3600.", "600"},
                  {"--seeks", "N", "Seeks for each task: 1 to 100000.", "200"}},
                 page)},

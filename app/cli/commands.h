@@ -19,6 +19,7 @@ std::vector<Command> headless_commands();
 Command perform_command();
 Command replay_command();
 Command metrics_command();
+Command import_command();
 Command check_command();
 Command benchmark_command();
 Command tissues_command();

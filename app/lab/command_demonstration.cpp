@@ -46,10 +46,11 @@ class ProgressLines {
 int run_demonstration(const Arguments& arguments) {
     DemonstrationRequest request;
     request.output = arguments.value_or("--output", "demonstration.db.zst");
-    request.trainees = static_cast<std::size_t>(
-        arguments.integer("--trainees", static_cast<long long>(demo_trainees().size()), 1,
-                          static_cast<long long>(demo_trainees().size())));
-    request.weeks = static_cast<int>(arguments.integer("--weeks", demo_days / 7, 1, demo_days / 7));
+    DemoSize& size = request.size;
+    size.trainees = static_cast<std::size_t>(arguments.integer("--trainees", 24, 1, most_demo_trainees));
+    size.weeks = static_cast<int>(arguments.integer("--weeks", size.weeks, 1, demo_days / 7));
+    size.attempts = static_cast<int>(arguments.integer("--attempts", 0, 1, most_demo_attempts));
+    size.seed = static_cast<int>(arguments.integer("--seed", 0, 0, most_demo_seed));
     require_writable_file(request.output);
     ProgressLines lines;
     request.progress = [&](double done, const std::string& line) { return lines(done, line); };

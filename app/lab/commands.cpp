@@ -152,8 +152,8 @@ int seek(const Arguments& arguments) {
     if (arguments.words().empty()) {
         tasks = task_ids();
     } else {
-        task_file(arguments.words()[0]);  // throws where it is none
         tasks = arguments.words();
+        for (const std::string& task : tasks) task_file(task);  // throws where it is none
     }
     const Measured measured = measure_seeks(tasks, seconds, seeks);
     return deliver(arguments, measured.page, measured.document);

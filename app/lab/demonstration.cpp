@@ -30,7 +30,8 @@ using database::UtcMilliseconds;
 
 constexpr UtcMilliseconds minute = 60000, hour = 60 * minute;
 constexpr int utc_offset_min = 60;
-constexpr std::uint64_t first_demo_seed = 3'000'000;  // outside what benchmarks and measurements use
+constexpr std::uint64_t first_demo_seed = 3'000'000;     // outside what benchmarks and measurements use
+constexpr std::uint64_t seeds_of_a_programme = 200'000;  // more than its attempts
 constexpr int strongest_packing = 19;
 // Of each task the first passed attempt from this day on, and of some the first that was failed, keep their
 // trace.
@@ -60,8 +61,7 @@ class Builder {
           curriculum_(installed_curriculum()) {
         options_.clock = [time = time_] { return *time; };
         for (int day = first_day(); day < demo_days; ++day)
-            for (const DemoSession& session : demo_sessions(request.trainees, day))
-                planned_ += session.attempts;
+            for (const DemoSession& session : demo_sessions(request.size, day)) planned_ += session.attempts;
     }
 
     DemonstrationResult build() {
@@ -82,7 +82,10 @@ class Builder {
     }
 
   private:
-    int first_day() const { return demo_days - 7 * request_.weeks; }
+    std::uint64_t first_seed() const {
+        return first_demo_seed + seeds_of_a_programme * static_cast<std::uint64_t>(request_.size.seed);
+    }
+    int first_day() const { return demo_days - 7 * request_.size.weeks; }
     fs::path kept(int day) const { return folder_ / ("day-" + std::to_string(day) + ".db"); }
     database::Store open() const { return database::Store::open(now_.string(), options_); }
 
@@ -107,15 +110,20 @@ class Builder {
     /// Notes the plan where the folder is new.
     void require_same_plan() const {
         const fs::path file = folder_ / "plan";
-        const std::string plan =
-            std::to_string(request_.trainees) + " trainees, " + std::to_string(request_.weeks) + " weeks\n";
+        const DemoSize& size = request_.size;
+        std::string plan =
+            std::to_string(size.trainees) + " trainees, " + std::to_string(size.weeks) + " weeks\n";
+        if (size.attempts > 0) plan += std::to_string(size.attempts) + " attempts of each\n";
+        if (size.seed > 0) plan += "seed " + std::to_string(size.seed) + "\n";
         if (fs::exists(file)) {
             std::ifstream stream(file);
             const std::string found((std::istreambuf_iterator<char>(stream)),
                                     std::istreambuf_iterator<char>());
             if (found != plan)
-                throw InputError(folder_.string(), "", "holds the beginning of another plan: " + found,
-                                 "give the same --trainees and --weeks as before, or delete this folder");
+                throw InputError(
+                    folder_.string(), "", "holds the beginning of another plan: " + found,
+                    "give the same --trainees, --weeks, --attempts and --seed as before, or delete "
+                    "this folder");
             return;
         }
         write_output_file(file.string(), plan);
@@ -131,9 +139,9 @@ class Builder {
             return id;
         };
         std::vector<std::string> members, educators;
-        for (std::size_t i = 0; i < request_.trainees; ++i)
+        for (std::size_t i = 0; i < request_.size.trainees; ++i)
             members.push_back(
-                add(demo_trainees()[i].login, demo_trainees()[i].name, database::Role::trainee));
+                add(demo_trainee(i).login.c_str(), demo_trainee(i).name.c_str(), database::Role::trainee));
         for (const DemoEducator& educator : demo_educators())
             educators.push_back(add(educator.login, educator.name, database::Role::educator));
         add(demo_director, "Prof. Anna Lindgren (synthetic)", database::Role::director);
@@ -154,14 +162,14 @@ class Builder {
         *time_ = demo_begin + day * demo_day + 7 * hour;
         shown_.clear();
         count(store);
-        for (const DemoSession& session : demo_sessions(request_.trainees, day)) {
+        for (const DemoSession& session : demo_sessions(request_.size, day)) {
             for (int k = 0; k < session.attempts; ++k) {
                 if (!attempt(store, session.trainee, day)) return false;
             }
             *time_ += 20 * minute;
         }
         *time_ = std::max(*time_, demo_begin + day * demo_day + 16 * hour);
-        do_deeds(store, request_.trainees, day, shown_);
+        do_deeds(store, request_.size.trainees, day, shown_);
         return true;
     }
 
@@ -226,7 +234,7 @@ class Builder {
     }
 
     bool attempt(const database::Store& store, std::size_t trainee, int day) {
-        const DemoTrainee& who = demo_trainees()[trainee];
+        const DemoTrainee& who = demo_trainee(trainee);
         const std::string person =
             database::People(store).ensure_synthetic(store.station_session(), who.login, who.name).id;
         const Practice practice = practice_of(store, person);
@@ -243,8 +251,8 @@ class Builder {
         PerformRequest request;
         request.loaded = job.loaded;
         request.mastery = demo_mastery(trainee, count_of(task), practice.all - count_of(task), day);
-        request.individual = first_demo_seed + trainee;
-        request.seed = first_demo_seed + 1000 + static_cast<std::uint64_t>(result_.attempts);
+        request.individual = first_seed() + trainee;
+        request.seed = first_seed() + 1000 + static_cast<std::uint64_t>(result_.attempts);
         const std::string line = "day " + std::to_string(day + 1) + " of " + std::to_string(demo_days) +
                                  ", " + who.name + ", " + task + " " + job.loaded.scene.variant;
         const auto report = [&](double share) {

@@ -9,13 +9,13 @@
 #include <string>
 
 #include "app/cli/arguments.h"
+#include "app/lab/demonstration_plan.h"
 
 namespace fulcrum::app {
 
 struct DemonstrationRequest {
-    std::string output;         ///< the packed store
-    std::size_t trainees = 24;  ///< the first so many of the plan
-    int weeks = 12;             ///< the last so many of the plan
+    std::string output;  ///< the packed store
+    DemoSize size = {};
     /// After each attempt and about ten times a second in it; false stops. May be empty.
     std::function<bool(double done, const std::string& line)> progress = {};
 };

@@ -25,7 +25,7 @@ database::Session educator_session(const database::Store& store, std::size_t edu
                                                 database::Role::educator);
 }
 database::Session trainee_session(const database::Store& store, std::size_t trainee) {
-    return database::People(store).demo_session(demo_trainees().at(trainee).login, database::Role::trainee);
+    return database::People(store).demo_session(demo_trainee(trainee).login, database::Role::trainee);
 }
 
 ObserverForm form_named(const std::string& id) {

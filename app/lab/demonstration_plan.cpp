@@ -37,11 +37,11 @@ constexpr double absence = 0.08;
 constexpr std::uint64_t week_stream = 0x7765656b, choice_stream = 0x63686f69;
 
 const LearningRow& learning_of(std::size_t trainee) {
-    return row_of(learning_rows, demo_trainees().at(trainee).learning);
+    return row_of(learning_rows, demo_trainee(trainee).learning);
 }
 
 bool is_away(std::size_t trainee, int day) {
-    const LearningKind kind = demo_trainees().at(trainee).learning;
+    const LearningKind kind = demo_trainee(trainee).learning;
     return (kind == LearningKind::stopped && day >= last_day_of_stopped) ||
            (kind == LearningKind::relapsed && day >= pause_begins && day < pause_ends);
 }
@@ -84,20 +84,62 @@ const std::vector<DemoEducator>& demo_educators() {
     return educators;
 }
 
-std::vector<DemoSession> demo_sessions(std::size_t trainees, int day) {
-    constexpr int working_days = 5, days = 7;
-    const int week = day / days, weekday = day % days;
-    std::vector<DemoSession> sessions;
-    for (std::size_t i = 0; i < std::min(trainees, demo_trainees().size()); ++i) {
-        const LearningRow& learning = learning_of(i);
-        Random random(1000 * static_cast<std::uint64_t>(week) + i, week_stream);
-        const int first = static_cast<int>(random.below(working_days));
-        for (int k = 0; k < learning.sessions; ++k) {
-            const int on = (first + 2 * k) % working_days;
-            const bool absent = random.uniform() < absence;
-            const int attempts = learning.attempts + (random.uniform() < 0.25 ? 1 : 0);
-            if (on == weekday && !absent && !is_away(i, day)) sessions.push_back({i, attempts});
+const DemoTrainee& demo_trainee(std::size_t trainee) {
+    static const std::vector<DemoTrainee> all = [] {
+        std::vector<DemoTrainee> made = demo_trainees();
+        const std::size_t named = made.size();
+        for (std::size_t i = named; i < most_demo_trainees; ++i) {
+            const std::string number = std::to_string(i + 1);
+            made.push_back(
+                {"demo-trainee-" + number, "Trainee " + number + " (synthetic)", made[i % named].learning});
         }
+        return made;
+    }();
+    return all.at(trainee);
+}
+
+namespace {
+
+constexpr int working_days = 5, days_a_week = 7;
+
+/// Attempts of a trainee on a day, where everybody performs `all` of them from `first_day` on: as evenly as
+/// whole numbers allow over the days on which the trainee is there.
+int even_share(std::size_t trainee, int day, int first_day, int all) {
+    if (day < first_day || day % days_a_week >= working_days || is_away(trainee, day)) return 0;
+    int days = 0, before = 0;
+    for (int one = first_day; one < demo_days; ++one) {
+        if (one % days_a_week >= working_days || is_away(trainee, one)) continue;
+        if (one < day) ++before;
+        ++days;
+    }
+    return all * (before + 1) / days - all * before / days;
+}
+
+/// As the trainee's kind practises.
+int usual_share(std::size_t trainee, int day) {
+    const int week = day / days_a_week, weekday = day % days_a_week;
+    const LearningRow& learning = learning_of(trainee);
+    Random random(1000 * static_cast<std::uint64_t>(week) + trainee, week_stream);
+    const int first = static_cast<int>(random.below(working_days));
+    int attempts = 0;
+    for (int k = 0; k < learning.sessions; ++k) {
+        const int on = (first + 2 * k) % working_days;
+        const bool absent = random.uniform() < absence;
+        const int here = learning.attempts + (random.uniform() < 0.25 ? 1 : 0);
+        if (on == weekday && !absent && !is_away(trainee, day)) attempts = here;
+    }
+    return attempts;
+}
+
+}  // namespace
+
+std::vector<DemoSession> demo_sessions(const DemoSize& size, int day) {
+    const int first_day = demo_days - days_a_week * size.weeks;
+    std::vector<DemoSession> sessions;
+    for (std::size_t i = 0; i < size.trainees; ++i) {
+        const int attempts =
+            size.attempts > 0 ? even_share(i, day, first_day, size.attempts) : usual_share(i, day);
+        if (attempts > 0) sessions.push_back({i, attempts});
     }
     // The station is booked by the day: who begins changes.
     if (!sessions.empty())
@@ -129,8 +171,8 @@ std::vector<DemoDecision> demo_decisions(std::size_t trainees, int day) {
         if (on == day && trainee < trainees) decisions.push_back({on, trainee, educator, task, kind, reason});
     };
     std::size_t fast = 0, stopped = 0;
-    for (std::size_t i = 0; i < demo_trainees().size(); ++i) {
-        const LearningKind kind = demo_trainees()[i].learning;
+    for (std::size_t i = 0; i < std::max(trainees, demo_trainees().size()); ++i) {
+        const LearningKind kind = demo_trainee(i).learning;
         const std::size_t educator = i % demo_educators().size();
         const bool quick = kind == LearningKind::fast || kind == LearningKind::relapsed;
         if (quick)

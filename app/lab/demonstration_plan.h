@@ -21,7 +21,7 @@ inline constexpr NameRow<LearningKind> learning_kinds[] = {
 static_assert(in_order(learning_kinds));
 
 struct DemoTrainee {
-    const char *login, *name;
+    std::string login, name;
     LearningKind learning;
 };
 struct DemoEducator {
@@ -33,8 +33,21 @@ inline constexpr std::int64_t demo_begin = 1'788'134'400'000;  ///< UTC ms, Mond
 inline constexpr std::int64_t demo_day = 86'400'000;           ///< ms
 inline constexpr const char* demo_director = "demo-director";
 
-/// 24. The first six learn in six different ways.
+/// Of the delivered programme, 24. The first six learn in six different ways.
 const std::vector<DemoTrainee>& demo_trainees();
+/// The same and, beyond them, trainees with numbers for names, up to most_demo_trainees.
+const DemoTrainee& demo_trainee(std::size_t trainee);
+inline constexpr std::size_t most_demo_trainees = 200;
+
+/// How large a programme is.
+struct DemoSize {
+    std::size_t trainees = 24;  ///< the first so many
+    int weeks = demo_days / 7;  ///< the last so many
+    int attempts = 0;           ///< of each trainee; 0: as each kind practises
+    int seed = 0;               ///< other individuals and other attempts
+};
+inline constexpr int most_demo_attempts = 600, most_demo_seed = 1000;
+
 /// 3.
 const std::vector<DemoEducator>& demo_educators();
 
@@ -43,8 +56,8 @@ struct DemoSession {
     std::size_t trainee = 0;
     int attempts = 0;
 };
-/// In the order in which they take place. `day`: 0 to demo_days - 1. `trainees`: the first so many.
-std::vector<DemoSession> demo_sessions(std::size_t trainees, int day);
+/// In the order in which they take place. `day`: 0 to demo_days - 1.
+std::vector<DemoSession> demo_sessions(const DemoSize& size, int day);
 
 /// What draw_learner() takes, after `own` attempts at this task and `others` at other tasks.
 double demo_mastery(std::size_t trainee, int own, int others, int day);

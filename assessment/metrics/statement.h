@@ -84,6 +84,7 @@ enum class StatementId : std::uint8_t {
     ended_before_moving,
     device_was_lost,
     no_gates,
+    recorded_elsewhere,
     gate_not_judged,
 
     // Advice.

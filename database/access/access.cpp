@@ -62,6 +62,7 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::release_ratings,         "release_ratings",            none,      cohort,    programme, none,      none,      true},
     {Operation::set_goal,                "set_goal",                   own,       none,      none,      none,      none,      false},
     {Operation::read_goals,              "read_goals",                 own,       cohort,    none,      none,      none,      false},
+    {Operation::import_attempt,          "import_attempt",             none,      cohort,    none,      none,      synthetic, true},
 }};
 // clang-format on
 

@@ -66,8 +66,9 @@ enum class Operation : std::uint8_t {
     release_ratings,  ///< show the trainee the forms that were handed in; never of one's own attempt
     set_goal,         ///< set, change or drop a personal goal
     read_goals,
+    import_attempt,  ///< store a trace that was recorded elsewhere; never one's own
 };
-inline constexpr int operation_count = 38;
+inline constexpr int operation_count = 39;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

@@ -13,6 +13,9 @@
 namespace fulcrum::database {
 namespace {
 
+// What was recorded elsewhere belongs to no curriculum (external_task_prefix).
+#define FULCRUM_OWN_TASK "a.task_id NOT LIKE 'external-%' "
+
 /// The version of attempts from before they named one.
 std::string first_version(const Curriculum& newest) {
     return newest.id + "@1";
@@ -27,7 +30,8 @@ std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& con
                    "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id IN (SELECT "
                    "w.person_id FROM " +
                        QString(person_owners) +
-                       " w WHERE w.owner_id = p.id) ORDER BY a.started, a.id LIMIT 1) FROM person p WHERE " +
+                       " w WHERE w.owner_id = p.id) AND " FULCRUM_OWN_TASK
+                       " ORDER BY a.started, a.id LIMIT 1) FROM person p WHERE " +
                        whose);
     attempts.bind(value);
     while (attempts.next()) {
@@ -174,12 +178,13 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
 
 std::map<std::string, int> Curricula::people() const {
     std::map<std::string, int> result;
-    Query rows(
-        store_.connection(),
-        "SELECT COALESCE((SELECT m.curriculum FROM curriculum_move m WHERE m.person_id = p.person_id "
-        "ORDER BY m.time DESC, m.id DESC LIMIT 1), (SELECT a.curriculum FROM attempt a WHERE "
-        "a.person_id = p.person_id ORDER BY a.started, a.id LIMIT 1)) AS name, COUNT(*) FROM (SELECT "
-        "DISTINCT person_id FROM attempt UNION SELECT person_id FROM curriculum_move) p GROUP BY name");
+    Query rows(store_.connection(),
+               "SELECT COALESCE((SELECT m.curriculum FROM curriculum_move m WHERE m.person_id = p.person_id "
+               "ORDER BY m.time DESC, m.id DESC LIMIT 1), (SELECT a.curriculum FROM attempt a WHERE "
+               "a.person_id = p.person_id AND " FULCRUM_OWN_TASK
+               " ORDER BY a.started, a.id LIMIT 1)) AS name, COUNT(*) FROM (SELECT "
+               "DISTINCT a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
+               " UNION SELECT person_id FROM curriculum_move) p GROUP BY name");
     while (rows.next()) result[rows.text(0)] += static_cast<int>(rows.integer(1));
     return result;
 }

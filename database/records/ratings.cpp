@@ -5,11 +5,13 @@
 #include <set>
 
 #include "database/records/attempt_query.h"
+#include "database/records/standings.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
 #include "database/rows/same_person.h"
 #include "database/store/audit.h"
+#include "database/store/store_state.h"
 
 namespace fulcrum::database {
 namespace {
@@ -199,30 +201,72 @@ void note_seen_at_server(Connection& server, const Session& rater, const std::st
 
 static_assert(trace_not_kept == -1);  // as the statement says: there is nothing to watch
 
-std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, int limit) const {
-    store_.require(rater, Operation::rate);
+namespace {
+
+/// Those who may rate may see what there is to rate, also where the store takes no ratings.
+void require_rater(const Store& store, const Session& rater) {
+    const bool closed = store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1" &&
+                        scope_of(rater.role(), Operation::rate) != Scope::none;
+    store.require(rater, closed ? Operation::read_ratings : Operation::rate);
+}
+
+/// The attempts whose ratings a curriculum waits for, of the people whom the rater may rate.
+std::vector<std::string> awaited_attempts(const Store& store, const Session& rater,
+                                          const Curriculum& curriculum) {
+    std::vector<std::string> awaited, people;
+    if (!asks_for_ratings(curriculum)) return awaited;
+    {
+        Query rows(store.connection(),
+                   "SELECT DISTINCT a.person_id FROM attempt a WHERE a.mode = 'assessed' AND " +
+                       visible_people(rater, Operation::rate, "a.person_id"));
+        bind_visible_people(rows, rater, Operation::rate);
+        while (rows.next()) people.push_back(rows.text(0));
+    }
+    for (const std::string& person : people) {
+        if (person == rater.person_id()) continue;
+        for (const TaskStanding& one :
+             standing_of(Standings(store).record(rater, person, curriculum), store.now()))
+            if (one.standing == Standing::awaiting_rating && !one.rated_attempt.empty())
+                awaited.push_back(one.rated_attempt);
+    }
+    return awaited;
+}
+
+}  // namespace
+
+std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, const Curriculum* curriculum,
+                                             int limit) const {
+    require_rater(store_, rater);
+    const std::vector<std::string> awaited =
+        curriculum != nullptr ? awaited_attempts(store_, rater, *curriculum) : std::vector<std::string>();
+    // Bound one by one: there are at most as many as people and rated tasks.
+    QString first = "0";
+    if (!awaited.empty())
+        first =
+            "CASE WHEN a.id IN (?" + QString(", ?").repeated(int(awaited.size()) - 1) + ") THEN 1 ELSE 0 END";
     Query rows(
         store_.connection(),
         "SELECT a.id, a.task_id, a.variant, a.started, a.duration_s, (SELECT COUNT(*) FROM rating r WHERE "
         "r.attempt_id = a.id AND r.handed_in > 0), (SELECT COUNT(*) FROM rating r WHERE r.attempt_id = a.id "
         "AND r.handed_in > 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating r WHERE r.attempt_id = a.id "
         "AND r.handed_in = 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating_seen s WHERE s.attempt_id = "
-        "a.id AND s.person_id = ?) FROM attempt a " +
-            join_owner("a.person_id", "p") +
+        "a.id AND s.person_id = ?), " +
+            first + " AS awaited FROM attempt a " + join_owner("a.person_id", "p") +
             "WHERE a.state <> 'running' AND a.events <> -1 AND p.id <> ? AND NOT EXISTS (SELECT 1 FROM "
-            "attempt_void v "
-            "WHERE v.attempt_id = "
-            "a.id) AND " +
+            "attempt_void v WHERE v.attempt_id = a.id) AND " +
             QString(store_.is_demo() ? "1 = 1" : "p.kind = 'real'") + " AND " +
-            visible_people(rater, Operation::rate, "p.id") + " ORDER BY a.started DESC, a.id LIMIT ?");
-    for (int i = 0; i < 4; ++i) rows.bind(rater.person_id());
+            visible_people(rater, Operation::rate, "p.id") +
+            " ORDER BY awaited DESC, a.started DESC, a.id LIMIT ?");
+    for (int i = 0; i < 3; ++i) rows.bind(rater.person_id());
+    for (const std::string& id : awaited) rows.bind(id);
+    rows.bind(rater.person_id());
     bind_visible_people(rows, rater, Operation::rate);
     rows.bind(limit);
     std::vector<RatableAttempt> attempts;
     while (rows.next())
         attempts.push_back({rows.text(0), rows.text(1), rows.text(2), rows.integer(3), rows.real(4),
                             static_cast<int>(rows.integer(5)), static_cast<int>(rows.integer(6)),
-                            rows.flag(7), !rows.flag(8)});
+                            rows.flag(7), !rows.flag(8), rows.flag(9)});
     return attempts;
 }
 
@@ -438,7 +482,7 @@ int Ratings::release(const Session& educator, const std::string& attempt_id) con
 }
 
 std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
-    store_.require(rater, Operation::rate);
+    require_rater(store_, rater);
     Query rows(store_.connection(), QString(rating_columns) + join_owner("a.person_id", "w") +
                                         "WHERE r.handed_in > 0 AND NOT EXISTS (SELECT 1 FROM "
                                         "attempt_void v WHERE v.attempt_id = a.id) AND " +

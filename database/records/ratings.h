@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/curriculum/curriculum.h"
 #include "assessment/curriculum/rating_rule.h"
 #include "assessment/forms/observer_form.h"
 #include "assessment/learning/rater_agreement.h"
@@ -50,6 +51,7 @@ struct RatableAttempt {
     int handed_in = 0;                      ///< forms of all raters
     int own_handed_in = 0;                  ///< of the session
     bool own_draft = false, blind = false;  ///< blind: a form begun now would count as blind
+    bool awaited = false;                   ///< a curriculum waits for ratings of this attempt
 };
 
 /// Agreement over the attempts that the same raters rated with one version of a form.
@@ -69,8 +71,10 @@ class Ratings {
     explicit Ratings(const Store& store) : store_(store) {}
 
     /// Newest first, attempts of real people (demo: all) that have ended, are not voided and not one's own,
-    /// and whose trace was kept.
-    std::vector<RatableAttempt> to_rate(const Session& rater, int limit = 200) const;
+    /// and whose trace was kept. With a curriculum those that it waits for come first and are marked. A
+    /// sealed demo lists them for the roles that rate, although nobody rates there.
+    std::vector<RatableAttempt> to_rate(const Session& rater, const Curriculum* curriculum = nullptr,
+                                        int limit = 200) const;
     AttemptRatings of_attempt(const Session& session, const std::string& attempt_id) const;
     /// By attempt; attempts without ratings are left out. task_id empty: all tasks.
     std::map<std::string, AttemptRatings> of_person(const Session& session, const std::string& person_id,

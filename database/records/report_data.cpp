@@ -339,6 +339,17 @@ PersonProgress progress_of(PersonSource& source, const std::string& task_id, Pro
     return progress;
 }
 
+/// The tasks of a report, and after them what the person performed elsewhere.
+std::vector<std::string> tasks_with_external(const std::vector<std::string>& tasks,
+                                             const std::vector<AttemptSummary>& attempts) {
+    std::set<std::string> external;
+    for (const AttemptSummary& attempt : attempts)
+        if (is_external_task(attempt.meta.task_id)) external.insert(attempt.meta.task_id);
+    std::vector<std::string> all = tasks;
+    all.insert(all.end(), external.begin(), external.end());
+    return all;
+}
+
 /// Rows, progress and standings of one person from the same attempts.
 PersonData data_of(PersonSource& source, const PersonDataOptions& options, const Decisions& decisions,
                    std::int64_t at, Provenance& provenance) {
@@ -350,11 +361,11 @@ PersonData data_of(PersonSource& source, const PersonDataOptions& options, const
     std::vector<AttemptSummary> standing;
     for (const AttemptSummary& attempt : source.attempts)
         if (attempt.voided_at == 0) standing.push_back(attempt);
-    data.rows = rows_of(source.person, options.tasks, standing, source.released);
+    const std::vector<std::string> tasks = tasks_with_external(options.tasks, source.attempts);
+    data.rows = rows_of(source.person, tasks, standing, source.released);
     if (options.curriculum != nullptr)
         data.standings = standings_of(source.person, standing, *options.curriculum, at, decisions);
-    for (const std::string& task : options.tasks)
-        data.progress.push_back(progress_of(source, task, provenance));
+    for (const std::string& task : tasks) data.progress.push_back(progress_of(source, task, provenance));
     return data;
 }
 

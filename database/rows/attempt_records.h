@@ -63,6 +63,13 @@ struct AttemptMeta {
 /// In place of the number of events of an attempt whose trace was not kept (docs/FORMATS.md).
 inline constexpr std::int64_t trace_not_kept = -1;
 
+/// An exercise that is not ours has its name after this as the task of its attempts: no task of ours begins
+/// so (database/records/external_attempts.h).
+inline const std::string external_task_prefix = "external-";
+inline bool is_external_task(const std::string& task_id) {
+    return task_id.rfind(external_task_prefix, 0) == 0;
+}
+
 /// One value, or why it is absent.
 struct MetricRow {
     std::string id;

@@ -27,6 +27,9 @@ bool writes(Operation operation) {
         case Operation::set_tissues:
         case Operation::accept_assets:
         case Operation::set_goal:
+        case Operation::rate:
+        case Operation::release_ratings:
+        case Operation::import_attempt:
             return true;
         default:
             return false;

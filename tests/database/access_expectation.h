@@ -55,6 +55,7 @@ inline const Expected expected_table[] = {
     {Operation::release_ratings, "-cp--"},
     {Operation::set_goal, "o----"},
     {Operation::read_goals, "oc---"},
+    {Operation::import_attempt, "-c--s"},
 };
 
 inline Scope scope_of_letter(char letter) {
@@ -90,7 +91,7 @@ inline bool covers(Scope scope, const Relation& relation) {
 inline bool expected_never_own(Operation operation) {
     return operation == Operation::void_attempt || operation == Operation::reassign_attempt ||
            operation == Operation::decide_standing || operation == Operation::rate ||
-           operation == Operation::release_ratings;
+           operation == Operation::release_ratings || operation == Operation::import_attempt;
 }
 
 /// The whole rule: the scope covers the relation, and nobody voids, reassigns or rates their own attempt.

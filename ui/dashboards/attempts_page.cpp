@@ -271,7 +271,9 @@ void AttemptsPage::load() {
         QString comments = attempt.comments == 0 ? QString() : QString::number(attempt.comments);
         if (attempt.unread_comments > 0) comments += tr(" (%1 unread)").arg(attempt.unread_comments);
         const QString cells[] = {who,
-                                 text(attempt.meta.task_id),
+                                 database::is_external_task(attempt.meta.task_id)
+                                     ? context().task_title(attempt.meta.task_id)
+                                     : text(attempt.meta.task_id),
                                  local_time(attempt.meta.started),
                                  mode_text(attempt.meta.mode),
                                  device_class_text(attempt.meta.device_class),

@@ -27,6 +27,12 @@ constexpr int attention_tab = 3;
 
 }  // namespace
 
+namespace {
+
+constexpr int last_attempt_role = Qt::UserRole + 1, more_classes_role = Qt::UserRole + 2;
+
+}  // namespace
+
 QString cohort_cell_text(const database::CohortRow& row) {
     QString state;
     switch (row.state) {
@@ -44,6 +50,16 @@ QString cohort_cell_text(const database::CohortRow& row) {
     QString line = CohortPage::tr("%1 · attempts %2").arg(state).arg(row.attempts);
     if (row.best_points) line += CohortPage::tr(" · best %1").arg(points_text(*row.best_points));
     return line + QStringLiteral("\n") + device_class_text(*row.device_class);
+}
+
+QString cohort_cell_mark(const database::CohortRow& row) {
+    if (!row.device_class) return QStringLiteral("–");
+    const QString state = row.state != database::TaskState::passed ? QStringLiteral("○")
+                          : row.provisional                        ? QStringLiteral("(✓)")
+                                                                   : QStringLiteral("✓");
+    if (row.best_points)
+        return QStringLiteral("%1 %2 · %3").arg(state, figure(*row.best_points)).arg(row.attempts);
+    return QStringLiteral("%1 %2").arg(state).arg(row.attempts);
 }
 
 CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
@@ -99,7 +115,7 @@ QWidget* CohortPage::make_views() {
     table_ = make_table({}, "cohort_table");
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setMinimumHeight(380);
-    table_->setWordWrap(true);
+    table_->setWordWrap(false);
     QHeaderView* heads = table_->horizontalHeader();
     heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter |
                                static_cast<Qt::Alignment>(Qt::TextWordWrap));
@@ -179,9 +195,12 @@ void CohortPage::load() {
     summary_->setText(line_text);
     QStringList sets;
     for (const std::string& set : data_->benchmark_sets) sets << text(set);
-    foot_->setText(tr("Benchmark sets: %1\nMetrics: %2")
-                       .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
-                            versions_in_short(data_->metric_versions)));
+    foot_->setText(
+        tr("Table: ✓ passed, (✓) passed by provisional limits, ○ attempted, – not attempted; best points · "
+           "attempts that count, of the device class used last (+1: one class more; the tooltip has "
+           "all).\nBenchmark sets: %1\nMetrics: %2")
+            .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
+                 versions_in_short(data_->metric_versions)));
 }
 
 void CohortPage::show_rows() {
@@ -205,16 +224,29 @@ void CohortPage::show_rows() {
             const int column = static_cast<int>(t) + 1;
             QTableWidgetItem* cell = table_->item(line, column);
             if (cell == nullptr) {
-                cell = make_cell(cohort_cell_text(row));
+                cell = make_cell(cohort_cell_mark(row));
                 cell->setData(Qt::UserRole, text(row.task_id));
+                cell->setToolTip(cohort_cell_text(row));
                 table_->setItem(line, column, cell);
             } else {
-                cell->setText(cell->text() + QStringLiteral("\n") + cohort_cell_text(row));
+                // One line a person: the class used last, and that there are more.
+                if (row.last_attempt > cell->data(last_attempt_role).toLongLong())
+                    cell->setText(cohort_cell_mark(row));
+                cell->setToolTip(cell->toolTip() + QStringLiteral("\n") + cohort_cell_text(row));
+                cell->setData(more_classes_role, cell->data(more_classes_role).toInt() + 1);
             }
+            cell->setData(last_attempt_role,
+                          std::max<qlonglong>(cell->data(last_attempt_role).toLongLong(), row.last_attempt));
+            cell->setData(Qt::AccessibleTextRole, cell->toolTip());
             if (row.state == database::TaskState::passed) set_tint(cell, Tint::good);
             if (row.state == database::TaskState::open) set_tint(cell, Tint::muted);
         }
     }
+    for (int line_of = 0; line_of < table_->rowCount(); ++line_of)
+        for (int column = 1; column < table_->columnCount(); ++column)
+            if (QTableWidgetItem* cell = table_->item(line_of, column))
+                if (const int more = cell->data(more_classes_role).toInt(); more > 0)
+                    cell->setText(cell->text() + QStringLiteral(" +%1").arg(more));
     // No column is narrower than a word of its heading: with many tasks the table scrolls sideways.
     QFont bold = table_->font();
     bold.setWeight(QFont::DemiBold);

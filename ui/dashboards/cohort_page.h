@@ -55,5 +55,7 @@ class CohortPage : public Page {
 
 /// What stands in a cell of the table, by device class: "passed (provisional) · 3 attempts · best 84".
 QString cohort_cell_text(const database::CohortRow& row);
+/// The same in a few signs: "✓ 85 · 12" is passed, best 85 points, 12 attempts.
+QString cohort_cell_mark(const database::CohortRow& row);
 
 }  // namespace fulcrum::ui

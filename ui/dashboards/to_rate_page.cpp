@@ -11,6 +11,12 @@ namespace fulcrum::ui {
 
 using database::RatableAttempt;
 
+namespace {
+
+constexpr int awaited_column = 1, recorded_column = 4;
+
+}  // namespace
+
 ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     auto* body = new QWidget;
     auto* layout = new QVBoxLayout(body);
@@ -18,7 +24,7 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     layout->addWidget(make_label(tr("Rate attempts"), "title"));
     layout->addWidget(make_label(
         tr("Names and scores are left out here. An attempt whose name and score you have not opened "
-           "is rated blind."),
+           "is rated blind. Attempts whose ratings the curriculum waits for come first."),
         "muted"));
     auto* row = new QHBoxLayout;
     rated_ = new QCheckBox(tr("Also those that I have rated"));
@@ -27,10 +33,11 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     row->addWidget(rated_);
     row->addStretch();
     count_ = make_label({}, "muted");
+    count_->setWordWrap(false);
     row->addWidget(count_);
     layout->addLayout(row);
-    table_ = make_table({tr("Task"), tr("Variant"), tr("Started"), tr("Recorded"), tr("Ratings"),
-                         tr("Your ratings"), tr("Blind")},
+    table_ = make_table({tr("Task"), tr("Awaited"), tr("Variant"), tr("Started"), tr("Recorded"),
+                         tr("Ratings"), tr("Your ratings"), tr("Blind")},
                         "to_rate_table");
     table_->setMinimumHeight(360);
     layout->addWidget(table_, 1);
@@ -49,9 +56,18 @@ void ToRatePage::enter() {
     table_->setFocus();
 }
 
+// In a narrow window what decides what to rate stays.
+void ToRatePage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    table_->setColumnHidden(recorded_column, width() < 130 * fontMetrics().averageCharWidth());
+}
+
 void ToRatePage::fill() {
     attempts_.clear();
-    context().guarded([&] { attempts_ = database::Ratings(context().store()).to_rate(context().session()); });
+    context().guarded([&] {
+        attempts_ = database::Ratings(context().store())
+                        .to_rate(context().session(), &context().services().curriculum());
+    });
     if (!rated_->isChecked())
         attempts_.erase(std::remove_if(attempts_.begin(), attempts_.end(),
                                        [](const RatableAttempt& one) { return one.own_handed_in > 0; }),
@@ -61,21 +77,33 @@ void ToRatePage::fill() {
         const RatableAttempt& one = attempts_[static_cast<std::size_t>(row)];
         QString own = one.own_handed_in > 0 ? QString::number(one.own_handed_in) : QStringLiteral("–");
         if (one.own_draft) own = tr("draft");
-        const QString cells[] = {context().task_title(one.task_id), text(one.variant),
-                                 local_time(one.started),           clock_text(one.duration_s),
-                                 QString::number(one.handed_in),    own,
+        const QString cells[] = {context().task_title(one.task_id),
+                                 one.awaited ? tr("● yes") : QStringLiteral("–"),
+                                 text(one.variant),
+                                 local_time(one.started),
+                                 clock_text(one.duration_s),
+                                 QString::number(one.handed_in),
+                                 own,
                                  one.blind ? tr("yes") : tr("no")};
         for (int column = 0; column < table_->columnCount(); ++column) {
-            const bool number = column == 3 || column == 4;
+            const bool number = column == 4 || column == 5;
             table_->setItem(
                 row, column,
                 make_cell(cells[column], (number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
         }
     }
-    fit_columns(table_, {2, 3, 4});
+    for (int row = 0; row < table_->rowCount(); ++row)
+        if (attempts_[static_cast<std::size_t>(row)].awaited)
+            table_->item(row, awaited_column)
+                ->setToolTip(tr("The curriculum waits for ratings of this attempt."));
+    fit_columns(table_, {awaited_column, 3, recorded_column, 5});
     if (table_->rowCount() > 0) table_->setCurrentCell(0, 0);
     open_->setEnabled(table_->rowCount() > 0);
-    count_->setText(tr("Attempts: %1").arg(table_->rowCount()));
+    const auto awaited = std::count_if(attempts_.begin(), attempts_.end(),
+                                       [](const RatableAttempt& one) { return one.awaited; });
+    count_->setText(awaited == 0
+                        ? tr("Attempts: %1").arg(table_->rowCount())
+                        : tr("Attempts: %1, awaiting rating: %2").arg(table_->rowCount()).arg(awaited));
 }
 
 void ToRatePage::open_row(int row) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Attempts to be rated with an observer form, newest first, without names and scores, so that whoever opens
+// Attempts to be rated with an observer form, first those that the curriculum waits for, then newest first,
+// without names and scores, so that whoever opens
 // one here can rate it blind.
 #pragma once
 
@@ -20,6 +21,9 @@ class ToRatePage : public Page {
   public:
     explicit ToRatePage(Context& context);
     void enter() override;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void fill();

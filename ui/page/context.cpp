@@ -4,6 +4,7 @@
 #include <QVariant>
 #include <exception>
 
+#include "database/rows/attempt_records.h"
 #include "database/rows/errors.h"
 #include "ui/page/background_job.h"
 #include "ui/page/error_text.h"
@@ -63,6 +64,8 @@ const TaskDefinition* Context::task(const std::string& id) {
 }
 
 QString Context::task_title(const std::string& id) {
+    if (database::is_external_task(id))
+        return tr("External: %1").arg(text(id.substr(database::external_task_prefix.size())));
     const TaskDefinition* definition = task(id);
     return definition == nullptr ? text(id)
                                  : text(id) + QStringLiteral(" · ") + asset_text(definition->title);

@@ -50,6 +50,7 @@ constexpr WordsOf operations[] = {
     {"release_ratings", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "show the ratings of this attempt to the trainee")},
     {"set_goal", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "set this goal")},
     {"read_goals", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see this person's goals")},
+    {"import_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "import a trace for this person")},
     {"act_as", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "act in this role")},
     {"demo_session", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "use this demonstration account")},
     {"seal_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "close the demonstration programme")},

@@ -324,7 +324,7 @@ QString deviation_sign(const SectorDeviation& deviation) {
 }
 
 SpecimenMapLayout specimen_map_layout(const PathologyReport& report, double width,
-                                      const QFontMetricsF& metrics, double unit) {
+                                      const QFontMetricsF& metrics, double unit, double least_grid) {
     SpecimenMapLayout layout;
     const double line = metrics.height();
     if (!has_map(report)) {
@@ -336,9 +336,11 @@ SpecimenMapLayout specimen_map_layout(const PathologyReport& report, double widt
     const bool side = width >= side_lines * line;
     const double room = (side ? grid_share * width : width) - heads.left - unit;
     const double grid_width = std::max(std::min(room, widest_lines * line), 3.0);
-    layout.grid = QRectF(heads.left, heads.top, grid_width, row_lines * line * report.plan.levels);
+    const double row =
+        std::max(row_lines * line, (least_grid * line - heads.top) / std::max(1, report.plan.levels));
+    layout.grid = QRectF(heads.left, heads.top, grid_width, row * report.plan.levels);
     for (const SectorFinding& finding : report.findings) {
-        const double w = layout.grid.width() / sector_count, h = row_lines * line;
+        const double w = layout.grid.width() / sector_count, h = row;
         layout.cells.emplace_back(layout.grid.left() + static_cast<int>(finding.sector) * w,
                                   layout.grid.top() + finding.level * h, w, h);
     }
@@ -371,6 +373,17 @@ void paint_specimen_map(QPainter& painter, const QPointF& top_left, double width
         map.defects();
         map.legend();
     }
+    map.labels();
+    painter.restore();
+}
+
+void paint_around_specimen_map(QPainter& painter, double width, const PathologyReport& report,
+                               const Palette& palette, double least_grid) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetricsF metrics(painter.font(), painter.device());
+    MapPainter map(painter, report, palette, specimen_map_layout(report, width, metrics, 1, least_grid), 1);
+    if (has_map(report)) map.legend();
     map.labels();
     painter.restore();
 }

@@ -36,11 +36,15 @@ struct SpecimenMapLayout {
     double height = 0;  ///< of the whole
 };
 /// For a width; `metrics` of the font that is painted with, `unit` units of the painter per screen pixel.
+/// `least_grid`: height of grid and heads, in lines of text, where something else is shown in their place.
 SpecimenMapLayout specimen_map_layout(const PathologyReport& report, double width,
-                                      const QFontMetricsF& metrics, double unit);
+                                      const QFontMetricsF& metrics, double unit, double least_grid = 0);
 /// Paints at `top_left` in the painter's font. A report without findings (a plan without levels) paints its
 /// labels only.
 void paint_specimen_map(QPainter& painter, const QPointF& top_left, double width,
                         const PathologyReport& report, const Palette& palette, double unit);
+/// Labels and legend alone, around something that is shown in place of the grid.
+void paint_around_specimen_map(QPainter& painter, double width, const PathologyReport& report,
+                               const Palette& palette, double least_grid);
 
 }  // namespace fulcrum::ui

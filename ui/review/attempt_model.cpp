@@ -223,6 +223,13 @@ QString trace_not_kept_text() {
         "result and its scores are stored.");
 }
 
+QString external_trace_text(const std::string& source) {
+    return HeadlineTexts::tr(
+               "External attempt, recorded by: %1. It was imported as a trace: its metrics are shown, there "
+               "is no scene to replay, no limit judges it, and it never counts towards a standing.")
+        .arg(text(source));
+}
+
 QString product_text(const AttemptModel& model, const TaskDefinition& task) {
     if (task.goals.empty()) return {};
     // Without the events it is known only that all were done.

@@ -67,6 +67,8 @@ std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, 
 
 /// In place of replay, charts and events where summary.meta.keep_trace is false.
 QString trace_not_kept_text();
+/// The same of an attempt that was recorded elsewhere.
+QString external_trace_text(const std::string& source);
 
 /// What the attempt produced, in a sentence: the steps done, and those left. Empty for a task without steps.
 QString product_text(const AttemptModel& model, const TaskDefinition& task);

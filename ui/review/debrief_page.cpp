@@ -48,7 +48,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     content->addWidget(replay_block_);
     no_trace_ = make_card(4);
     no_trace_->setObjectName(QStringLiteral("no_trace"));
-    card_layout(no_trace_)->addWidget(make_label(trace_not_kept_text()));
+    no_trace_words_ = make_label({});
+    card_layout(no_trace_)->addWidget(no_trace_words_);
     content->addWidget(no_trace_);
     ratings_ = new RatingsCard(context);
     content->addWidget(ratings_);
@@ -307,6 +308,9 @@ void DebriefPage::show_model() {
     content_->show();
     replay_block_->setVisible(model_->summary.meta.keep_trace);
     no_trace_->setVisible(!model_->summary.meta.keep_trace);
+    no_trace_words_->setText(database::is_external_task(model_->summary.meta.task_id)
+                                 ? external_trace_text(model_->summary.meta.device)
+                                 : trace_not_kept_text());
     fit_replay();
     fill_head();
     gates_->open(*model_);

@@ -91,6 +91,7 @@ class DebriefPage : public Page {
     QPushButton* number_explain_[4];
     QPushButton* back_;
     QWidget* replay_block_;
+    QLabel* no_trace_words_;
     QFrame* no_trace_;  ///< in its place where the trace was not kept
     QTabWidget* tabs_;
     GatesCard* gates_;

@@ -3,11 +3,14 @@
 
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QRadioButton>
 #include <QTableWidget>
 
 #include "ui/reports/export_row.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/review/specimen_view.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
@@ -18,7 +21,15 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(18, 16, 18, 16);
     layout->setSpacing(8);
-    layout->addWidget(make_label(tr("Pathology report (simulated)"), "heading"));
+    auto* top = new FlowRow;
+    top->add(make_label(tr("Pathology report (simulated)"), "heading"), 1, with_text(200));
+    as_map_ = new QRadioButton(tr("Map"));
+    as_map_->setObjectName(QStringLiteral("specimen_as_map"));
+    as_solid_ = new QRadioButton(tr("In 3D"));
+    as_solid_->setObjectName(QStringLiteral("specimen_as_solid"));
+    for (QRadioButton* choice : {as_map_, as_solid_}) top->add(choice);
+    connect(as_solid_, &QRadioButton::toggled, this, &PathologyCard::show_solid);
+    layout->addLayout(top);
     map_ = new SpecimenView;
     layout->addWidget(map_);
     auto* row = new QHBoxLayout;
@@ -71,6 +82,8 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
     setVisible(report.has_value());
     if (!report) return;
     map_->open(*report);
+    as_map_->setChecked(true);
+    for (QRadioButton* choice : {as_map_, as_solid_}) choice->setVisible(map_->has_sectors());
     sector_->setText(tr("Select a sector to see its numbers."));
     set_tint(sector_, Tint::muted);
     sector_show_->hide();
@@ -79,6 +92,10 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
     fill_numbers();
     export_->setVisible(file.has_value());
     if (file) export_->propose(*file);
+}
+
+void PathologyCard::show_solid(bool solid) {
+    map_->show_solid(solid);
 }
 
 std::optional<double> PathologyCard::defect_time(const SectorFinding& finding) const {

@@ -11,6 +11,7 @@
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QRadioButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
@@ -34,6 +35,7 @@ class PathologyCard : public QFrame {
   private:
     void fill_numbers();
     void show_sector(int finding);
+    void show_solid(bool solid);
     /// s of the attempt where the deepest defect of a sector was cut; none: it has no listed defect.
     std::optional<double> defect_time(const SectorFinding& finding) const;
 
@@ -41,6 +43,7 @@ class PathologyCard : public QFrame {
     double shown_time_ = -1;
     SpecimenView* map_;
     QLabel* sector_;
+    QRadioButton *as_map_, *as_solid_;
     QPushButton *sector_show_, *numbers_button_;
     QWidget* numbers_;
     QGridLayout* lines_;

@@ -9,6 +9,7 @@
 
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/specimen_map.h"
+#include "ui/review/specimen_solid.h"
 
 namespace fulcrum::ui {
 
@@ -61,6 +62,25 @@ SpecimenView::SpecimenView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("specimen_map"));
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setSizePolicy(policy);
+    solid_ = new SpecimenSolid(this);
+    solid_->hide();
+    connect(solid_, &SpecimenSolid::sector_chosen, this, [this](int finding) {
+        if (static_cast<std::size_t>(finding) < cells_.size())
+            cells_[static_cast<std::size_t>(finding)]->setChecked(true);
+        emit sector_chosen(finding);
+    });
+}
+
+void SpecimenView::show_solid(bool solid) {
+    solid_->setVisible(solid && has_sectors());
+    for (SpecimenCell* cell : cells_) cell->setVisible(solid_->isHidden());
+    arrange();
+    update();
+}
+
+double SpecimenView::least_grid() const {
+    constexpr double lines = 19;
+    return solid_->isHidden() ? 0 : lines;
 }
 
 void SpecimenView::open(const PathologyReport& report) {
@@ -73,12 +93,17 @@ void SpecimenView::open(const PathologyReport& report) {
         auto* cell = new SpecimenCell(report_, report_.findings[i], this);
         cell->setFocusPolicy(i == 0 ? Qt::StrongFocus : Qt::ClickFocus);
         const int index = static_cast<int>(i);
-        connect(cell, &QAbstractButton::clicked, this, [this, index] { emit sector_chosen(index); });
+        connect(cell, &QAbstractButton::clicked, this, [this, index] {
+            solid_->choose(index);
+            emit sector_chosen(index);
+        });
         connect(cell, &SpecimenCell::move_wanted, this,
                 [this, index](int levels, int sectors) { move(index, levels, sectors); });
         cell->show();
         cells_.push_back(cell);
     }
+    solid_->open(report_);
+    solid_->hide();
     QStringList words;
     for (const PathologyLabel& label : pathology_labels(report_))
         words << label.title + QStringLiteral(": ") + label.value +
@@ -90,7 +115,9 @@ void SpecimenView::open(const PathologyReport& report) {
 }
 
 void SpecimenView::arrange() {
-    const SpecimenMapLayout layout = specimen_map_layout(report_, width(), QFontMetricsF(font()), 1);
+    const SpecimenMapLayout layout =
+        specimen_map_layout(report_, width(), QFontMetricsF(font()), 1, least_grid());
+    solid_->setGeometry(QRectF(QPointF(0, 0), layout.grid.bottomRight()).toAlignedRect());
     for (std::size_t i = 0; i < cells_.size() && i < layout.cells.size(); ++i)
         cells_[i]->setGeometry(layout.cells[i].toAlignedRect());
     const int height = static_cast<int>(std::ceil(layout.height));
@@ -116,7 +143,10 @@ void SpecimenView::move(int from, int levels, int sectors) {
 
 void SpecimenView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    paint_specimen_map(painter, {0, 0}, width(), report_, colours(), 1);
+    if (solid_->isHidden())
+        paint_specimen_map(painter, {0, 0}, width(), report_, colours(), 1);
+    else
+        paint_around_specimen_map(painter, width(), report_, colours(), least_grid());
 }
 
 void SpecimenView::resizeEvent(QResizeEvent* event) {

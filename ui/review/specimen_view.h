@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The specimen map on the screen. Each sector is a button with an accessible name: click, or arrow keys and
-// Return, choose it. Tab reaches the map once.
+// Return, choose it. Tab reaches the map once. In its place the specimen can be shown in three dimensions
+// (specimen_solid.h), with the same labels, legend and colours.
 #pragma once
 
 #include <QAbstractButton>
@@ -10,6 +11,8 @@
 #include "assessment/pathology/pathology.h"
 
 namespace fulcrum::ui {
+
+class SpecimenSolid;
 
 class SpecimenCell : public QAbstractButton {
     Q_OBJECT
@@ -30,6 +33,9 @@ class SpecimenView : public QWidget {
   public:
     explicit SpecimenView(QWidget* parent = nullptr);
     void open(const PathologyReport& report);
+    /// In place of levels and sectors.
+    void show_solid(bool solid);
+    bool has_sectors() const { return !cells_.empty(); }
     QSize sizeHint() const override;
 
   signals:
@@ -44,8 +50,10 @@ class SpecimenView : public QWidget {
   private:
     void arrange();
     void move(int from, int levels, int sectors);
+    double least_grid() const;
     PathologyReport report_;
     std::vector<SpecimenCell*> cells_;
+    SpecimenSolid* solid_;
 };
 
 }  // namespace fulcrum::ui

@@ -30,7 +30,7 @@ TEST(DemonstrationPlan, IsPractisedForTwelveWeeksWithinAnHourOfWork) {
     std::map<std::size_t, std::set<int>> weeks;
     std::map<std::size_t, int> last;
     for (int day = 0; day < demo_days; ++day)
-        for (const DemoSession& session : demo_sessions(24, day)) {
+        for (const DemoSession& session : demo_sessions({24}, day)) {
             EXPECT_LT(day % 7, 5) << "nobody practises at the weekend";
             all += session.attempts;
             weeks[session.trainee].insert(day / 7);
@@ -55,11 +55,38 @@ TEST(DemonstrationPlan, IsPractisedForTwelveWeeksWithinAnHourOfWork) {
 TEST(DemonstrationPlan, FirstTraineesPractiseTheSameWhoeverElseTakesPart) {
     for (int day = 0; day < demo_days; ++day) {
         std::map<std::size_t, int> few, all;
-        for (const DemoSession& one : demo_sessions(4, day)) few[one.trainee] += one.attempts;
-        for (const DemoSession& one : demo_sessions(24, day))
+        for (const DemoSession& one : demo_sessions({4}, day)) few[one.trainee] += one.attempts;
+        for (const DemoSession& one : demo_sessions({24}, day))
             if (one.trainee < 4) all[one.trainee] += one.attempts;
         EXPECT_EQ(few, all) << day;
     }
+}
+
+TEST(DemonstrationPlan, AnySizeGivesEachTraineeAsManyAttemptsAsWanted) {
+    for (const DemoSize& size : {DemoSize{40, 12, 60, 0}, DemoSize{3, 1, 6, 0}, DemoSize{200, 12, 600, 0}}) {
+        std::map<std::size_t, int> all;
+        std::set<int> days;
+        for (int day = 0; day < demo_days; ++day) {
+            for (const DemoSession& one : demo_sessions(size, day)) {
+                EXPECT_GE(day, demo_days - 7 * size.weeks);
+                all[one.trainee] += one.attempts;
+                if (one.trainee == 1) days.insert(day);
+            }
+        }
+        EXPECT_EQ(all.size(), size.trainees);
+        for (const auto& [trainee, attempts] : all) EXPECT_EQ(attempts, size.attempts) << trainee;
+        EXPECT_EQ(days.size(), std::min<std::size_t>(5U * static_cast<unsigned>(size.weeks),
+                                                     static_cast<std::size_t>(size.attempts)))
+            << "spread over all working days";
+    }
+    std::set<std::string> logins, names;
+    for (std::size_t i = 0; i < most_demo_trainees; ++i) {
+        logins.insert(demo_trainee(i).login);
+        names.insert(demo_trainee(i).name);
+        EXPECT_EQ(demo_trainee(i).learning, demo_trainees()[i % 24].learning);
+    }
+    EXPECT_EQ(logins.size(), most_demo_trainees);
+    EXPECT_EQ(names.size(), most_demo_trainees);
 }
 
 TEST(DemonstrationPlan, CurvesDifferAsTheirNamesSay) {

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include "app/lab/demonstration_plan.h"
 #include "app/services/demo.h"
@@ -54,8 +56,8 @@ TEST(DemonstrationBuild, StoppedAndResumedMakesTheSameProgramme) {
     const auto path = [&](const char* name) { return folder.filePath(name).toStdString(); };
     DemonstrationRequest request;
     request.output = path("whole.zst");
-    request.trainees = 2;
-    request.weeks = 2;
+    request.size.trainees = 2;
+    request.size.weeks = 2;
     const DemonstrationResult whole = build_demonstration(request);
     ASSERT_TRUE(whole.complete);
     ASSERT_GE(whole.attempts, 6);
@@ -88,12 +90,37 @@ TEST(DemonstrationBuild, StoppedAndResumedMakesTheSameProgramme) {
     EXPECT_EQ(in_whole, attempts_in(path("parts.db")));
 }
 
+TEST(DemonstrationBuild, OfAnySizeGivesEachTraineeItsAttemptsAndAnotherSeedOtherOnes) {
+    const QTemporaryDir folder;
+    std::set<std::string> hashes;
+    std::size_t made = 0;
+    for (const DemoSize& size : {DemoSize{2, 1, 6, 0}, DemoSize{1, 1, 2, 1}}) {
+        DemonstrationRequest request;
+        request.output = folder.filePath("sized.zst").toStdString();
+        request.size = size;
+        const DemonstrationResult result = build_demonstration(request);
+        ASSERT_TRUE(result.complete);
+        const std::string path = folder.filePath(QString::number(size.seed)).toStdString();
+        ASSERT_TRUE(unpack_demo_file(request.output, path, {}));
+        std::map<std::string, int> of;
+        const database::Store store = database::Store::open(path);
+        for (const database::AttemptSummary& one : database::Attempts(store).list(store.station_session())) {
+            ++of[one.person_login];
+            hashes.insert(one.state_hash);
+            ++made;
+        }
+        EXPECT_EQ(of.size(), size.trainees);
+        for (const auto& [login, attempts] : of) EXPECT_EQ(attempts, size.attempts) << login;
+    }
+    EXPECT_EQ(hashes.size(), made) << "no attempt is made twice";
+}
+
 TEST(DemonstrationBuild, OfAnotherPlanOrBySomebodyElseIsRefused) {
     const QTemporaryDir folder;
     DemonstrationRequest request;
     request.output = folder.filePath("demo.zst").toStdString();
-    request.trainees = 1;
-    request.weeks = 1;
+    request.size.trainees = 1;
+    request.size.weeks = 1;
     // Stopped in the first attempt after a whole day.
     request.progress = [&](double, const std::string&) {
         for (const auto& file : fs::directory_iterator(request.output + ".work"))
@@ -102,7 +129,7 @@ TEST(DemonstrationBuild, OfAnotherPlanOrBySomebodyElseIsRefused) {
     };
     ASSERT_FALSE(build_demonstration(request).complete);
     DemonstrationRequest other = request;
-    other.trainees = 2;
+    other.size.trainees = 2;
     EXPECT_THROW(build_demonstration(other), InputError);
     QLockFile lock(QString::fromStdString(request.output + ".work/lock"));
     ASSERT_TRUE(lock.tryLock(0));

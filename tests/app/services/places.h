@@ -93,6 +93,8 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"set_goal"};
         case Operation::read_goals:
             return {"goal_words"};
+        case Operation::import_attempt:
+            return {};
     }
     return {};
 }
@@ -144,6 +146,8 @@ inline std::vector<std::string> commands_of(Operation operation) {
             return {"tissues --set"};
         case Operation::accept_assets:
             return {"assets accept"};
+        case Operation::import_attempt:
+            return {"import"};
         case Operation::read_sign_in_list:
         case Operation::list_people:
         case Operation::manage_people:

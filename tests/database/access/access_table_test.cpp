@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "assessment/assets/assets.h"
+#include "database/records/external_attempts.h"
 #include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
@@ -249,6 +250,17 @@ class EveryCell : public ::testing::Test {
                 return [=] { Goals(*asked()).drop(session, target.goal); };
             case Operation::read_goals:
                 return [=] { Goals(*asked()).of_person(session, target.person); };
+            case Operation::import_attempt:
+                return [=] {
+                    ExternalAttempt box;
+                    box.person_id = target.person;
+                    box.exercise = "peg-transfer";
+                    box.source = "box trainer";
+                    box.performed = noon - 1000;
+                    box.duration_s = 1;
+                    box.trace = "t\ns\n0\n1\n";
+                    ExternalAttempts(*asked()).add(session, box);
+                };
         }
         return F();
     }

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <thread>
 
+#include "assessment/assets/assets.h"
+#include "database/records/ratings.h"
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
 #include "tests/database/password_cost.h"
@@ -394,6 +396,15 @@ TEST(Demo, PeopleActWithoutPasswordsAndASealedDemoTakesPracticeOnly) {
     EXPECT_EQ(table.rows[0].attempts, 1);
     EXPECT_THROW(Attempts(store).void_attempt(as_educator, attempt, "no"), AccessDenied);
     EXPECT_FALSE(store.allowed(as_educator, Operation::comment, Subject::person(trainee.id)));
+    for (const Operation operation :
+         {Operation::rate, Operation::release_ratings, Operation::set_goal, Operation::import_attempt})
+        EXPECT_FALSE(store.allowed(as_educator, operation, Subject::person(trainee.id)))
+            << operation_name(operation);
+    EXPECT_THROW(Ratings(store).begin(as_educator, attempt, load_form(asset_path("forms/goals.json"))),
+                 AccessDenied);
+    EXPECT_THROW(Ratings(store).release(as_educator, attempt), AccessDenied);
+    EXPECT_EQ(Ratings(store).to_rate(as_educator).size(), 1U) << "what there would be to rate is shown";
+    EXPECT_THROW(Ratings(store).to_rate(people.demo_session("demo-trainee", Role::trainee)), AccessDenied);
     EXPECT_EQ(error_kind([&] { people.create_demo_cohort(station, "More", {}, {}); }),
               StoreErrorKind::sealed_demo);
     const Session as_trainee = people.demo_session("demo-trainee", Role::trainee);

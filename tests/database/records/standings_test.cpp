@@ -133,12 +133,25 @@ TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
     const std::int64_t waits = programme.store->now();
     EXPECT_EQ(standing(programme, curriculum, "A2", waits).standing, Standing::awaiting_rating);
     EXPECT_EQ(standing(programme, curriculum, "A2", waits).rated_attempt, rated);
+    // Raters see it first, though others are newer; without the curriculum in the order of time.
     programme.clock.pass_s(60);
+    programme.record("ben");
+    for (const char* login : {"educator", "director"}) {
+        const std::vector<RatableAttempt> listed = ratings.to_rate(programme.session(login), &curriculum);
+        EXPECT_EQ(listed.at(0).attempt_id, rated) << login;
+        EXPECT_EQ(std::count_if(listed.begin(), listed.end(),
+                                [](const RatableAttempt& one) { return one.awaited; }),
+                  1);
+    }
+    EXPECT_EQ(ratings.to_rate(programme.session("educator"), &curriculum, 1).at(0).attempt_id, rated);
+    EXPECT_NE(ratings.to_rate(programme.session("educator")).at(0).attempt_id, rated);
+    EXPECT_NE(ratings.to_rate(programme.session("educator"), &curriculum).at(1).attempt_id, rated);
     rate("educator", rated, 5);
     rate("other_educator", rated, 3);
     EXPECT_EQ(standing(programme, curriculum, "A2", programme.store->now()).raters, 0) << "not released";
     programme.clock.pass_s(60);
     ASSERT_EQ(ratings.release(programme.session("educator"), rated), 2);
+    EXPECT_FALSE(ratings.to_rate(programme.session("educator"), &curriculum).at(0).awaited) << "met";
     const std::int64_t released = programme.store->now();
     EXPECT_EQ(standing(programme, curriculum, "A2", released - 1).standing, Standing::awaiting_rating);
     EXPECT_TRUE(standing(programme, curriculum, "A2", released).met_provisionally) << "mean 4";

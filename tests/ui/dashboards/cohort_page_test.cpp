@@ -141,8 +141,12 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
     keep("cohort-attention-light");
 
     views->setCurrentIndex(4);
-    ASSERT_EQ(find<QTableWidget>(*window, "cohort_table")->rowCount(), people);
+    auto* table = find<QTableWidget>(*window, "cohort_table");
+    ASSERT_EQ(table->rowCount(), people);
+    window->resize(1024, 768);
     keep("cohort-table-light");
+    for (int row = 0; row < people; ++row)
+        EXPECT_LT(2 * table->rowHeight(row), 5 * table->fontMetrics().lineSpacing()) << "one line a person";
 
     QTemporaryDir folder;
     const QString path = folder.filePath("cohort.json");

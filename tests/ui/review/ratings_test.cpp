@@ -165,7 +165,7 @@ TEST_F(RatingPages, FromTheListAnAttemptIsRatedWithoutNameAndScore) {
     click(*window, "rail_rate");
     auto* table = find<QTableWidget>(*window, "to_rate_table");
     ASSERT_EQ(table->rowCount(), 1);
-    EXPECT_EQ(table->item(0, 6)->text(), "yes");
+    EXPECT_EQ(table->item(0, 7)->text(), "yes");
     EXPECT_FALSE(page_text().contains("Tara"));
     EXPECT_FALSE(page_text().contains("71"));
     keep("to-rate");
@@ -208,8 +208,8 @@ TEST_F(RatingPages, FromTheListAnAttemptIsRatedWithoutNameAndScore) {
     EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->rowCount(), 0);
     check(*window, "to_rate_rated");
     ASSERT_EQ(find<QTableWidget>(*window, "to_rate_table")->rowCount(), 1);
-    EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->item(0, 6)->text(), "no");
-    EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->item(0, 5)->text(), "1");
+    EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->item(0, 7)->text(), "no");
+    EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->item(0, 6)->text(), "1");
 }
 
 TEST_F(RatingPages, TheSecondRaterSeesTheFirstOnlyAfterwardsAndTheTraineeOnceReleased) {
@@ -304,6 +304,14 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     use_language(Language::german);
     EXPECT_TRUE(at_home().contains(QString::fromUtf8("bestanden, Beurteilung steht aus")));
     use_language(Language::english);
+    act_as(*ed);
+    click(*window, "rail_rate");
+    auto* list = find<QTableWidget>(*window, "to_rate_table");
+    ASSERT_EQ(list->rowCount(), 2);
+    EXPECT_EQ(list->item(0, 1)->text(), QString::fromUtf8("● yes"));
+    EXPECT_FALSE(list->item(0, 1)->toolTip().isEmpty());
+    EXPECT_EQ(list->item(1, 1)->text(), QString::fromUtf8("–"));
+    keep("rate-awaiting");
     for (const Session* rater : {ed.get(), ida.get()}) {
         act_as(*rater);
         emit window->context().rating_wanted(QString::fromStdString(id));

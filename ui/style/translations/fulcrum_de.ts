@@ -5514,6 +5514,86 @@
         <source>see `fulcrum schedule add --help`</source>
         <translation>siehe `fulcrum schedule add --help`</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not the name of an exercise</source>
+        <translation>„%1“ ist kein Name einer Übung</translation>
+    </message>
+    <message>
+        <source>use 1 to %1 letters, digits, dots, hyphens and underscores: peg-transfer</source>
+        <translation>verwenden Sie 1 bis %1 Buchstaben (ohne Umlaute), Ziffern, Punkte, Bindestriche und Unterstriche: peg-transfer</translation>
+    </message>
+    <message>
+        <source>what recorded the trace is not named, or its name is too long</source>
+        <translation>womit aufgezeichnet wurde, ist nicht genannt, oder der Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>give a name of 1 to %1 characters</source>
+        <translation>geben Sie einen Namen mit 1 bis %1 Zeichen an</translation>
+    </message>
+    <message>
+        <source>the attempt is dated in the future, or before 1970</source>
+        <translation>der Versuch liegt laut Datum in der Zukunft oder vor 1970</translation>
+    </message>
+    <message>
+        <source>give the date and time at which it was performed</source>
+        <translation>geben Sie an, an welchem Tag und zu welcher Zeit er durchgeführt wurde</translation>
+    </message>
+    <message>
+        <source>the trace has no samples or no duration</source>
+        <translation>die Aufzeichnung hat keine Messwerte oder keine Dauer</translation>
+    </message>
+    <message>
+        <source>import a trace that fulcrum metrics reads</source>
+        <translation>importieren Sie eine Aufzeichnung, die fulcrum metrics liest</translation>
+    </message>
+    <message>
+        <source>the trace has more than 256 MiB as text</source>
+        <translation>die Aufzeichnung hat als Text mehr als 256 MiB</translation>
+    </message>
+    <message>
+        <source>import a part of it, or fewer columns</source>
+        <translation>importieren Sie einen Teil davon oder weniger Spalten</translation>
+    </message>
+    <message>
+        <source>an external attempt is measured, never judged</source>
+        <translation>ein externer Versuch wird gemessen, nie bewertet</translation>
+    </message>
+    <message>
+        <source>store its metrics alone</source>
+        <translation>speichern Sie nur seine Kennzahlen</translation>
+    </message>
+    <message>
+        <source>this trace was imported for this person already: attempt %1</source>
+        <translation>diese Aufzeichnung wurde für diese Person schon importiert: Versuch %1</translation>
+    </message>
+    <message>
+        <source>void that attempt first if it is to be imported again</source>
+        <translation>erklären Sie erst jenen Versuch für ungültig, wenn sie noch einmal importiert werden soll</translation>
+    </message>
+    <message>
+        <source>the trace has more than 64 MiB when it is compressed</source>
+        <translation>die Aufzeichnung hat komprimiert mehr als 64 MiB</translation>
+    </message>
+    <message>
+        <source>there is no imported trace of attempt %1 in this store</source>
+        <translation>in diesem Speicher gibt es keine importierte Aufzeichnung von Versuch %1</translation>
+    </message>
+    <message>
+        <source>open it at the station that imported it</source>
+        <translation>öffnen Sie ihn an der Station, die ihn importiert hat</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a date and time</source>
+        <translation>„%1“ ist kein Datum mit Uhrzeit</translation>
+    </message>
+    <message>
+        <source>give it as 2026-11-20T14:05</source>
+        <translation>geben Sie es in der Form 2026-11-20T14:05 an</translation>
+    </message>
+    <message>
+        <source>name the exercise and the person who performed it</source>
+        <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -7862,6 +7942,10 @@
         <source>{amount} over</source>
         <translation>{amount} darüber</translation>
     </message>
+    <message>
+        <source>it was recorded elsewhere and imported: measured, but judged by no limits</source>
+        <translation>anderswo aufgezeichnet und importiert: gemessen, aber nach keinen Grenzwerten bewertet</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::tissues</name>
@@ -8528,14 +8612,16 @@ und %1 weitere</translation>
         <translation> · nur zählende Versuche; Geräteklassen werden nie zusammengefasst</translation>
     </message>
     <message>
-        <source>Benchmark sets: %1
-Metrics: %2</source>
-        <translation>Richtwertsätze: %1
-Kennzahlen: %2</translation>
-    </message>
-    <message>
         <source>Needs attention (%1)</source>
         <translation>Handlungsbedarf (%1)</translation>
+    </message>
+    <message>
+        <source>Table: ✓ passed, (✓) passed by provisional limits, ○ attempted, – not attempted; best points · attempts that count, of the device class used last (+1: one class more; the tooltip has all).
+Benchmark sets: %1
+Metrics: %2</source>
+        <translation>Tabelle: ✓ bestanden, (✓) nach vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht; beste Punktzahl · Versuche, die zählen, mit der zuletzt benutzten Geräteklasse (+1: eine weitere Klasse; der Hinweistext zeigt alle).
+Richtwertsätze: %1
+Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
@@ -8633,6 +8719,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Interrupted attempts could not be scored now. It is tried again at the next sign-in: %1</source>
         <translation>Unterbrochene Versuche konnten jetzt nicht ausgewertet werden. Bei der nächsten Anmeldung wird es erneut versucht: %1</translation>
+    </message>
+    <message>
+        <source>External: %1</source>
+        <translation>Extern: %1</translation>
     </message>
 </context>
 <context>
@@ -9484,6 +9574,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>The trace of this attempt was not kept: there is no replay and there are no charts. Its result and its scores are stored.</source>
         <translation>Die Aufzeichnung dieses Versuchs wurde nicht behalten: Es gibt keine Wiedergabe und keine Kurven. Ergebnis und Wertungen sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>External attempt, recorded by: %1. It was imported as a trace: its metrics are shown, there is no scene to replay, no limit judges it, and it never counts towards a standing.</source>
+        <translation>Externer Versuch, aufgezeichnet mit: %1. Er wurde als Aufzeichnung importiert: Seine Kennzahlen werden angezeigt, es gibt keine Szene für eine Wiedergabe, kein Grenzwert bewertet ihn, und er zählt nie für einen Stand.</translation>
     </message>
 </context>
 <context>
@@ -10880,6 +10974,14 @@ Kennzahlen: %2</translation>
         <source>Show: %1</source>
         <translation>Zeigen: %1</translation>
     </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>In 3D</source>
+        <translation>In 3D</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PeoplePage</name>
@@ -11982,6 +12084,44 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::SolidTexts</name>
+    <message>
+        <source>from behind</source>
+        <translation>von hinten</translation>
+    </message>
+    <message>
+        <source>from the front (not judged)</source>
+        <translation>von vorn (nicht beurteilt)</translation>
+    </message>
+    <message>
+        <source>from the patient&apos;s right</source>
+        <translation>von der rechten Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>from the patient&apos;s left</source>
+        <translation>von der linken Seite des Patienten</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::SpecimenSolid</name>
+    <message>
+        <source>Specimen in three dimensions</source>
+        <translation>Präparat in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>Seen %1. Arrow keys turn it, Home turns it back.</source>
+        <translation>Ansicht %1. Die Pfeiltasten drehen es, Pos1 dreht es zurück.</translation>
+    </message>
+    <message>
+        <source>seen %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>drag or use the arrow keys to turn it</source>
+        <translation>zum Drehen ziehen oder die Pfeiltasten benutzen</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::SpecimenView</name>
     <message>
         <source>Specimen map</source>
@@ -12448,10 +12588,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Versuche beurteilen</translation>
     </message>
     <message>
-        <source>Names and scores are left out here. An attempt whose name and score you have not opened is rated blind.</source>
-        <translation>Namen und Bewertungen fehlen hier. Ein Versuch, dessen Namen und Bewertung Sie nicht geöffnet haben, wird blind beurteilt.</translation>
-    </message>
-    <message>
         <source>Also those that I have rated</source>
         <translation>Auch die von mir beurteilten</translation>
     </message>
@@ -12502,6 +12638,26 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Attempts: %1</source>
         <translation>Versuche: %1</translation>
+    </message>
+    <message>
+        <source>Names and scores are left out here. An attempt whose name and score you have not opened is rated blind. Attempts whose ratings the curriculum waits for come first.</source>
+        <translation>Namen und Bewertungen fehlen hier. Ein Versuch, dessen Namen und Bewertung Sie nicht geöffnet haben, wird blind beurteilt. Versuche, auf deren Beurteilung das Curriculum wartet, stehen zuerst.</translation>
+    </message>
+    <message>
+        <source>Awaited</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>● yes</source>
+        <translation>● ja</translation>
+    </message>
+    <message>
+        <source>The curriculum waits for ratings of this attempt.</source>
+        <translation>Das Curriculum wartet auf Beurteilungen dieses Versuchs.</translation>
+    </message>
+    <message>
+        <source>Attempts: %1, awaiting rating: %2</source>
+        <translation>Versuche: %1, davon mit ausstehender Beurteilung: %2</translation>
     </message>
 </context>
 <context>
@@ -13082,6 +13238,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>The programme server is only read here. Do it at a station.</source>
         <translation>Der Programmserver wird hier nur gelesen. Tun Sie es an einer Station.</translation>
+    </message>
+    <message>
+        <source>import a trace for this person</source>
+        <translation>eine Aufzeichnung für diese Person importieren</translation>
     </message>
 </context>
 <context>

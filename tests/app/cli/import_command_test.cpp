@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum import as it is called: a trace of a public format becomes an external attempt; what does not fit
+// is refused with file, row and hint before anything is stored.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/services/program.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/app/access_programme.h"
+#include "tests/support/support.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+/// Twenty seconds of the JIGSAWS columns: the left tool goes round, the right one stands still.
+std::string jigsaws_text() {
+    std::ostringstream text;
+    for (int i = 0; i < 600; ++i) {
+        for (int column = 1; column <= 76; ++column) {
+            const double angle = 0.1 * i;
+            const double value = column == 39   ? 0.05 * std::cos(angle)
+                                 : column == 40 ? 0.05 * std::sin(angle)
+                                                : 0.01;
+            text << (column > 1 ? "    " : "") << value;
+        }
+        text << '\n';
+    }
+    return text.str();
+}
+
+class ImportCommand : public ::testing::Test {
+  protected:
+    ImportCommand() {
+        programme.store.reset();
+        std::ofstream(path("password.txt")) << database::test::password << '\n';
+        std::ofstream(path("suturing.txt")) << jigsaws_text();
+    }
+    std::string path(const char* name) const {
+        return programme.folder.filePath(QString::fromLatin1(name)).toStdString();
+    }
+    nlohmann::json run(std::vector<std::string> words, int wanted = 0) const {
+        words.insert(words.end(), {"--db", programme.path, "--json"});
+        std::ostringstream output;
+        struct Redirected {
+            std::streambuf* before;
+            ~Redirected() { std::cout.rdbuf(before); }
+        };
+        {
+            const Redirected redirected{std::cout.rdbuf(output.rdbuf())};
+            EXPECT_EQ(run_command(words), wanted);
+        }
+        return output.str().empty() ? nlohmann::json() : nlohmann::json::parse(output.str());
+    }
+    std::vector<std::string> signed_in(std::vector<std::string> words) const {
+        words.insert(words.end(), {"--as", AccessProgramme::login_of(Role::educator), "--role", "educator",
+                                   "--password-file", path("password.txt")});
+        return words;
+    }
+    std::vector<std::string> call(const std::string& person) const {
+        return {"import",     path("suturing.txt"),
+                "--mapping",  fulcrum::test::source_path("assets/mappings/jigsaws.json"),
+                "--exercise", "suturing",
+                "--person",   person};
+    }
+    AccessProgramme programme;
+};
+
+TEST_F(ImportCommand, TraceOfTheJigsawsFormatBecomesAnExternalAttempt) {
+    std::vector<std::string> dry = signed_in(call("ann"));
+    dry.emplace_back("--dry-run");
+    EXPECT_TRUE(run(dry)["attempt"].is_null());
+    std::vector<std::string> words = signed_in(call("ann"));
+    words.insert(words.end(), {"--performed", "2026-01-20 14:05"});
+    const nlohmann::json stored = run(words);
+    EXPECT_EQ(stored["task"], "external-suturing");
+    EXPECT_EQ(stored["device_class"], "external");
+    EXPECT_EQ(stored["samples"], 600);
+    EXPECT_NEAR(stored["duration_s"].get<double>(), 599 / 30.0, 1e-9);
+    const std::string id = stored["attempt"];
+
+    programme.open();
+    const database::AttemptSummary attempt =
+        database::Attempts(*programme.store).read(programme.session("educator"), id);
+    EXPECT_EQ(attempt.meta.person_id, programme.id("ann"));
+    EXPECT_FALSE(attempt.counting);
+    bool has_path = false;
+    const auto score = database::Attempts(*programme.store).score(programme.session("educator"), id);
+    for (const database::MetricRow& row : score->metrics)
+        has_path = has_path || (row.id == "path_len" && row.hand == "left" && row.value && *row.value > 1000);
+    EXPECT_TRUE(has_path) << "20 s at 0.15 m/s";
+    programme.store.reset();
+    EXPECT_THROW(run(signed_in(call("ann"))), database::StoreError) << "the same file again";
+}
+
+TEST_F(ImportCommand, StationStoresItForAnExternalPersonOnly) {
+    std::vector<std::string> dry = call("external-robot");
+    dry.emplace_back("--dry-run");
+    run(dry);
+    programme.open();
+    EXPECT_FALSE(
+        database::People(*programme.store).find_login(programme.store->station_session(), "external-robot"))
+        << "a dry run makes nobody";
+    programme.store.reset();
+    const nlohmann::json stored = run(call("external-robot"));
+    const std::string folder = path("exported");
+    run({"report", "--attempt", stored["attempt"].get<std::string>(), "--format", "trace", "-o", folder});
+    std::ifstream trace(folder + "/trace.csv");
+    std::string names;
+    std::getline(trace, names);
+    EXPECT_EQ(names.rfind("t,left.px", 0), 0U) << names;
+    std::ifstream document(folder + "/attempt.json");
+    const nlohmann::json exported = nlohmann::json::parse(document);
+    EXPECT_EQ(exported["device_class"], "external");
+    EXPECT_TRUE(exported["passed"].is_null());
+    EXPECT_EQ(exported["not_scored_code"]["id"], "score.recorded_elsewhere");
+    EXPECT_THROW(run(call("ann")), database::StoreError) << "a real person";
+}
+
+TEST_F(ImportCommand, WhatDoesNotFitNamesItsRowAndLeavesNothing) {
+    const auto problem = [&](std::vector<std::string> words) {
+        try {
+            run(std::move(words));
+        } catch (const std::exception& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    std::ofstream(path("suturing.txt"), std::ios::app) << "1 2 3\n";
+    EXPECT_NE(problem(call("external-robot")).find("suturing.txt:601"), std::string::npos)
+        << problem(call("external-robot"));
+    std::vector<std::string> words = call("external-robot");
+    words[1] = path("no-such-file.txt");
+    EXPECT_NE(problem(words), "");
+    words = call("external-robot");
+    words[5] = "two words";
+    std::ofstream(path("suturing.txt")) << jigsaws_text();
+    EXPECT_NE(problem(words).find("two words"), std::string::npos);
+    words = call("external-robot");
+    words.insert(words.end(), {"--performed", "yesterday"});
+    EXPECT_NE(problem(words).find("yesterday"), std::string::npos);
+    EXPECT_NE(problem({"import", path("suturing.txt"), "--exercise", "suturing"}).find("--person"),
+              std::string::npos);
+    programme.open();
+    database::AttemptFilter filter;
+    filter.task_id = "external-suturing";
+    EXPECT_TRUE(
+        database::Attempts(*programme.store).list(programme.store->station_session(), filter).empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test
