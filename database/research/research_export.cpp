@@ -289,10 +289,13 @@ ResearchExport research_export(const Store& store, const Session& director) {
     filter.limit = -1;
     filter.for_table = true;
     std::vector<AttemptSummary> attempts = Attempts(store).list(director, filter);
-    attempts.erase(
-        std::remove_if(attempts.begin(), attempts.end(),
-                       [](const AttemptSummary& one) { return one.recorded_state == AttemptState::running; }),
-        attempts.end());
+    // What was recorded elsewhere has a name that someone typed, which may tell who they are.
+    attempts.erase(std::remove_if(attempts.begin(), attempts.end(),
+                                  [](const AttemptSummary& one) {
+                                      return one.recorded_state == AttemptState::running ||
+                                             is_external_task(one.meta.task_id);
+                                  }),
+                   attempts.end());
     std::reverse(attempts.begin(), attempts.end());  // oldest first
     const std::vector<Row> rows = rows_of(attempts);
     PersonSet people;

@@ -175,6 +175,15 @@ TEST_F(Research, PutsSmallGroupsTogetherOrLeavesThemOut) {
     EXPECT_EQ(people[0][3], "7");
 }
 
+TEST_F(Research, LeavesOutWhatWasRecordedElsewhere) {
+    record_all();
+    for (const char* login : everybody) record(login, "external-by-Fay", DeviceClass::external);
+    const ResearchExport research = research_export(*programme.store, director);
+    EXPECT_EQ(research.attempts, 9);
+    for (const ResearchTable& one : research.tables)
+        EXPECT_EQ(research.csv(one).find("by-Fay"), std::string::npos) << one.name;
+}
+
 TEST_F(Research, CountsAMergedPersonOnceAndNoSimulatedOrVoidedOne) {
     record_all();
     const Session station = programme.store->station_session();
