@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/app/services/window_access.h"
+#include "ui/style/palette.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -114,7 +115,9 @@ TEST_F(PeopleImport, MergesSomebodyWhoWasEnteredTwiceAndUndoesIt) {
     EXPECT_EQ(find<QTableWidget>(*window, "people_table")->item(row_of("eve"), 3)->text(), "merged");
     EXPECT_FALSE(find<QPushButton>(*window, "toggle_active")->isEnabled());
     bring(*find<QPushButton>(*window, "unmerge_people"));
-    keep_picture(*window, "people-merged");
+    ui::apply_theme(*qApp, ui::Theme::dark);
+    keep_picture(*window, "people-merged-dark");
+    ui::apply_theme(*qApp, ui::Theme::light);
     reason->setFocus();
     QTest::keyClicks(reason, "another person");
     click(*window, "unmerge_people");
