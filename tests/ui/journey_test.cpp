@@ -291,7 +291,9 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     keep_picture(window, "14-cohort");
     std::size_t a2 = 0;
     while (services.tasks().at(a2).id != "A2") ++a2;
-    const QString cell = table->item(0, static_cast<int>(a2) + 1)->text();
+    // One line in the table, the words in its tooltip.
+    const QString mark = table->item(0, static_cast<int>(a2) + 1)->text();
+    const QString cell = table->item(0, static_cast<int>(a2) + 1)->toolTip();
     EXPECT_TRUE(cell.contains("attempted · attempts 1")) << cell.toStdString();
     auto* cohort_page = static_cast<CohortPage*>(window.current_page());
     QTemporaryDir folder;
@@ -308,6 +310,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_EQ(row["state"], "attempted");
     const double best = row["best_points"].get<double>();
     EXPECT_TRUE(cell.contains("best " + figure(best))) << cell.toStdString();
+    EXPECT_EQ(mark, QString::fromUtf8("○ %1 · 1").arg(figure(best)));
     EXPECT_TRUE(debrief_about.contains(" · " + points_text(best))) << debrief_about.toStdString();
     const std::string csv = read_text(folder.filePath("cohort.csv"));
     EXPECT_NE(csv.find(",attempted,0,1,0,"), std::string::npos) << csv;

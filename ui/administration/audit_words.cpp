@@ -12,6 +12,7 @@ constexpr WordsOf operations[] = {
     {"attempt.finish", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt finished")},
     {"attempt.interrupted", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt interrupted")},
     {"attempt.practice", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt became practice")},
+    {"attempt.import", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "External attempt imported")},
     {"attempt.reassign", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt reassigned")},
     {"attempt.request_correction", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Correction requested")},
     {"attempt.void", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt voided")},

@@ -12726,6 +12726,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Versuch wurde zur Übung</translation>
     </message>
     <message>
+        <source>External attempt imported</source>
+        <translation>Externer Versuch importiert</translation>
+    </message>
+    <message>
         <source>Attempt reassigned</source>
         <translation>Versuch neu zugeordnet</translation>
     </message>
