@@ -30,11 +30,12 @@ inline QString owner_of(const QString& column) {
 
 /// SQL: joins the person `as` to whom what `column` names belongs.
 inline QString join_owner(const QString& column, const QString& as) {
+    // Nearly nobody is merged: only then another row is looked up.
     return QString(
-               "JOIN person %2_row ON %2_row.id = %1 LEFT JOIN person %2_into ON %2_into.id = "
-               "%2_row.merged_into AND %2_into.merged_into = '' JOIN person %2 ON %2.id = "
-               "COALESCE(%2_into.id, %2_row.id) ")
-        .arg(column, as);
+               "JOIN person %2_row ON %2_row.id = %1 JOIN person %2 ON %2.id = CASE WHEN %2_row.merged_into "
+               "= '' "
+               "THEN %2_row.id ELSE %3 END ")
+        .arg(column, as, owner_of(as + "_row.id"));
 }
 
 }  // namespace fulcrum::database
