@@ -339,7 +339,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     while (row < csv.size() && cell_of(csv, row, "task") != "A2") ++row;
     ASSERT_LT(row, csv.size());
     EXPECT_EQ(cell_of(csv, row, "best_points"), csv_number(first.points));
-    EXPECT_EQ(shown_cell.contains("attempts " + text(cell_of(csv, row, "attempts"))), true);
+    EXPECT_TRUE(shown_cell.contains("attempts " + text(cell_of(csv, row, "attempts"))))
+        << shown_cell.toStdString() << cell_of(csv, row, "attempts");
     bool found = false;
     for (const nlohmann::json& one : json["rows"]) {
         if (one["task"] != "A2") continue;

@@ -177,7 +177,7 @@ TEST_F(Research, PutsSmallGroupsTogetherOrLeavesThemOut) {
 
 TEST_F(Research, LeavesOutWhatWasRecordedElsewhere) {
     record_all();
-    for (const char* login : everybody) record(login, "external-by-Fay", DeviceClass::external);
+    for (const char* login : everybody) record(login, "external-by-Fay", DeviceClass::mouse_keyboard);
     const ResearchExport research = research_export(*programme.store, director);
     EXPECT_EQ(research.attempts, 9);
     for (const ResearchTable& one : research.tables)
