@@ -288,7 +288,11 @@ RC_GTEST_PROP(CuttingProperty, SharesAreSharesAndQuantilesAreOrdered, ()) {
 }
 
 RC_GTEST_PROP(CuttingProperty, MirroringSwapsDeepAndShallowAndNothingElse, ()) {
-    const std::vector<Event> events = random_cut();
+    std::vector<Event> events = random_cut();
+    // In the plane, of a length that no sum of the others' whole millimetres has: no half of the cut ends
+    // between two strokes, where every distance between theirs is a median.
+    stroke(
+        events, 15, 16, 0.05, 0.05037, 3, [](double) { return 0.0; }, taut);
     std::vector<Event> mirrored = events;
     for (Event& event : mirrored)
         if (event.kind != EventKind::cut_traction) event.detail = -event.detail;
