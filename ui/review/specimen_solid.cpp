@@ -61,7 +61,7 @@ class SolidView {
         return centre_ + scale_ * QPointF(x, -up);
     }
     /// To the right of the specimen, at the height of its axis.
-    QPointF beside(double down) const {
+    QPointF right_of(double down) const {
         const double z = 0.5 * length_ - down * plan_.spacing;
         return centre_ + scale_ * QPointF(radius_, -z * std::cos(pose_.pitch));
     }
@@ -231,7 +231,7 @@ void SolidPainter::names() {
     painter_.setPen(palette_.muted);
     const double line = painter_.fontMetrics().height();
     const auto name = [&](double down, const QString& words) {
-        const QPointF place = view_.beside(down);
+        const QPointF place = view_.right_of(down);
         painter_.drawText(QRectF(place.x() + 8, place.y() - 0.5 * line, 1e4, line),
                           Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, words);
     };
