@@ -20,7 +20,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::int64_t second = 1'000'000'000, ms = 1'000'000;
+constexpr std::int64_t ms = 1'000'000, second = 1000 * ms;
 constexpr std::int64_t patience = 2 * second;  // for a client that is behind; then it is dropped
 constexpr int connect_wait_ms = 5000;
 constexpr int look_ms = 50;

@@ -10,7 +10,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::int64_t frame_ns = 1'000'000'000 / 60, ms_ns = 1'000'000;
+constexpr std::int64_t ms_ns = 1'000'000, frame_ns = 1000 * ms_ns / 60;
 constexpr std::uint32_t stopped_flags = rig_paused | rig_device_lost;
 
 }  // namespace

@@ -30,8 +30,8 @@ using database::UtcMilliseconds;
 
 constexpr UtcMilliseconds minute = 60000, hour = 60 * minute;
 constexpr int utc_offset_min = 60;
-constexpr std::uint64_t first_demo_seed = 3'000'000;     // outside what benchmarks and measurements use
-constexpr std::uint64_t seeds_of_a_programme = 200'000;  // more than its attempts
+constexpr std::uint64_t first_demo_seed = 3'000'000;    // outside what benchmarks and measurements use
+constexpr std::uint64_t seeds_of_a_programme = 200000;  // more than its attempts
 constexpr int strongest_packing = 19;
 // Of each task the first passed attempt from this day on, and of some the first that was failed, keep their
 // trace.

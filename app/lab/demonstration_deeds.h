@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people of the demonstration do besides practising: trainees read comments and ask for corrections;
+// What people of the demonstration do apart from practising: trainees read comments and ask for corrections;
 // educators comment, fill in observer forms, void and decide.
 #pragma once
 

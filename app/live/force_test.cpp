@@ -9,10 +9,10 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::int64_t command_period = 1'000'000;  // ns
-constexpr std::int64_t kept_for = 2'000'000'000;    // ns
-constexpr double round_s = 3;                       // three axes
-constexpr int ending_ticks = 10;                    // with force 0, so that the last one is rendered
+constexpr std::int64_t command_period = 1'000'000;   // ns
+constexpr std::int64_t kept_for = 2000 * 1'000'000;  // ns
+constexpr double round_s = 3;                        // three axes
+constexpr int ending_ticks = 10;                     // with force 0, so that the last one is rendered
 
 }  // namespace
 

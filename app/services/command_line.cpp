@@ -15,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
+#include "ui/page/error_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -83,7 +84,9 @@ int guarded(const std::function<int()>& action) {
     } catch (const database::StoreError& error) {
         return report(error, error.is_bad_input() ? 2 : 1);
     } catch (const database::AccessDenied& error) {
-        return report(error, 2);
+        // In the words of the screens: its own text names the operation as programs do.
+        std::cerr << "fulcrum: " << ui::error_text(error).toStdString() << '\n';
+        return 2;
     } catch (const database::SignInRefused& error) {
         return report(error, 2);
     } catch (const nlohmann::json::exception& error) {

@@ -18,7 +18,7 @@ constexpr std::size_t decimation = 10;
 constexpr double shortest_segment_s = 0.3, longest_segment_s = 10.0, slowest_peak = 0.020;
 constexpr double valley_share = 0.5;     // of the lower of the peaks on both sides
 constexpr double shortest_free_s = 0.2;  // between two contacts
-// A spike of one sample can be told from a short force only where samples are dense.
+// A spike of one sample can be distinguished from a short force only where samples are dense.
 constexpr double despike_rate = 500.0;  // Hz
 constexpr double force_step = 1e-3;     // N, the record's resolution
 constexpr double area_step = 1e-9;      // m2
@@ -256,7 +256,7 @@ Analysis::Analysis(const Trace& trace, const std::vector<Event>& events, const M
 
 namespace {
 
-/// 1 at 100 Hz where a blade is in tissue or the jaws hold it; empty where the trace cannot tell.
+/// 1 at 100 Hz where a blade is in tissue or the jaws hold it; empty where the trace does not show it.
 std::vector<std::uint8_t> contact_of(const HandTrace& hand, const UniformGrid& grid, std::size_t size) {
     std::vector<std::uint8_t> contact;
     if (hand.has(Channel::cutting)) contact = decimate(grid.hold(hand.cutting));

@@ -316,8 +316,9 @@ std::vector<Metric> cutting_metrics() {
          QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
              "half of the cut lay further than {value} from the plane, above the limit of {limit}"),
-         QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "pull until the plane opens and follow the middle of the stretched fibres")},
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "apply traction until the plane opens, and follow the middle of the stretched fibres")},
         plane_dev);
     add({"plane_dev_median", QT_TRANSLATE_NOOP("fulcrum::metrics", "Side of the plane"), "mm", 0.1}, D::lower,
         A::mean, line_source,
@@ -367,8 +368,9 @@ std::vector<Metric> cutting_metrics() {
              "fulcrum::metrics",
              "Share of the marked line that was divided with a blade. What tore is not divided."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of the line was divided, below the required {limit}"),
-         QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "pull less, and go back along the line and divide the bridges that are left")},
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "apply less traction, and go back along the line and divide the bridges that are left")},
         area_developed);
     metrics.back().descriptor.version = 2;  // what tore no longer counts
     return metrics;

@@ -282,15 +282,15 @@ std::vector<Metric> energy_metrics() {
                                       std::move(wording));
         add(std::move(d), Hands::each, true, {}, compute);
     };
-    add_count(
-        {"vessel_injury", QT_TRANSLATE_NOOP("fulcrum::metrics", "Vessels injured"), "-", 1},
-        "event, critical: torn, or divided before it was closed",
-        {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "Number of vessels torn or divided before they were sealed or clipped."),
-         QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "{value} vessels were torn or divided open, above the limit of {limit}"),
-         QT_TRANSLATE_NOOP("fulcrum::metrics", "clip or seal a vessel before it is divided, and pull less")},
-        counted<EventKind::vessel_injury>);
+    add_count({"vessel_injury", QT_TRANSLATE_NOOP("fulcrum::metrics", "Vessels injured"), "-", 1},
+              "event, critical: torn, or divided before it was closed",
+              {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                 "Number of vessels torn or divided before they were sealed or clipped."),
+               QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                 "{value} vessels were torn or divided open, above the limit of {limit}"),
+               QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                 "clip or seal a vessel before it is divided, and apply less traction")},
+              counted<EventKind::vessel_injury>);
     add_count({"nerve_injury", QT_TRANSLATE_NOOP("fulcrum::metrics", "Nerve injured"), "-", 1},
               "event, critical: thermal dose of the marked nerve above its limit, or a blade through it",
               {QT_TRANSLATE_NOOP("fulcrum::metrics",

@@ -251,7 +251,7 @@ std::vector<Metric> force_metrics() {
             {QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest force of the instrument on tissue."),
              QT_TRANSLATE_NOOP("fulcrum::metrics", "the force rose to {value}, above the limit of {limit}"),
              QT_TRANSLATE_NOOP("fulcrum::metrics",
-                               "approach slowly, and stop pulling when the tissue no longer gives")}),
+                               "approach slowly, and stop when the tissue no longer yields")}),
         {}, f_max);
     add(describe(
             {"f_sd", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force variation"), "N", 0.01}, D::lower,
@@ -299,7 +299,7 @@ std::vector<Metric> force_metrics() {
                   QT_TRANSLATE_NOOP(
                       "fulcrum::metrics",
                       "the force varied in all directions: volume {value}, above the limit of {limit}"),
-                  QT_TRANSLATE_NOOP("fulcrum::metrics", "decide on one direction of pull and keep it")}),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "decide on one direction of traction and keep it")}),
         {}, f_volume);
     add(describe(
             {"over_time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time above the force limit"), "s", 0.01},

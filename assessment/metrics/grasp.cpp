@@ -207,7 +207,7 @@ std::vector<Metric> grasp_metrics() {
         "event: tissue left the jaws against the operator's will",
         {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of times tissue slipped out of the jaws."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "tissue slipped {value} times, above the limit of {limit}"),
-         QT_TRANSLATE_NOOP("fulcrum::metrics", "take a larger bite before pulling")},
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "take a larger bite before you apply traction")},
         counted<EventKind::slip>);
     add_count(
         {"regrasp", QT_TRANSLATE_NOOP("fulcrum::metrics", "Repeated grasps"), "-", 1}, true,
@@ -216,7 +216,8 @@ std::vector<Metric> grasp_metrics() {
                            "Number of times the same patch was grasped again within 2 s of release."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "the same place was grasped again {value} times, above the limit of {limit}"),
-         QT_TRANSLATE_NOOP("fulcrum::metrics", "place the jaws where the pull will be, then close once")},
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "place the jaws where you will apply traction, then close once")},
         counted<EventKind::regrasp>);
     add_count(
         {"drop", QT_TRANSLATE_NOOP("fulcrum::metrics", "Drops"), "-", 1}, false, "event: a held object fell",

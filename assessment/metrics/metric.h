@@ -111,7 +111,7 @@ struct CutPlan {
     double traction_low = 0, traction_high = 0;  ///< N/m, target band of the traction across the cut
 };
 
-/// What a metric must know besides the trace.
+/// What a metric must know apart from the trace.
 struct MetricContext {
     std::optional<CutPlan> cut;            ///< absent: the task marks no line
     std::optional<SpecimenPlan> specimen;  ///< absent: the task leaves none

@@ -113,7 +113,7 @@ class FieldTurn {
         const int bleeding = worst_outlet(seen);
         open(limb);
         const bool clip = bleeding >= 0 && tool.clips_left > 0 && clips_ < most_clips;
-        if (wanted_ == InstrumentKind::clip_applier && clip) {  // beside it, or another one
+        if (wanted_ == InstrumentKind::clip_applier && clip) {  // next to it, or another one
             ++clips_;
             outlet_ = bleeding;
             go(seen, body, limb, hover, Stage::above);

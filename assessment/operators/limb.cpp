@@ -186,7 +186,7 @@ void Reach::update(Limb& limb, const Vector3& seen) noexcept {
     // Overlapping corrections trust the plan (a forward model); a hand that has stopped trusts the eye.
     const bool looking = gap > 0 || limb.remaining() < -skill_.reaction_s;
     const Vector3 here = looking && !first_ ? seen : limb.destination();
-    if (!first_) misjudged_ *= 0.4;  // each look at the tip beside the goal corrects the depth
+    if (!first_) misjudged_ *= 0.4;  // each look at the tip next to the goal corrects the depth
     const Vector3 error = goal_ + misjudged_ - here;
     const double distance = error.norm();
     if (!first_ && distance < tolerance_ + misjudged_.norm()) {

@@ -42,7 +42,7 @@ class Limb {
     }
     /// The device's primary button: a blade cuts while it is held.
     void press(bool down) noexcept { pressed_ = down; }
-    /// Buttons beside the primary one (DeviceButton mask) from now on.
+    /// Buttons other than the primary one (DeviceButton mask) from now on.
     void hold_buttons(std::uint16_t buttons) noexcept { buttons_ = buttons; }
     double jaw() const noexcept { return jaw_; }
     double grip() const noexcept { return grip_; }

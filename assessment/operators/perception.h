@@ -30,7 +30,8 @@ struct Perception {
     Vector3 lens = Vector3::Zero();   ///< m, of the scope
     Vector3 moving_tip = Vector3::Zero(),
             moving_tip_velocity = Vector3::Zero();  ///< m, m/s; Scene::camera_targets
-    std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
+    std::vector<Vector3>
+        nodes;  ///< bowel centre line; arc lengths do not change and are stored with the line
 };
 
 /// The outlet that bleeds most; -1: none bleeds.

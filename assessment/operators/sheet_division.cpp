@@ -222,7 +222,7 @@ class SheetDivision : public Behaviour {
         const bool vain = limb.time() - slack_since_ > seconds_to_wait;
         const bool slack = traction < wanted_ * (1 - skill_.traction.slack);
         // While the blade presses, traction is not adjusted: this hand waits until the blade is out.
-        // In a stroke, who has learned it goes on adjusting, and keeps this hold.
+        // In a stroke, an operator who has learned it continues to adjust, and keeps this hold.
         const bool stroking = blade_ == Blade::stroke;
         const bool blade_presses =
             blade_ == Blade::press || (!stroking && seen.display.force[cutter_] > blade_felt);
@@ -248,7 +248,7 @@ class SheetDivision : public Behaviour {
     }
 
     // ---- the hand that cuts ----
-    // Beside a septum's rims run the nerves.
+    // Next to a septum's rims run the nerves.
     double over_rim() const noexcept { return of_septa() ? over_septum : run_over; }
     // A stroke begins a little before the end of the last: lips of a sheet gape, and a blade set on them
     // takes crumbs.
@@ -441,8 +441,7 @@ class SheetDivision : public Behaviour {
     /// pressed down and springs back when the blade is through then meets the blade where it was touched.
     Vector3 over(const Site& site, const Limb& limb, double height) const noexcept {
         const Vector3 point = site.point + aside_ * site.across;
-        if (of_septa())
-            return point + height * site.up;  // beside the rims the wall stands in the shaft's way
+        if (of_septa()) return point + height * site.up;  // next to the rims the wall blocks the shaft
         return point - height * (point - limb.trocar().position).normalized();
     }
 

@@ -55,7 +55,7 @@ struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
     double choice_s = 0.4;      ///< mean extra time to decide where to go next
     double duration_scale = 1;  ///< of a sub-movement, times the Fitts-like duration
-    double dwell_s = 0.35;      ///< left to jaws that close or open before the hand goes on
+    double dwell_s = 0.35;      ///< left to jaws that close or open before the hand continues
     double gain = 0.95;         ///< mean share of the distance that a sub-movement covers
     double gain_spread = 0.05;  ///< its standard deviation: above 1 in all is overshoot
     double endpoint_noise =

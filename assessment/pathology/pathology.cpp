@@ -25,8 +25,8 @@ bool usable(const CutElement& e) {
            std::isfinite(e.distance) && std::isfinite(e.length) && e.length > 0;
 }
 
-/// Whether an element lies on one level. A blade that runs over a rim is told as at the rim: a way along it,
-/// or from one level to the next, is no surface of the specimen.
+/// Whether an element lies on one level. A blade that runs over a rim is reported as at the rim: a path along
+/// it, or from one level to the next, is no surface of the specimen.
 bool on_one_level(const CutElement& e, const SpecimenPlan& plan) {
     const double low = std::min(e.from, e.to), high = std::max(e.from, e.to);
     const double rim = plan.line * std::round(0.5 * (low + high) / plan.line);

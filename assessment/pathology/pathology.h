@@ -142,8 +142,8 @@ struct PathologyReport {
 /// Of 1 mm or less; false without a margin.
 bool margin_is_positive(const Margin& margin);
 
-/// Pure. Strokes as cut_strokes() gives them; what of them is no number is left out, as are ways along a rim
-/// of a level and from one level to the next. `perforated`: the bowel was perforated during the attempt.
+/// Pure. Strokes as cut_strokes() gives them; what of them is not a number is left out, as are ways along a
+/// rim of a level and from one level to the next. `perforated`: the bowel was perforated during the attempt.
 PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan,
                                  bool perforated = false);
 /// From the events of an attempt; `end` in s.

@@ -11,7 +11,7 @@
 
 namespace fulcrum {
 
-/// A straight piece of a cut between two places beside the marked line. Time in s, lengths in m, traction in
+/// A straight piece of a cut between two places near the marked line. Time in s, lengths in m, traction in
 /// N/m. Distances are positive towards the side that is too deep.
 struct CutElement {
     double begin = 0, end = 0;               ///< s

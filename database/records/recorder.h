@@ -40,7 +40,7 @@ class Recorder {
     /// Writes what has gathered, in one transaction. StoreError (disk_full, locked ...): nothing was dropped,
     /// call again or finish.
     void flush();
-    /// An assessed attempt goes on as practice (a device was lost and came back): stored at once, audited
+    /// An assessed attempt continues as practice (a device was lost and came back): stored at once, audited
     /// with the reason. False while another program holds the store: ask again. No effect on practice.
     bool relabel_as_practice(const std::string& reason);
     /// The rest of the trace, the result and its score, in one transaction, audited. Once. On StoreError

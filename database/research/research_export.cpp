@@ -36,7 +36,7 @@ std::string rounded(double value) {
     return csv_number(std::strtod(text, nullptr));
 }
 
-/// One attempt with what is told of it.
+/// One attempt with what is written of it.
 struct Row {
     const AttemptSummary* attempt = nullptr;
     std::string person, id;  ///< drawn for this export
@@ -289,7 +289,7 @@ ResearchExport research_export(const Store& store, const Session& director) {
     filter.limit = -1;
     filter.for_table = true;
     std::vector<AttemptSummary> attempts = Attempts(store).list(director, filter);
-    // What was recorded elsewhere has a name that someone typed, which may tell who they are.
+    // What was recorded elsewhere has a name that someone typed, which may show who they are.
     attempts.erase(std::remove_if(attempts.begin(), attempts.end(),
                                   [](const AttemptSummary& one) {
                                       return one.recorded_state == AttemptState::running ||

@@ -39,8 +39,8 @@ class RosterImport {
     /// cannot sign in.
     std::vector<PersonImport> plan_people(const Roster& roster) const;
     /// Does what the plan says and fills it in, a person at a time; about 0.1 s each who is created.
-    /// `progress` is told how many are done and answers false to stop. After a stop or an error the plan says
-    /// what was done: who was created has an id and a password.
+    /// `progress` is given how many are done and answers false to stop. After a stop or an error the plan
+    /// says what was done: who was created has an id and a password.
     void bring_people(std::vector<PersonImport>& plan,
                       const std::function<bool(std::size_t, std::size_t)>& progress) const;
 

@@ -305,7 +305,7 @@ void Query::run() {
     } else if (!query_.exec()) {
         connection_.fail(query_.lastError());
     }
-    columns_ = query_.record().count();  // made anew at each call
+    columns_ = query_.record().count();  // made again at each call
 }
 
 Query& Query::again() {

@@ -29,7 +29,7 @@ constexpr const char* outbox_columns =
 }  // namespace
 
 std::int64_t outbox_wait_ms(int tries) {
-    constexpr std::int64_t minute = 60'000, longest = 12 * 60 * minute;
+    constexpr std::int64_t minute = 60000, longest = 12 * 60 * minute;
     std::int64_t wait = minute;
     for (int i = 1; i < tries && wait < longest; ++i) wait *= 2;
     return std::min(wait, longest);

@@ -15,12 +15,12 @@ namespace fulcrum::hapticd {
 namespace {
 
 constexpr double rate = 1000;  // Hz
-constexpr std::int64_t period = 1'000'000;
-constexpr std::uint64_t check_every = 20;        // ticks
-constexpr std::int64_t rest_ns = 1'000'000'000;  // from switching itself off to force again
-constexpr double jaw_step = 1 / (0.15 * rate);   // of the opening a tick: a button closes jaws in 0.15 s
-constexpr double widest_gripper = 0.5;           // rad
-constexpr int servo_priority = 84;               // below the device process
+constexpr std::int64_t period = 1'000'000, second_ns = 1000 * period;
+constexpr std::uint64_t check_every = 20;           // ticks
+constexpr std::int64_t rest_ns = 1000 * 1'000'000;  // from switching itself off to force again
+constexpr double jaw_step = 1 / (0.15 * rate);      // of the opening a tick: a button closes jaws in 0.15 s
+constexpr double widest_gripper = 0.5;              // rad
+constexpr int servo_priority = 84;                  // below the device process
 // The library states no limits. These are within those of the weakest device, the Falcon; the damping is that
 // of Eq. 8 for the stiffness at this rate.
 constexpr double peak_n = 8, continuous_n = 4, stiffness_n_m = 1000;
@@ -141,8 +141,8 @@ void ForceDimensionDevice::run() noexcept {
         ++ticks_;
         deadline = std::max(deadline + period, monotonic_ns() - period);
         timespec time{};
-        time.tv_sec = deadline / 1'000'000'000;
-        time.tv_nsec = deadline % 1'000'000'000;
+        time.tv_sec = deadline / second_ns;
+        time.tv_nsec = deadline % second_ns;
         while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
         }
     }

@@ -9,8 +9,8 @@
 
 namespace fulcrum::hapticd {
 
-inline constexpr std::int64_t servo_silence = 20'000'000;       ///< ns
-inline constexpr std::int64_t time_to_be_lost = 1'000'000'000;  ///< ns with a fault that needs opening
+inline constexpr std::int64_t servo_silence = 20'000'000;          ///< ns
+inline constexpr std::int64_t time_to_be_lost = 1000 * 1'000'000;  ///< ns with a fault that needs opening
 
 /// What the servo thread read of one hand.
 struct ServoReading {

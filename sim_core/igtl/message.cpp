@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint16_t newest_version = 3;
 constexpr std::size_t at_type = 2, at_device = 14, at_time = 34, at_size = 42, at_crc = 50;
 constexpr std::size_t meta_entry_size = 8, meta_count_size = 2;
-constexpr std::int64_t second_ns = 1'000'000'000;
+constexpr std::int64_t second_ns = 1000 * 1'000'000;
 
 /// A text of at most `size` bytes that ends with the first zero.
 std::string_view text_in(const std::uint8_t* field, std::size_t size) noexcept {

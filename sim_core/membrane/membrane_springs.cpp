@@ -89,7 +89,7 @@ void add_damped_springs(const SpringEnds& ends, const double* stiffness, const d
         }
     };
     // Neighbours in the table share nodes, and each sum at a node waits for the one before it. Two places of
-    // the table in turn keep the processor busy meanwhile.
+    // the table in turn keep the processor busy while it waits.
     const std::size_t half = (ends.count / 4 + 1) / 2 * 4;
     for (std::size_t s = 0; s < half; s += 4) {
         add_four(s);

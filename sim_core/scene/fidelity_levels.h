@@ -18,7 +18,7 @@ enum class CollisionSearch : std::uint8_t {
 };
 enum class ToolContactLevel : std::uint8_t {
     dynamic_point,  ///< the contact point walks over the surface
-    query,          ///< searched anew every time
+    query,          ///< searched again every time
     jaws,           ///< the dynamic point, and jaws as boxes press the bowel
 };
 

@@ -24,7 +24,7 @@ enum class InstrumentKind : std::uint8_t {
 /// What the pedal gives.
 enum class InstrumentEnergy : std::uint8_t {
     none,
-    ultrasonic,  ///< heats whatever lies between or beside the blades
+    ultrasonic,  ///< heats whatever is between or next to the blades
     monopolar,   ///< a current through water: tissue that has dried takes no more
 };
 /// When it cuts what its edge touches.

@@ -60,7 +60,7 @@ TEST_F(Window, FaultyDeviceRampsForceToZeroPausesAndResumesAsPracticeFromTheSame
          {SpoiltRig::Fault::not_a_number, SpoiltRig::Fault::jump, SpoiltRig::Fault::silence}) {
         // Wait until the hand presses and has stopped: it moves to the mouse's target even without its
         // device. Then all filters settle, because the displacement of the device is measured from this
-        // pose; a target that was held long enough meanwhile is gone, and the next one is pressed.
+        // pose; a target that was held long enough during that time is gone, and the next one is pressed.
         do {
             ASSERT_TRUE(hand.work_until(
                 [&] {

@@ -3,7 +3,7 @@
 // software, at most 20 ms of it drawing, while tick and world run on the same cores. Needs a display with
 // OpenGL (xvfb-run). With a folder, the page is written into it as well.   usage: benchmark_theatre [FOLDER]
 //
-//   theatre/window/TASK    the product's own view in a window of that size; beside it a live attempt: an
+//   theatre/window/TASK    the product's own view in a window of that size; next to it a live attempt: an
 //                          expert operator on the haptic thread's clock, the world's thread, the recorder's
 //   theatre/pictures/TASK  the same pictures without window and threads; one thread's instruction counts
 //                          compare (LP_NUM_THREADS=0 valgrind --tool=callgrind)
@@ -194,7 +194,7 @@ std::vector<WorldSnapshot> recorded_worlds(const LoadedTask& loaded) {
     return worlds;
 }
 
-/// A slit in the bowel's wall and beside it a disc: just cut, falling, and gone.
+/// A slit in the bowel's wall and next to it a disc: just cut, falling, and gone.
 std::vector<WorldSnapshot> cut_bowel_worlds(test::BowelCutRig& rig) {
     const Vector3 middle = rig.top_now();
     rig.cut_slit(rig.vertex_at(rig.top, -0.016, 0.004), 0.022);

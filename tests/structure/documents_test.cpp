@@ -136,6 +136,20 @@ std::set<std::string> theory_sections() {
     return sections;
 }
 
+TEST(Documents, EveryEnvironmentVariableIsInBuilding) {
+    static const std::regex variable(R"re("(FULCRUM_[A-Z_]+)")re");
+    const std::string building = test::text_of("docs/BUILDING.md");
+    std::set<std::string> variables;
+    for (const fs::path& path : files_with({".h", ".cpp"})) {
+        const std::string text = structure::read(path);
+        for (std::sregex_iterator it(text.begin(), text.end(), variable), end; it != end; ++it)
+            variables.insert((*it)[1]);
+    }
+    EXPECT_GT(variables.size(), 30U);
+    for (const std::string& name : variables)
+        EXPECT_TRUE(std::regex_search(building, std::regex("\\b" + name + "\\b"))) << name;
+}
+
 TEST(Documents, CommentsReferToNothingOutsideTheRepository) {
     const std::set<std::string> sections = theory_sections();
     EXPECT_GT(sections.size(), 8U);

@@ -81,7 +81,7 @@ TEST(Functions, EveryKindOfFunctionIsMeasured) {
     }
 }
 
-TEST(Functions, WhatIsNoFunctionIsNotMeasured) {
+TEST(Functions, OnlyFunctionsAreMeasured) {
     const std::string rest = body(90);
     for (const std::string head : {"namespace a {\n", "struct Type final : Base<int> {\n",
                                    "enum class Kind {\n", "const int table[] = {\n", "extern \"C\" {\n"})

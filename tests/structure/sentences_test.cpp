@@ -36,6 +36,18 @@ const std::map<std::string, std::string>& left_in_english() {
     return places;
 }
 
+/// A number with an odd number of digit separators, such as 1'000, outside of comments and literals; empty:
+/// none. lupdate reads its last separator as the beginning of a character and misses the texts behind it.
+std::string odd_separators(const std::string& line) {
+    static const std::regex number(R"re((^|[^\w'])(\d[\dA-Fa-fxX]*(?:'[\dA-Fa-f]+)+))re");
+    const std::string code = line.substr(0, line.find("//"));
+    for (std::sregex_iterator it(code.begin(), code.end(), number), end; it != end; ++it) {
+        const std::string found = (*it)[2];
+        if (std::count(found.begin(), found.end(), '\'') % 2 != 0) return found;
+    }
+    return {};
+}
+
 /// The index behind the literal or bracket that begins at `at`.
 std::size_t end_of(const std::string& text, std::size_t at) {
     if (text[at] == '"') {
@@ -164,6 +176,20 @@ TEST(Sentences, AnUnmarkedTextIsFound) {
     EXPECT_EQ(
         unmarked_in(R"(throw StoreError(kind, QT_TRANSLATE_NOOP("errors", "no room left"), "%1: %2");)"),
         std::vector<std::string>());
+}
+
+TEST(Sentences, NoNumberKeepsLupdateFromFindingTexts) {
+    EXPECT_EQ(odd_separators("constexpr long second = 1'000'000'000;"), "1'000'000'000");
+    EXPECT_EQ(odd_separators("constexpr long ms = 1'000'000;  // not 1'000"), "");
+    for (const std::string& floor : floors)
+        for (const fs::path& path : files_below(floor, {".h", ".cpp"})) {
+            int number = 0;
+            for (const std::string& line : lines_of(read(path))) {
+                ++number;
+                if (line.find('\'') == std::string::npos) continue;
+                EXPECT_EQ(odd_separators(line), "") << path << ":" << number;
+            }
+        }
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents and user-visible texts use plain English: a short list of words and phrases that are always
-// wrong.
+// Documents, user-visible texts, comments and names of tests use plain English: a short list of words and
+// phrases that are always wrong.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -57,6 +58,34 @@ std::string literals_of(const std::string& line) {
     return text;
 }
 
+/// What follows // in a line of C++ outside its literals; empty: nothing.
+std::string comment_of(const std::string& line) {
+    bool inside = false;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        if (inside && line[i] == '\\')
+            ++i;
+        else if (line[i] == '"' && (i == 0 || line[i - 1] != '\''))
+            inside = !inside;
+        else if (!inside && line[i] == '/' && line[i + 1] == '/')
+            return line.substr(i + 2);
+    }
+    return {};
+}
+
+/// The first word of a test's name that is always wrong there; empty: none.
+std::string avoided_in_name(const std::string& name) {
+    std::string words;
+    for (const char letter : name) {
+        if (letter >= 'A' && letter <= 'Z') words += ' ';
+        words += static_cast<char>(std::tolower(letter));
+    }
+    const std::string word = avoided_word(words);
+    if (!word.empty()) return word;
+    static const std::regex pattern(R"re(^ who\b|\b(is said|go on|tells|lies|stands? (out|in the))\b)re");
+    std::smatch match;
+    return std::regex_search(words, match, pattern) ? match.str() : std::string();
+}
+
 TEST(Words, DocumentsUsePlainWords) {
     std::vector<std::string> documents = files_below("docs", {".md"});
     for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}) documents.push_back(name);
@@ -91,6 +120,37 @@ TEST(Words, ScreensAndMessagesUsePlainWords) {
     EXPECT_GT(literals, 2000U);
 }
 
+TEST(Words, CommentsUsePlainWords) {
+    std::size_t comments = 0;
+    for (const char* folder : {"sim_core", "assessment", "database", "app", "ui", "tests"})
+        for (const std::string& name : files_below(folder, {".h", ".cpp"})) {
+            if (name == "tests/structure/words_test.cpp") continue;  // its comments quote what it looks for
+            int number = 0;
+            for (const std::string& line : lines_of(test::text_of(name))) {
+                ++number;
+                const std::string comment = comment_of(line);
+                if (comment.empty()) continue;
+                ++comments;
+                EXPECT_EQ(avoided_word(comment), "") << name << ":" << number;
+            }
+        }
+    EXPECT_GT(comments, 5000U);
+}
+
+TEST(Words, NamesOfTestsUsePlainWords) {
+    static const std::regex test(R"re(^(?:TEST|TEST_F|TEST_P|RC_GTEST\w*PROP)\(\w+,\s*(\w+))re");
+    std::size_t names = 0;
+    for (const std::string& file : files_below("tests", {".cpp"}))
+        for (const std::string& line : lines_of(test::text_of(file))) {
+            std::smatch match;
+            if (line.empty() || (line[0] != 'T' && line[0] != 'R') || !std::regex_search(line, match, test))
+                continue;
+            ++names;
+            EXPECT_EQ(avoided_in_name(match[1]), "") << file << ": " << match[1];
+        }
+    EXPECT_GT(names, 1500U);
+}
+
 TEST(Words, TasksScenesAndSchemasUsePlainWords) {
     std::size_t files = 0;
     for (const std::string& name : files_below("assets", {".json"})) {
@@ -108,6 +168,14 @@ TEST(Words, AnAvoidedWordIsFound) {
     EXPECT_EQ(avoided_word("the clock stands and the scene is hidden"), "clock stands");
     for (const char* plain : {"inside and sidebar", "amended", "retold"})
         EXPECT_EQ(avoided_word(plain), "") << plain;
+}
+
+TEST(Words, AnAvoidedWordInACommentOrANameIsFound) {
+    EXPECT_EQ(avoided_word(comment_of("int a;  // beside it")), "beside");
+    EXPECT_EQ(comment_of("const char* url = \"http://told\";"), "");
+    EXPECT_EQ(avoided_in_name("WhoRatedLittleIsLeftOut"), " who");
+    EXPECT_EQ(avoided_in_name("ARaterIsToldSo"), "told");
+    EXPECT_EQ(avoided_in_name("NamesThePersonWhoSigned"), "");
 }
 
 TEST(Words, OnlyLiteralsAreRead) {

@@ -82,7 +82,7 @@ TEST_F(Screens, ShowNoMarksOfMarkdown) {
     EXPECT_GT(texts, 500);
 }
 
-TEST_F(Screens, EducatorWithoutACohortIsToldSoWithoutMarksOfMarkdown) {
+TEST_F(Screens, AnEducatorWithoutACohortReadsItWithoutMarksOfMarkdown) {
     open({1012, 726});
     const database::People people(*services.store());
     const auto made =

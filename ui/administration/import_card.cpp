@@ -89,7 +89,7 @@ ImportCard::ImportCard(Context& context)
 
 ImportCard::~ImportCard() {
     if (job_ == nullptr) return;
-    job_->disconnect(this);  // nobody is left to be told
+    job_->disconnect(this);  // there is no receiver any more
     job_->cancel();
 }
 

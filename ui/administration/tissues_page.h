@@ -42,7 +42,7 @@ class TissuesPage : public Page {
     QLineEdit* reason_;
     QPushButton *save_, *back_;
     QFrame* change_;
-    std::vector<QLineEdit*> edits_;  ///< beside site_.values
+    std::vector<QLineEdit*> edits_;  ///< in the order of site_.values
 };
 
 }  // namespace fulcrum::ui

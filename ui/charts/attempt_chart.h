@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A figure over the attempts of one task: one line a device class (never pooled), passed, failed and not
-// scored told apart by shape. Painted by one function, so that screen and paper show the same. Arrow keys
+// scored distinguished by shape. Painted by one function, so that screen and paper show the same. Arrow keys
 // choose an attempt, Enter opens it.
 #pragma once
 

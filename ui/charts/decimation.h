@@ -20,7 +20,7 @@ class MinMaxPyramid {
   public:
     MinMaxPyramid() = default;
     /// x never falls; both have the same length; non-finite y are left out. O(n) time, n/8 indices of memory
-    /// beside the data.
+    /// next to the data.
     MinMaxPyramid(std::vector<double> x, std::vector<float> y);
 
     std::size_t size() const noexcept { return y_.size(); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attempts that the acting role may read, newest first, with filters; any of them opens in the debrief.
 // The corrections that trainees asked for stand above, and the scores that older metrics or limits gave, for
-// those who may compute them anew. Trainees see their own.
+// those who may compute them again. Trainees see their own.
 #pragma once
 
 #include <vector>

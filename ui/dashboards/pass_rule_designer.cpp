@@ -188,8 +188,8 @@ void PassRuleDesigner::refresh() {
                            table_->rowCount() * table_->rowHeight(0) + 4);
     QString words = pass_rule_words(tried_) + QStringLiteral(". ");
     if (tried_.kind == PassRuleKind::lc_cusum)
-        words += tr("Every pass raises a sum, every failure lowers it more, never below 0; who reaches the "
-                    "limit is proficient.") +
+        words += tr("Every pass raises a sum, every failure lowers it more, never below 0; a trainee who "
+                    "reaches the limit is proficient.") +
                  QLatin1Char(' ');
     words_->setText(
         words + (curves.changed

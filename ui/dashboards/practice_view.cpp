@@ -111,7 +111,7 @@ void paint_days(QPainter& painter, const QRectF& room, const Week& week) {
                          side - 2, side - 2);
         QColor colour = p.line;
         if (week[d] > 0) {
-            // Three steps, so that they can be told apart: 1, 2 to 3, more.
+            // Three steps, so that they can be distinguished: 1, 2 to 3, more.
             colour = p.accent;
             colour.setAlphaF(week[d] >= 4 ? 1.0 : week[d] >= 2 ? 0.65 : 0.35);
         }

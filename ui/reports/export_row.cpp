@@ -108,7 +108,7 @@ void ExportRow::format_chosen() {
 }
 
 void ExportRow::choose() {
-    // Not a loop of its own: the window goes on while the person looks round.
+    // Not a loop of its own: the window keeps working while the person looks around.
     auto* dialog = new QFileDialog(this, tr("File of the report"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);

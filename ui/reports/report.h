@@ -84,7 +84,7 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
 /// What a cohort's report has of each person: the PDF pages, statements for a record store the metrics too,
 /// the others no more than the table.
 enum class PeoplePages { none, without_metrics, with_metrics };
-/// Tells its progress; an empty optional when it was stopped.
+/// Reports its progress; an empty optional when it was stopped.
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
@@ -94,7 +94,7 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
 
 std::string person_json(const PersonReport& report);
 std::string cohort_json(const CohortReport& report);
-/// One line a figure: metrics, the pathology report by level and sector, then ratings by rater and item.
+/// One line a value: metrics, the pathology report by level and sector, then ratings by rater and item.
 std::string attempt_csv(const AttemptPaper& paper);
 std::string attempt_json(const AttemptPaper& paper);
 /// Written to a temporary file first. Throw StoreError (failed) when it cannot be written.
@@ -110,7 +110,7 @@ struct ReportRequest {
     std::string home_page;                   ///< for xapi: the address that the ids of people belong to
     const Curriculum* curriculum = nullptr;  ///< null: the report has no standings
 };
-/// Gathers and writes; a CSV of a person or cohort gets its dictionary beside it
+/// Gathers and writes; a CSV of a person or cohort gets its dictionary next to it
 /// (FILE.dictionary.csv). Returns the files, none
 /// when stopped.
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSV: UTF-8, a header row, a units row, ISO 8601 UTC, raw beside scaled columns, formula-injection guard.
+// CSV: UTF-8, a header row, a units row, ISO 8601 UTC, raw next to scaled columns, formula-injection guard.
 #include "ui/reports/report_sheet.h"
 
 namespace fulcrum::ui {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports on A4 by QPainter: a person as a table with charts behind it, a cohort as a table of people and
-// tasks with each person's pages behind it. A table goes on over as many pages as its rows need.
+// tasks with each person's pages behind it. A table continues over as many pages as its rows need.
 #include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>

@@ -38,7 +38,7 @@ struct EventLine {
 struct AttemptModel {
     database::AttemptSummary summary;
     std::optional<database::ScoreRow> score;       ///< in force
-    std::optional<database::ScoreRow> recomputed;  ///< the newest beside it
+    std::optional<database::ScoreRow> recomputed;  ///< the newest, next to it
     std::optional<PathologyReport> pathology;      ///< of the score in force, where there is a specimen
     std::shared_ptr<const database::Trace> trace;  ///< null until the whole record was read, for the replay
     std::size_t samples = 0;                       ///< recorded

@@ -408,58 +408,6 @@ void DebriefPage::fill_head() {
                          !model_->scope_alone && attempt.meta.keep_trace);
 }
 
-QStringList DebriefPage::notes() const {
-    const database::AttemptSummary& attempt = model_->summary;
-    const bool voided = attempt.state == AttemptState::voided;
-    const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
-    QStringList notes;
-    if (voided) {
-        notes << tr("Voided by %1 on %2: %3. It does not count.")
-                     .arg(text(attempt.voided_by), local_time(attempt.voided_at), text(attempt.void_reason));
-        if (!attempt.reassigned_to.empty()) notes << tr("A copy was stored for the person who performed it.");
-    }
-    if (!attempt.reassigned_from.empty()) {
-        notes << tr("Reassigned: recorded under another name and copied to the person who performed it.");
-    }
-    if (attempt.meta.device_class == DeviceClass::synthetic)
-        notes << tr("Performed by a simulated operator, not by a person.");
-    else if (attempt.synthetic)
-        notes << tr("Performed in the demonstration, on the account of a synthetic person.");
-    if (attempt.meta.origin) {
-        const double from_s = attempt.meta.origin->tick * model_->tick;
-        notes
-            << (attempt.meta.origin->source_id.empty()
-                    ? tr("Practice from goal %1 of a demonstration: never scored.")
-                          .arg(attempt.meta.origin->goal + 1)
-                    : tr("Practice taken over from an attempt at %1: never scored.").arg(clock_text(from_s)));
-    } else if (!passed && !voided) {
-        const Statement why = model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
-        notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
-    }
-    if (attempt.provisional) {
-        notes << tr(
-            "The limits are provisional (synthetic operators): they allow \"passed (provisional)\", never "
-            "proficiency.");
-    }
-    if (model_->recomputed) {
-        const database::ScoreRow& beside = *model_->recomputed;
-        QString result = verdict(beside.passed, false);
-        if (beside.passed && beside.points) result += tr(", %1").arg(points_text(*beside.points));
-        if (!beside.passed) result += QStringLiteral(" (%1)").arg(statement_text(beside.not_scored_because));
-        notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
-                     .arg(local_time(beside.computed), result);
-    }
-    const QString felt = felt_text(attempt.meta.force_devices);
-    if (felt.isEmpty() && !model_->scope_alone &&
-        (attempt.meta.device_class == DeviceClass::mouse_keyboard ||
-         attempt.meta.device_class == DeviceClass::controller)) {
-        notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
-    }
-    if (!felt.isEmpty()) notes << felt;
-    if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
-    return notes;
-}
-
 void DebriefPage::fill_numbers() {
     const std::array<Headline, 4> shown = headlines(*model_);
     for (std::size_t i = 0; i < 4; ++i) {

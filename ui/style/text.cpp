@@ -107,7 +107,7 @@ QString points_text(double points) {
 
 QString clock_text(double seconds) {
     if (!std::isfinite(seconds) || seconds < 0) seconds = 0;
-    // Rounded, as every other figure: a time beside its gate is the same time.
+    // Rounded, as every other value: a time next to its gate is the same time.
     const auto tenths = std::llround(seconds * 10.0);
     return with_decimal_sign(QStringLiteral("%1:%2.%3")
                                  .arg(tenths / 600)

@@ -63,7 +63,7 @@ void size_columns(QTableWidget* table, int air = 16);
 /// figures) keep their width. A column that a person drags stays as it is.
 void fit_columns(QTableWidget* table, std::vector<int> whole = {});
 /// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
-/// measure takes no account of what the style leaves free beside the words.
+/// measure takes no account of what the style leaves free next to the words.
 void fit_rows(QTableWidget* table);
 void fit_heads(QTableWidget* table);
 /// Changes a label's role (and so its look).

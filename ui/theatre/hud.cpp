@@ -71,7 +71,7 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
     painter.setBrush(over ? p.bad : colour);
     painter.drawRoundedRect(filled, 4, 4);
     if (over) {
-        // Hatched as well: over the limit is told apart without colour.
+        // Hatched as well: what is over the limit shows without colour.
         painter.setBrush(QBrush(QColor(0, 0, 0, 120), Qt::BDiagPattern));
         painter.drawRoundedRect(filled, 4, 4);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The head-up display over the scope's picture: time, current goal, force bars with their limits, warnings.
-// Painted with QPainter in the black corners beside the round image; nothing smaller than 12 pt.
+// Painted with QPainter in the black corners next to the round image; nothing smaller than 12 pt.
 #pragma once
 
 #include <QRectF>

@@ -84,7 +84,7 @@ class MouseKeyboardInput {
     const HandTargets& targets() const { return targets_; }
     bool jaws_closed(Hand hand) const;
 
-    /// What moves the hands besides the keys. With two mice or a controller the one mouse of the functions
+    /// What moves the hands apart from the keys. With two mice or a controller the one mouse of the functions
     /// above is not used.
     enum class Device { mouse, two_mice, controller };
     void set_device(Device device) { device_ = device; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The theatre: an attempt while it runs. Reads mouse and keyboard, shows the world, pauses (scene hidden),
-// helps, abandons; when the attempt is stored it goes on to the debrief.
+// helps, abandons; when the attempt is stored it opens the debrief.
 #pragma once
 
 #include <QElapsedTimer>

@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double longest_gap_s = 0.2;  // contact that a hand's own tremor breaks for so long goes on
+constexpr double longest_gap_s = 0.2;  // contact that a hand's own tremor breaks for so long continues
 
 class PalpationTracker : public GoalTracker {
   public:

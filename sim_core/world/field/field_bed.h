@@ -19,7 +19,7 @@ struct FieldBed {
     /// dz/dx and dz/dy by cell; empty: every cell is level.
     std::vector<std::array<double, 2>> slope;
 
-    /// Cell under a place, nearest where it lies beside the bed.
+    /// Cell under a place, the nearest one for a place outside the bed.
     int column(const Vector3& place) const {
         return static_cast<int>(
             std::clamp(std::floor((place.x() - corner.x()) / pool.cell), 0.0, pool.columns - 1.0));
@@ -29,7 +29,7 @@ struct FieldBed {
             std::clamp(std::floor((place.y() - corner.y()) / pool.cell), 0.0, pool.rows - 1.0));
     }
     std::size_t cell(const Vector3& place) const { return pool.index(column(place), row(place)); }
-    /// m, of the bed under a place; beside it as at its rim.
+    /// m, of the bed under a place; outside the bed as at its rim.
     double ground(const Vector3& place) const {
         const int c = column(place), r = row(place);
         const std::size_t i = pool.index(c, r);

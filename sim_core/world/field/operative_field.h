@@ -3,7 +3,7 @@
 // are open, heat in all of it, smoke above. Bands (B3) and a wall with its veins (C4) add what they divide.
 // World thread. Nothing allocates after construction.
 //
-// Energy goes to what is nearest to the blade (reach_*), steam and hot liquid beside it reach nerves and bed
+// Energy goes to what is nearest to the blade (reach_*), steam and hot liquid next to it reach nerves and bed
 // (spread); a hot blade heats what it touches (touch*). A step: begin_step, each hand, step_heat, what the
 // owner does with the heat, seal_outlets, bleed, end_step.
 #pragma once
@@ -168,7 +168,7 @@ class OperativeField {
     EnergyReach reach_outlets(const FieldHand& hand, const ToolKinematics& tool) const noexcept;
     void reach_nerves_and_bed(const FieldHand& hand, const ToolKinematics& tool,
                               EnergyReach& reach) const noexcept;
-    /// The power of an activation (W) to what it reaches; the hand's target is told.
+    /// The power of an activation (W) to what it reaches; the hand's target is reported.
     void give(FieldHand& hand, const EnergyReach& reach, double watts) noexcept;
     void heat_patch(std::size_t patch, double watts) noexcept { inputs_.power[patch] += watts; }
     void spread(const FieldHand& hand, const ToolKinematics& tool, double duty) noexcept;
@@ -239,12 +239,12 @@ void OperativeField::list_state(StateList& list, Owner&& owner) {
 /// m from the blade (heel to tip) to a point.
 double distance_to_blade(const FieldHand& hand, const ToolKinematics& tool, const Vector3& point) noexcept;
 
-/// How energy reaches tissue beside the blade; shared by what owns a field.
+/// How energy reaches tissue next to the blade; shared by what owns a field.
 namespace field_rules {
-inline constexpr double touch_reach = 0.003;     // m, from the tip to what energy reaches without jaws
-inline constexpr double contact_gap = 0.0005;    // m, blade to a patch that it touches
-inline constexpr double clip_reach = 0.006;      // m
-inline constexpr double spread_power = 1.2;      // W at the blade's surface: hot steam beside it; provisional
+inline constexpr double touch_reach = 0.003;   // m, from the tip to what energy reaches without jaws
+inline constexpr double contact_gap = 0.0005;  // m, blade to a patch that it touches
+inline constexpr double clip_reach = 0.006;    // m
+inline constexpr double spread_power = 1.2;    // W at the blade's surface: hot steam next to it; provisional
 inline constexpr double spread_length = 0.0015;  // m, in which that falls to 1/e; provisional
 inline constexpr double spread_reach = 0.008;    // m
 inline constexpr double coagulation_start = 55,

@@ -33,7 +33,7 @@ class StepEvents {
     const Event* data() const noexcept { return events_.data(); }
     int count() const noexcept { return count_; }
 
-    /// Room for these beside what the others have; then a step's.
+    /// Room for these in addition to what the others have; then a step's.
     static void size(WorldSnapshot& snapshot) { snapshot.events.resize(snapshot.events.size() + Capacity); }
     void append_to(WorldSnapshot& snapshot) const noexcept {
         std::copy_n(events_.begin(), count_, snapshot.events.begin() + snapshot.event_count);

@@ -35,7 +35,7 @@ bool attempt_until(ui::AttemptSession& attempt, Holds&& holds) {
     return true;
 }
 
-TEST(LiveIgtl, AnAttemptIsSentWhileItRunsAndTheWindowSaysWhoListens) {
+TEST(LiveIgtl, AnAttemptIsSentWhileItRunsAndTheWindowShowsTheReceivers) {
     const test::OwnFolder folder;
     const SetVariable address("FULCRUM_OPENIGTLINK", "127.0.0.1:0");
     const auto services = make_services(folder.path().string());
@@ -79,7 +79,7 @@ TEST(LiveIgtl, AnAttemptIsSentWhileItRunsAndTheWindowSaysWhoListens) {
     EXPECT_TRUE(trace.camera.recorded());
 }
 
-TEST(LiveIgtl, APortInUseIsSaidAndAttemptsGoOnWithoutSending) {
+TEST(LiveIgtl, APortInUseIsReportedAndAttemptsContinueWithoutSending) {
     const test::OwnFolder folder;
     const igtl::Server other({"127.0.0.1", 0});
     const SetVariable address("FULCRUM_OPENIGTLINK", "127.0.0.1:" + std::to_string(other.port()));

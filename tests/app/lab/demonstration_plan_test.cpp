@@ -111,7 +111,7 @@ TEST(DemonstrationPlan, CurvesDifferAsTheirNamesSay) {
     EXPECT_LT(mastery(LearningKind::relapsed, 20, 75), mastery(LearningKind::relapsed, 20, 40) - 0.2);
 }
 
-TEST(DemonstrationPlan, DecisionsAndCorrectionsNameWhoTakesPart) {
+TEST(DemonstrationPlan, DecisionsAndCorrectionsNameParticipants) {
     int decisions = 0, proficient = 0, corrections = 0, granted = 0;
     for (int day = 0; day < demo_days; ++day) {
         EXPECT_TRUE(demo_decisions(0, day).empty());

@@ -71,7 +71,7 @@ TEST_F(PeopleImport, ShowsThePlanThenMakesTheAccounts) {
     EXPECT_EQ(people(), before + 2) << "no account without a place for its password";
 }
 
-TEST_F(PeopleImport, StoppedItKeepsThePasswordsOfThoseWhoWereMade) {
+TEST_F(PeopleImport, StoppedItKeepsThePasswordsOfTheAccountsThatWereMade) {
     const std::size_t before = people();
     std::string rows;
     for (int i = 0; i < 40; ++i) rows += "many" + std::to_string(i) + ",Many " + std::to_string(i) + ",\n";

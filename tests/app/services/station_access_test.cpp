@@ -108,7 +108,7 @@ TEST_F(WindowAccess, EveryoneCanChangeTheirOwnPassword) {
     }
 }
 
-TEST_F(WindowAccess, TheStationSeesWhoSignedInAndNothingElse) {
+TEST_F(WindowAccess, TheStationSeesThePersonWhoSignedInAndNothingElse) {
     People(*services->store()).sign_in("ann", database::test::password);
     window->start();
     settle();

@@ -55,7 +55,7 @@ TEST(FidelityCost, IsReadBackAsWritten) {
     EXPECT_EQ(task.levels[0].attempts, 60);
 }
 
-TEST(FidelityCost, RefusesWhatIsNoSuchFile) {
+TEST(FidelityCost, RefusesAFileOfAnotherKind) {
     for (const char* text : {"", "[]", "{}", R"({"physics": 1})", R"({"physics": 0, "tasks": {}})",
                              R"({"physics": 1, "tasks": {"A2": {"cheapest": "fast", "levels": []}}})",
                              R"({"physics": 1, "tasks": {"A2": {"cheapest": "fast", "levels": [{}]}}})"})

@@ -53,7 +53,7 @@ TEST(GhostPaceOnAPath, StaysWithinTheTraineesGoal) {
     EXPECT_GE(shown(late, Trainee(0.0), 1), 0.2) << "the trainee's goal counts, not the ghost's";
 }
 
-TEST(GhostPaceOnAPath, JoinsATraineeWhoTookAShortCut) {
+TEST(GhostPaceOnAPath, JoinsATraineeAfterAShortCut) {
     GhostPace pace(straight_path());
     EXPECT_NEAR(shown(pace, Trainee(0.15)), 0.18, 1e-9);
 }

@@ -40,7 +40,7 @@ TEST(RaterAgreement, RaterWhoRatedLittleIsLeftOutRatherThanMostTargets) {
     EXPECT_EQ(table.targets.size(), 6U);
 }
 
-TEST(RaterAgreement, NothingIsSaidWithoutTwoRatersTwoTargetsAndADifference) {
+TEST(RaterAgreement, NeedsTwoRatersTwoTargetsAndADifference) {
     EXPECT_FALSE(agreement_of(largest_complete_table({})));
     EXPECT_FALSE(agreement_of(largest_complete_table({{"a", "x", 1}, {"a", "y", 2}})));
     EXPECT_FALSE(agreement_of(largest_complete_table({{"a", "x", 1}, {"b", "x", 2}})));

@@ -65,7 +65,7 @@ double value_of(const std::vector<Event>& events, const std::string& id,
 
 const auto taut = [](double) { return 6.0; };
 
-// Half is cut in the band on the line, half parts beyond the band and 2 mm beside it.
+// Half is cut in the band on the line, half parts beyond the band and 2 mm next to it.
 TEST(Cutting, WhereFibresPartedNothingIsDivided) {
     std::vector<Event> events;
     stroke(
@@ -191,7 +191,7 @@ TEST(Cutting, TheLineIsDividedOnceHoweverOftenItIsCut) {
     stroke(events, 3, 4, 0.06, 0.03, 7, on_line, taut, 0);  // backwards, over it, by the other hand
     stroke(events, 5, 6, 0.09, 0.12, 7, on_line, taut);     // beyond the end
     stroke(
-        events, 7, 8, 0.06, 0.09, 7, [](double) { return 0.02; }, taut);  // far beside the line
+        events, 7, 8, 0.06, 0.09, 7, [](double) { return 0.02; }, taut);  // far from the line
     EXPECT_NEAR(value_of(events, "area_developed"), 60.0, 1e-4);
 }
 

@@ -98,7 +98,7 @@ TEST(LowPass, LeavesAConstantAlone) {
               50U + 2 * hold_samples(100.0));
 }
 
-TEST(Peaks, CountWhatStandsOutAndLiesApart) {
+TEST(Peaks, CountMaximaThatAreProminentAndApart) {
     //                              0  1  2  3    4  5  6  7  8    9
     const std::vector<double> x = {0, 5, 0, 3, 2.5, 3, 0, 8, 7.8, 0};
     EXPECT_EQ(find_peaks(x, 1.0, 1),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What operators do beside the stroke: energy, suction, clips. A field that answers at once stands in for the
-// world.
+// What operators do apart from the stroke: energy, suction, clips. A field that answers at once stands in for
+// the world.
 #include "assessment/operators/field_turn.h"
 
 #include <gtest/gtest.h>

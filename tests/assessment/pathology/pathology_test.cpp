@@ -175,8 +175,8 @@ TEST(Pathology, MeasuresTheMarginToTheTumoursEdge) {
     };
     EXPECT_NEAR(margin(6 * mm), 1 * mm, 1e-9);
     EXPECT_EQ(margin(8 * mm), 0.0) << "through the tumour";
-    // Beside it, in the right sector: the way back to the plane leads from (17, 15) to (17.1, 3) mm, past the
-    // corner of the tumour's edge at (20, 10).
+    // Next to it, in the right sector: the path back to the plane leads from (17, 15) to (17.1, 3) mm, past
+    // the corner of the tumour's edge at (20, 10).
     std::vector<CutStroke> strokes = all_levels(
         [](int level, double x) { return level == 1 && x > 16.9 * mm && x <= 17 * mm ? -12 * mm : 0.0; });
     EXPECT_NEAR(pathology_report(strokes, plan()).circumferential.distance.value(), (3 - 0.1 * 5 / 12) * mm,
@@ -315,8 +315,8 @@ TEST(Pathology, OmitsValuesThatAreNotNumbers) {
     EXPECT_EQ(pathology_json(pathology_report(strokes, plan())), pathology_json(clean));
 }
 
-// A blade that slides over the rim of a level may be told further along it, or on the next level: neither was
-// cut.
+// A blade that slides over the rim of a level may be reported further along it, or on the next level: neither
+// was cut.
 TEST(Pathology, OmitsPathsThatAreNotOnTheSpecimen) {
     const double rim = 1e-6;
     std::vector<CutStroke> strokes = all_levels([](int, double) { return 1 * mm; });
@@ -452,7 +452,7 @@ RC_GTEST_PROP(PathologyProperties, AMirroredCutHasMirroredSectors, ()) {
     RC_ASSERT(std::abs(a.deepest_defect - b.deepest_defect) < 1e-12);
 }
 
-RC_GTEST_PROP(PathologyProperties, CuttingMoreNeverMendsTheSpecimen, ()) {
+RC_GTEST_PROP(PathologyProperties, CuttingMoreNeverImprovesTheSpecimen, ()) {
     std::vector<CutStroke> strokes = any_cut();
     const PathologyReport before = pathology_report(strokes, plan());
     for (CutStroke& stroke : any_cut()) strokes.push_back(std::move(stroke));

@@ -35,7 +35,7 @@ TEST(Advice, CriticalErrorFirst) {
 TEST(Advice, ThenTheAbsoluteGateFurthestBeyondItsLimit) {
     EXPECT_EQ(advice_of(figures(500, -9, 6, 0)),
               "Left hand, in 'Run the bowel': the force rose to 6.0 N, above the limit of 4.0 N (50 % over); "
-              "approach slowly, and stop pulling when the tissue no longer gives.");
+              "approach slowly, and stop when the tissue no longer yields.");
     EXPECT_EQ(advice_of(figures(500, -9, 6, 3)),
               "In 'Run the bowel': 3 objects were dropped, above the limit of 1 (far outside); release it "
               "only when "

@@ -145,7 +145,7 @@ TEST(CameraGoals, HoldThatIsBrokenBeginsAgain) {
     EXPECT_EQ(booth.count(EventKind::target_reached), 0);
 }
 
-TEST(CameraGoals, TimeWithTheTipCountsInAllAndEachLossIsSaid) {
+TEST(CameraGoals, TimeWithTheTipIsAddedUpAndEachLossIsReported) {
     Booth booth;
     booth.frame_all();
     EXPECT_EQ(booth.monitor.display().goal, 1);
@@ -172,7 +172,7 @@ TEST(CameraGoals, TimeWithTheTipCountsInAllAndEachLossIsSaid) {
     EXPECT_EQ(booth.last(EventKind::goal_progress).value, 20);
 }
 
-TEST(CameraGoals, TipThatIsFramedAtOnceIsSaidToBeLostForNoTime) {
+TEST(CameraGoals, ATipThatIsFramedAtOnceIsReportedAsLostForNoTime) {
     Booth booth;
     booth.world.camera_targets.tip = booth.ball(11);
     booth.frame_all();
@@ -201,7 +201,7 @@ TEST(CameraGoals, ClockStartsWithTheMovementOfTheScope) {
     EXPECT_NEAR(booth.monitor.display().elapsed_s, 0.3, 0.03);
 }
 
-TEST(CameraGoals, WhoCreepsToATargetHasStartedTheClockWhenItIsFramed) {
+TEST(CameraGoals, CreepingToATargetStartsTheTimerWhenItIsFramed) {
     Booth booth;
     booth.look(booth.ball(0));
     booth.hold(0.1);

@@ -16,7 +16,7 @@ using test::Programme;
 
 const TissueValues tough{{"areolar", {{"penetrate_n", 0.12}, {"static_friction_n", 0.06}}}};
 
-TEST(Tissues, VersionsAreAddedWithWhoAndWhyAndAudited) {
+TEST(Tissues, VersionsAreAddedWithAuthorAndReasonAndAudited) {
     const Programme programme;
     const Tissues tissues(*programme.store);
     const Session& educator = programme.session("educator");

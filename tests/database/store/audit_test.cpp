@@ -101,7 +101,7 @@ TEST_F(AuditChain, APayloadThatIsGoneWithoutAnErasureIsNamed) {
     EXPECT_FALSE(programme.store->check(programme.session("station")).ok);
 }
 
-TEST_F(AuditChain, TellsNoScores) {
+TEST_F(AuditChain, ContainsNoScores) {
     programme.record("ann", true, 73.25);
     for (const AuditEntry& entry : Audit(*programme.store).entries(programme.session("administrator"))) {
         EXPECT_EQ(entry.payload.find("73.25"), std::string::npos);
@@ -147,7 +147,7 @@ TEST_F(AuditChain, FindsByPersonKindAndPeriodAPageAtATime) {
     EXPECT_TRUE(audit.entries(administrator, page).empty());
 }
 
-TEST_F(AuditChain, SaysWhoInWhichRoleToWhomAndWithholdsWhatIsSaidOfAttempts) {
+TEST_F(AuditChain, NamesPersonRoleAndSubjectAndWithholdsCommentsOnAttempts) {
     const Session& administrator = programme.session("administrator");
     const std::string attempt = programme.record("ann");
     programme.attempts().request_correction(programme.session("ann"), attempt, "this was not me");
@@ -179,7 +179,7 @@ TEST_F(AuditChain, SaysWhoInWhichRoleToWhomAndWithholdsWhatIsSaidOfAttempts) {
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), "attempt.void"), kinds.end());
 }
 
-TEST_F(AuditChain, APayloadThatIsNoRecordReadsUnreadable) {
+TEST_F(AuditChain, APayloadThatIsNotARecordReadsUnreadable) {
     tamper("UPDATE audit_payload SET payload = 'reason: secret' WHERE sequence = 3");
     for (const AuditEntry& entry : Audit(*programme.store).entries(programme.session("administrator")))
         EXPECT_EQ(entry.payload == "unreadable", entry.sequence == 3) << entry.sequence;

@@ -266,7 +266,7 @@ TEST(Store, CorruptPagesAreReportedNotHidden) {
     EXPECT_EQ(error_kind([&] { Store::open(programme.path); }), StoreErrorKind::corrupt);
 }
 
-TEST(Store, CheckGoesOnAfterADamagedTable) {
+TEST(Store, CheckContinuesAfterADamagedTable) {
     Programme programme;
     for (int i = 0; i < 20; ++i) programme.record("ann");
     programme.store->connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
@@ -354,7 +354,7 @@ TEST(Store, BackupIsWholePrivateAndNeverOverwrites) {
     EXPECT_EQ(Attempts(other).read_trace(programme.session("ann"), attempt).samples.size(), 1000U);
 }
 
-TEST(Store, CheckAndBackupTellHowFarTheyAreAndStopWhenAsked) {
+TEST(Store, CheckAndBackupReportProgressAndStopWhenAsked) {
     const Programme programme;
     for (int i = 0; i < 18; ++i) programme.record("ann");  // more chunks than it reads between two calls
     const Session& administrator = programme.session("administrator");

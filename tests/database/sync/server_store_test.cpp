@@ -129,7 +129,7 @@ TEST_F(ServerStore, OnlyAccountsOfPeopleSignIn) {
     EXPECT_THROW(People(store).sign_in("ann", "any"), SignInRefused);
 }
 
-TEST_F(ServerStore, WhoLooksAnAttemptUpThereIsNotBlindForItAtAStation) {
+TEST_F(ServerStore, ARaterWhoOpensAnAttemptThereIsNotBlindForItAtAStation) {
     const std::string attempt = fill(a);
     sync(a);
     {

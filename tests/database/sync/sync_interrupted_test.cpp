@@ -143,7 +143,7 @@ class SyncRefusal : public Sync {
     }
 };
 
-TEST_F(SyncRefusal, WhatIsWrongWithTheServerIsSaidWithWhatToDo) {
+TEST_F(SyncRefusal, AProblemOfTheServerIsShownWithWhatToDo) {
     ServerAddress nobody = server;
     nobody.host = "/nowhere";
     EXPECT_NE(refusal(nobody, StoreErrorKind::unreachable).find("nothing is lost"), std::string::npos);

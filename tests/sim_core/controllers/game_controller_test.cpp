@@ -89,7 +89,7 @@ TEST_F(GameControllers, SticksAddUpTheTimeAtTheSpeedThatTheyAskFor) {
     EXPECT_FALSE(pad->take().used) << "a hand that is not touched stays";
 }
 
-TEST_F(GameControllers, TheMiddleOfAStickIsNoMovementAndALittleIsALittle) {
+TEST_F(GameControllers, TheMiddleOfAStickIsNoMovementAndASmallTiltASmallOne) {
     EXPECT_EQ(stick_speed(0.15), 0);
     EXPECT_EQ(stick_speed(-1), 0);
     EXPECT_EQ(stick_speed(std::nan("")), 0);

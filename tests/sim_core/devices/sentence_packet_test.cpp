@@ -22,7 +22,7 @@ TEST(SentencePacket, ArrivesAsItWasSentAndIsPutIntoWordsThere) {
     EXPECT_EQ(arrived.words(in_capitals), "a device WAS ENDED BY SIGNAL 9") << "names stay as they are";
 }
 
-TEST(SentencePacket, WhatIsNoSentenceIsReplaced) {
+TEST(SentencePacket, BytesThatAreNotASentenceAreReplaced) {
     for (const char* packet : {"null", "3", "[]", "{}", R"({"say": 1, "with": []})", R"({"say": "x"})"})
         EXPECT_EQ(sentence_of(nlohmann::json::parse(packet), "unknown").words(), "unknown") << packet;
     EXPECT_EQ(sentence_of("as it is", "unknown").words(), "as it is");

@@ -179,7 +179,7 @@ TEST_F(HapticdKills, ForceIsZeroWithin50MillisecondsWhicheverSideDiesOrStops) {
     }
 }
 
-TEST_F(HapticdKills, ForceIsZeroWithin50MillisecondsWhenTheProgramLies) {
+TEST_F(HapticdKills, ForceIsZeroWithin50MillisecondsWhenTheProgramsStateIsFalse) {
     for (const auto& [lie, off] : {std::pair(Behaviour::not_a_number, ForceOff::not_finite),
                                    std::pair(Behaviour::too_large, ForceOff::too_large),
                                    std::pair(Behaviour::old_sequence, ForceOff::sequence_back)}) {

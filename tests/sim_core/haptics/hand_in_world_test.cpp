@@ -103,7 +103,7 @@ Rest press(double rate, bool from_the_side, double mass) {
     return rest;
 }
 
-TEST(HandInWorld, ComesToRestOnTheBowelFromAboveAndFromTheSide) {
+TEST(HandInWorld, SettlesOnTheBowelFromAboveAndFromTheSide) {
     for (const double rate : {1000.0, 1200.0}) {
         for (const bool side : {false, true}) {
             for (const double mass : {0.05, 0.5}) {

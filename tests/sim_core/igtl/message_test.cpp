@@ -267,7 +267,7 @@ TEST(IgtlMessage, ALongBodyIsSkippedAndALongerOneEndsTheStream) {
     }
 }
 
-TEST(IgtlMessage, WhatIsNoOpenIgtLinkIsNoticedAtItsFirstBytes) {
+TEST(IgtlMessage, OtherProtocolsAreNoticedAtTheirFirstBytes) {
     for (const std::string& text : {std::string("GET / HTTP/1.1\r\n\r\n"), std::string("{\"a\":1}"),
                                     std::string("\0\0", 2), std::string("\xff\xff", 2)}) {
         const std::vector<Taken> taken = decode(Bytes(text.begin(), text.end()));

@@ -88,7 +88,7 @@ TEST_F(CurriculumView, ShowsWhatTheRuleInForceDoes) {
     EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_save")->isEnabled()) << "nothing to write";
 }
 
-TEST_F(CurriculumView, ARuleThatIsTriedIsDrawnBesideTheOneInForceAndTakenBack) {
+TEST_F(CurriculumView, ARuleThatIsTriedIsDrawnWithTheOneInForceAndTakenBack) {
     choose("A2");
     const PassRule before = rule_of("A2");
     auto* kind = find<QComboBox>(window, "rule_kind");

@@ -149,7 +149,7 @@ TEST_F(LimitsView, NamesThePassMarkBetweenExpertsAndAttempts) {
     EXPECT_NE(find<QLabel>(window, "limits_mark")->text(), mark);
 }
 
-TEST_F(LimitsView, RefusesAFileThatIsNoSetOfTheSameKind) {
+TEST_F(LimitsView, RefusesAFileThatIsNotASetOfTheSameKind) {
     BenchmarkSet other = set;
     other.device_class = DeviceClass::tracked;
     QSignalSpy said(&window.context(), &Context::message);

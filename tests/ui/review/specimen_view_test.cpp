@@ -124,7 +124,7 @@ TEST_F(SpecimenMap, UndividedGroundIsHatchedAndDividedGroundIsNot) {
     EXPECT_LT(inks("specimen_cell_1_left"), 0.02);
 }
 
-TEST_F(SpecimenMap, PeopleWithAColourVisionDeficiencyCanTellTooDeepFromTooShallow) {
+TEST_F(SpecimenMap, TooDeepAndTooShallowDifferForPeopleWithAColourVisionDeficiency) {
     // Machado, Oliveira and Fernandes 2009: complete protanopia, deuteranopia, tritanopia.
     const std::array<std::array<double, 9>, 3> sights = {{
         {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998},

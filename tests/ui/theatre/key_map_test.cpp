@@ -72,7 +72,7 @@ TEST_F(Keys, AreKeptForEachPersonAndSurviveADamagedFile) {
     EXPECT_TRUE(QSettings().allKeys().filter("keys/").isEmpty()) << "nothing is left where all is usual";
 }
 
-TEST_F(Keys, ChangedKeysMoveTheHandsAndStandInTheHelp) {
+TEST_F(Keys, ChangedKeysMoveTheHandsAndAppearInTheHelp) {
     const Scene scene = load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json"));
     MouseKeyboardInput input(scene);
     KeyMap map = KeyMap::standard(false);

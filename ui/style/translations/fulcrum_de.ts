@@ -6599,7 +6599,7 @@
         <translation>die Hälfte des Schnitts lag weiter als {value} von der Schicht entfernt, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>pull until the plane opens and follow the middle of the stretched fibres</source>
+        <source>apply traction until the plane opens, and follow the middle of the stretched fibres</source>
         <translation>ziehen Sie, bis sich die Schicht öffnet, und folgen Sie der Mitte der gespannten Fasern</translation>
     </message>
     <message>
@@ -6679,7 +6679,7 @@
         <translation>{value} der Linie wurden durchtrennt, unter dem geforderten Wert von {limit}</translation>
     </message>
     <message>
-        <source>pull less, and go back along the line and divide the bridges that are left</source>
+        <source>apply less traction, and go back along the line and divide the bridges that are left</source>
         <translation>ziehen Sie weniger, gehen Sie die Linie noch einmal ab und durchtrennen Sie die verbliebenen Brücken</translation>
     </message>
     <message>
@@ -6775,7 +6775,7 @@
         <translation>{value} Gefäße wurden offen gerissen oder durchtrennt, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>clip or seal a vessel before it is divided, and pull less</source>
+        <source>clip or seal a vessel before it is divided, and apply less traction</source>
         <translation>clippen oder versiegeln Sie ein Gefäß, bevor es durchtrennt wird, und ziehen Sie weniger</translation>
     </message>
     <message>
@@ -6823,7 +6823,7 @@
         <translation>die Kraft stieg auf {value}, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>approach slowly, and stop pulling when the tissue no longer gives</source>
+        <source>approach slowly, and stop when the tissue no longer yields</source>
         <translation>nähern Sie sich langsam, und ziehen Sie nicht weiter, wenn das Gewebe nicht mehr nachgibt</translation>
     </message>
     <message>
@@ -6919,7 +6919,7 @@
         <translation>die Kraft schwankte in alle Richtungen: Volumen {value}, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>decide on one direction of pull and keep it</source>
+        <source>decide on one direction of traction and keep it</source>
         <translation>entscheiden Sie sich für eine Zugrichtung und behalten Sie sie bei</translation>
     </message>
     <message>
@@ -7039,7 +7039,7 @@
         <translation>Gewebe rutschte {value}-mal ab, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>take a larger bite before pulling</source>
+        <source>take a larger bite before you apply traction</source>
         <translation>fassen Sie mehr Gewebe, bevor Sie ziehen</translation>
     </message>
     <message>
@@ -7055,7 +7055,7 @@
         <translation>dieselbe Stelle wurde {value}-mal erneut gefasst, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>place the jaws where the pull will be, then close once</source>
+        <source>place the jaws where you will apply traction, then close once</source>
         <translation>setzen Sie das Maul dort an, wo Sie ziehen werden, und schließen Sie es dann einmal</translation>
     </message>
     <message>
@@ -10842,7 +10842,7 @@ Kennzahlen: %2</translation>
         <translation>Gestrichelt und in Klammern: die geltende Regel, %1.</translation>
     </message>
     <message>
-        <source>Every pass raises a sum, every failure lowers it more, never below 0; who reaches the limit is proficient.</source>
+        <source>Every pass raises a sum, every failure lowers it more, never below 0; a trainee who reaches the limit is proficient.</source>
         <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
     </message>
     <message>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cut bowel to be drawn: which of its triangles are no longer whole, and what is left of those, with the
 // thickness of the wall and its layers along every rim. What is left lies in the triangle it is a part of, so
-// it takes place, normal and texture from that triangle's corners as they are drawn: no seam beside it.
+// it takes place, normal and texture from that triangle's corners as they are drawn: no seam next to it.
 #pragma once
 
 #include <vector>

@@ -6,7 +6,7 @@
 namespace fulcrum::ui {
 namespace {
 
-// As painted, sRGB: the rim is told from the wall by brightness alone.
+// As painted, sRGB: the rim differs from the wall by brightness alone.
 const QVector3D wall_hue(0.30F, 0.36F, 0.44F), rim_hue(0.80F, 0.83F, 0.86F);
 constexpr int staves = 20;
 constexpr double pi = 3.14159265358979323846;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much of its full resolution a live scene is drawn in, from how long its last pictures took: where the
 // machine is slow the picture grows coarser before it comes late, and is fine again when there is time. No
-// clock and no state beside the durations it is told; one thread.
+// clock and no state except the durations it is given; one thread.
 #pragma once
 
 #include <array>

@@ -106,7 +106,7 @@ void copy_with_smooth_edges(const QImage& drawn, QImage& shown) {
     copy_upright(drawn, shown);
     const int width = drawn.width(), height = drawn.height();
     if (width < 2 || height < 2) return;
-    // Columns that have an edge beside them at all: most have none.
+    // Columns that have an edge next to them at all: most have none.
     std::vector<std::uint32_t> differs(static_cast<std::size_t>(width), 0);
     for (int row = 0; row < height; ++row) {
         const std::uint32_t* line = drawn_row(drawn, row);

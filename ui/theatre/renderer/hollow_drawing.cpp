@@ -177,7 +177,7 @@ void HollowDrawing::lay_walls(const RectumParameters& rectum) {
     felt.rows = static_cast<int>(posterior.vertices.size()) / felt.columns;
     std::vector<Vector3> positions = posterior.vertices;
     round_folds(felt, positions);
-    // It goes on beyond its rims as it ends there: no one shall see where it does.
+    // It continues beyond its rims with the shape that it has there, so that its end is not visible.
     const Grid grid{felt.rows + 2, felt.columns + 2};
     const auto beyond_rim = [&](const std::vector<Vector3>& of, int r, int c) {
         const int row = std::clamp(r, 0, felt.rows - 1), column = std::clamp(c, 0, felt.columns - 1);

@@ -4,7 +4,7 @@
 namespace fulcrum::ui {
 namespace {
 
-// As painted, sRGB: told apart by brightness alone.
+// As painted, sRGB: distinguished by brightness alone.
 const QVector3D ring_hue(0.93F, 0.72F, 0.20F), peg_hue(0.62F, 0.66F, 0.70F);
 const QVector3D tray_tint(0.05F, 0.075F, 0.095F);  // linear
 constexpr int tray_columns = 26, tray_rows = 18;   // small enough for shadows at the vertices

@@ -96,7 +96,7 @@ struct SceneFrame {
     std::vector<DrawnTube> tubes;
     std::vector<DrawnTool> tools;
     double brightness = 1.0;            ///< of the light
-    Vector3 lamp = {0, 0.0035, 0.001};  ///< m, camera space: beside the lens
+    Vector3 lamp = {0, 0.0035, 0.001};  ///< m, camera space: next to the lens
     /// The round image of a scope in its black frame; false: the whole square on `background`, as a figure
     /// is.
     bool round = true;
@@ -146,7 +146,7 @@ class SceneRenderer {
     void set_reflection(const ReflectionShape& reflection);
     /// What the frame's sheets wear; without it they wear the peritoneum.
     void set_sheet_texture(std::shared_ptr<const TissueTexture> texture);
-    /// Meshes of a study, drawn beside whatever else is set and without the training box.
+    /// Meshes of a study, drawn together with whatever else is set and without the training box.
     void set_meshes(const std::vector<DrawnMesh>& meshes);
     /// Nothing but tools and targets (and a plain training box around them).
     void clear_scene();

@@ -36,7 +36,7 @@ QMatrix4x4 projection_matrix(const SceneFrame& frame, QSize size) {
     return matrix;
 }
 
-// Blue and orange of Okabe and Ito's palette: told apart by every kind of colour vision.
+// Blue and orange of Okabe and Ito's palette: distinguished by every kind of colour vision.
 TargetPaint paint_of(const DrawnTarget& target) {
     const QVector3D hue =
         target.hand == Hand::left ? QVector3D(0.00F, 0.45F, 0.80F) : QVector3D(0.95F, 0.58F, 0.05F);

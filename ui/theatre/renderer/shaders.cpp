@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All lighting happens in camera space: the light sits beside the lens, so most of it is a function of the
+// All lighting happens in camera space: the light is next to the lens, so most of it is a function of the
 // fragment's own place. Cost counts: everything here also runs on a processor.
 #include "ui/theatre/renderer/shaders.h"
 
@@ -446,7 +446,7 @@ in vec3 facing;
 in vec3 own;
 uniform vec3 hue;
 uniform float glow;        // 0 .. 1: the one to touch now
-uniform float bands;       // 0: none, 1: left, 2: right, told apart without colour
+uniform float bands;       // 0: none, 1: left, 2: right, distinguished without colour
 uniform float opacity;
 out vec4 colour;
 void main() {

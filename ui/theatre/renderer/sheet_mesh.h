@@ -28,7 +28,7 @@ struct SheetSurface {
         nullptr;  ///< of triangles that are drawn elsewhere: where these adjoin is no rim
     std::size_t beside_count = 0;
     bool wall =
-        false;  ///< of a hollow: positions are its outer face, and it wears its layers instead of char
+        false;  ///< of a hollow: positions are its outer face, and it shows its layers instead of char
 };
 
 /// Vertices for the pipeline: position 3, normal 3, coordinates 2 (m at rest), detail 1 (0 .. 1: how

@@ -79,7 +79,7 @@ BandsLayout place_bands(const BandsSpec& spec, std::uint64_t seed) {
 
 TriangleMesh bed_mesh(const BandsSpec& spec) {
     constexpr int columns = 24, rows = 20;
-    constexpr double margin = 1.3;  // the bed goes on beyond what blood can reach
+    constexpr double margin = 1.3;  // the bed continues beyond what blood can reach
     TriangleMesh mesh;
     for (int row = 0; row <= rows; ++row) {
         for (int column = 0; column <= columns; ++column) {

@@ -13,13 +13,13 @@ constexpr double unsolved_residual =
 
 }  // namespace
 
-void BowelPart::lay_down(const std::function<void()>& meanwhile) {
+void BowelPart::lay_down(const std::function<void()>& between_halves) {
     const double dt = scene_.step_period();
     const ToolAction nothing[hand_count];
     const int steps = static_cast<int>(settle_time / dt);
     for (int i = 0; i < steps; ++i) {
         apply(nothing, 0, dt);
-        meanwhile();
+        between_halves();
         solve(nothing, 0, dt);
         double fastest = 0;
         for (const Vector3& velocity : state_.velocities) fastest = std::max(fastest, velocity.norm());

@@ -70,8 +70,8 @@ class BowelPart : public Part {
 
     /// First half of a step of dt seconds that ends with this tick: grasps, and loads of tools and blades.
     void apply(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
-    /// Lets it come to rest. `meanwhile`: between the two halves of each step.
-    void lay_down(const std::function<void()>& meanwhile);
+    /// Lets it come to rest. `between_halves` is called between the two halves of each step.
+    void lay_down(const std::function<void()>& between_halves);
     /// What else acts on the rod in this step; between the two halves. At most extra_loads, and those that
     /// room was made for.
     void add_load(const RodLoad& load) noexcept {

@@ -20,7 +20,7 @@ struct ObjectsLayout {
 
 ObjectsLayout place_objects(const ObjectsSpec& spec, const Vector3& gravity, std::uint64_t seed);
 
-/// Tray and pegs as instruments feel them: the tray goes on beyond its rim.
+/// Tray and pegs as instruments feel them: the tray continues beyond its rim.
 TriangleMesh tray_mesh(const ObjectsSpec& spec, const std::vector<Vector3>& feet);
 
 /// Whether a peg goes through a ring: its axis, below its top, lies within the ring's tubes.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tips and jaws on the sheet: what lies under them, from which side, how they hold it, what the hand is told.
+// Tips and jaws on the sheet: what lies under them, from which side, how they hold it, what the hand is
+// given.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -222,7 +223,7 @@ struct SheetPart::Approach {
         }
         if (near.distance > reach) {
             // Which side it is on now shows where it comes back from, unless it went through tissue
-            // meanwhile.
+            // in between.
             if (!hand.known || near.place.fragment < 0 || !sheet.crosses(hand.tip, tool.tip)) {
                 hand.touch = BladeTouch::away;
                 forget();

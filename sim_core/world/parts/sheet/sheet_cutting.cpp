@@ -12,10 +12,10 @@ using namespace blade_law;
 
 namespace {
 
-constexpr double line_reach =
-    0.012;  // m beside the marked line within which a cut divides the sheet across it
-constexpr double off_wall = 0.0005;  // m at rest from the muscularis that a blade keeps
-constexpr double off_rim = 1e-6;     // m: places are told as being this far from the rim of a septum at least
+constexpr double line_reach = 0.012;  // m from the marked line within which a cut divides the sheet across it
+constexpr double off_wall = 0.0005;   // m at rest from the muscularis that a blade keeps
+constexpr double off_rim =
+    1e-6;  // m: places are reported as being this far from the rim of a septum at least
 constexpr double sample_spacing = 0.00015;  // m along a blade's step, where the tissue under it is looked for
 constexpr double slit = 0.0006;             // m at rest across what one blade's way leaves open, at most
 constexpr double fresh_by = 0.0001;         // m from where a blade is: ground that it has not been on
@@ -123,7 +123,7 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
     const SheetPlace next = closest(blade.to + ahead * way);
     const bool gone = next.fragment < 0 || (place(next) - blade.to).norm() > off_by;
-    if (report.outcome == CutOutcome::cut) tell_track(number, track, traction, tick);
+    if (report.outcome == CutOutcome::cut) report_track(number, track, traction, tick);
     if (gone) {
         leave(number, tick);
     } else {
@@ -159,7 +159,7 @@ void SheetPart::drift(int number, std::uint32_t tick) noexcept {
         hand.cut_friction = hand.ease * cutting->dynamic_friction;
 }
 
-void SheetPart::tell_cut(int number, const Vector3& reached, double traction, std::uint32_t tick) noexcept {
+void SheetPart::report_cut(int number, const Vector3& reached, double traction, std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const double length = (reached - hand.way).norm();
     mark_divided(hand.way, reached);
@@ -207,7 +207,7 @@ void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const no
     }
 }
 
-// Not beside it, where a lip is.
+// Not next to it, where a lip is.
 bool SheetPart::over_tissue(const UnderBlade& sample) noexcept {
     return sample.count > 0 && sample.beside <= fresh_by;
 }
@@ -245,15 +245,16 @@ bool SheetPart::joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) c
     return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) != first.end();
 }
 
-// A cut is told where tissue was under the blade without a break; between two such ways it ends and begins.
-void SheetPart::tell_track(int number, const BladeTrack& track, double traction,
-                           std::uint32_t tick) noexcept {
+// A cut is reported where tissue was under the blade without a break; between two such paths it ends and
+// begins.
+void SheetPart::report_track(int number, const BladeTrack& track, double traction,
+                             std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const UnderBlade::Layer* last = nullptr;  // of the way that is open
     for (std::size_t i = 0; i < track.count; ++i) {
         const UnderBlade::Layer* here = divided_of(track.samples[i]);
         if (last != nullptr && (here == nullptr || !joined(*last, *here))) {
-            if (last->rest != hand.way) tell_cut(number, last->rest, traction, tick);
+            if (last->rest != hand.way) report_cut(number, last->rest, traction, tick);
             last = nullptr;
         }
         if (here == nullptr) continue;
@@ -266,7 +267,7 @@ void SheetPart::tell_track(int number, const BladeTrack& track, double traction,
         }
         last = here;
     }
-    if (last != nullptr && last->rest != hand.way) tell_cut(number, last->rest, traction, tick);
+    if (last != nullptr && last->rest != hand.way) report_cut(number, last->rest, traction, tick);
 }
 
 const CuttingSpec* SheetPart::cutting_at(const SheetPlace& where) const noexcept {

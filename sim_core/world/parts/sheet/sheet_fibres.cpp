@@ -75,7 +75,7 @@ SheetFibres::Tip SheetPart::find_end(const Vector3& reached, double direction) c
     const Vector3 wanted = reached + direction * beyond * Vector3::UnitX();
     double nearest = off_by * off_by;
     for (const VisibleTriangle& t : visible_) {
-        // By places at rest: what lies beside the cut now may come from its other lip.
+        // By places at rest: what is next to the cut now may come from its other lip.
         const Triangle& corners = t.vertices;
         Vector3 points[3];
         for (std::size_t c = 0; c < 3; ++c) points[c] = rest(state_.bindings[at(corners[c])]);
@@ -135,7 +135,7 @@ void SheetPart::part_fibres(std::uint32_t tick, double dt) noexcept {
     if (part(here, begin, way, normal, run, traction, tick, reached)) tip = find_end(reached, direction);
 }
 
-// begin: at rest, from where on the ground is told as parted.
+// begin: at rest, from where on the ground is reported as parted.
 bool SheetPart::part(const SheetPlace& here, const Vector3& begin, const Vector3& way, const Vector3& normal,
                      double run, double traction, std::uint32_t tick, Vector3& reached) noexcept {
     const Vector3 from = place(here);

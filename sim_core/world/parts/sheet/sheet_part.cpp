@@ -14,7 +14,7 @@ namespace {
 
 constexpr int surface_steps = 1000;      // room for so many steps of a blade
 constexpr double station_gap = 0.005;    // m between points of the marked line
-constexpr double tension_reach = 0.006;  // m about a blade whose springs tell the traction
+constexpr double tension_reach = 0.006;  // m about a blade whose springs give the traction
 constexpr int settling_steps = 80;
 constexpr std::uint16_t loose_steps = 200;  // what has come free falls for so long, then it is removed
 

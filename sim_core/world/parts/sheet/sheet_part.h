@@ -73,7 +73,7 @@ class SheetPart : public Part, public HeatedSheet {
         std::array<SheetPlace, Jaws::most_points> held_at;  ///< place of each of their points
         Vector3 pull = Vector3::Zero();                     ///< N, jaws on sheet
     };
-    /// All that changes; with the surface's own state a step goes on from it bit for bit.
+    /// All that changes; with the surface's own state a step continues from it bit for bit.
     struct State {
         CutMembraneState membrane;
         std::vector<Vector3> positions;    ///< m, by visible vertex
@@ -236,13 +236,13 @@ class SheetPart : public Part, public HeatedSheet {
     Vector3 on_septum(const SheetPlace& where, Vector3 rest) const noexcept;
     Vector3 begin_of_way(const SheetPlace& where, const Vector3& behind,
                          const Vector3& normal) const noexcept;
-    void tell_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
+    void report_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
     void follow_track(const BladeStep& blade, BladeTrack& track) const noexcept;
     static bool over_tissue(const UnderBlade& sample) noexcept;
     bool meets_tissue(const SheetPlace& from, const BladeTrack& track) const noexcept;
     bool joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) const noexcept;
     const UnderBlade::Layer* divided_of(const UnderBlade& sample) const noexcept;
-    void tell_track(int hand, const BladeTrack& track, double traction, std::uint32_t tick) noexcept;
+    void report_track(int hand, const BladeTrack& track, double traction, std::uint32_t tick) noexcept;
     Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
     void remake_pieces() noexcept;
     bool jaws_hold(std::int32_t piece) const noexcept;
@@ -283,8 +283,8 @@ class SheetPart : public Part, public HeatedSheet {
     mutable std::array<std::size_t, hand_count> recent_ = {};
     std::vector<std::uint8_t> touched_;  ///< by root
     std::uint32_t faults_ = 0, tick_ = 0;
-    // Both blades' tracks in the most parts that they can be told in, four events each, and what else happens
-    // in a step.
+    // Both blades' tracks in the most parts that they can be reported in, four events each, and what else
+    // happens in a step.
     StepEvents<static_cast<int>(hand_count * 4 * ((BladeTrack::capacity + 1) / 2)) + 32> events_;
 };
 

@@ -3,7 +3,7 @@
 // world (task C4). World thread. Nothing allocates after construction.
 //
 // A step: instruments are exchanged; tips on the fascia open veins beneath it; blades divide nerves; the
-// pedal heats what the blade reaches (a sheet that is being divided first of all), steam what is beside it;
+// pedal heats what the blade reaches (a sheet that is being divided first of all), steam what is next to it;
 // heat, sealing, bleeding, the pool, smoke.
 //
 // A vein opens where a tip is over it and

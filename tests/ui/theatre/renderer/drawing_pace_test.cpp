@@ -138,7 +138,7 @@ RC_GTEST_PROP(DrawingPace, NoiseAboutAnEvenLoadSeldomMovesIt, ()) {
     RC_ASSERT(steps <= 12);  // in a minute
 }
 
-RC_GTEST_PROP(DrawingPace, WhateverItIsToldItStaysWithinItsLevels, ()) {
+RC_GTEST_PROP(DrawingPace, WhateverItIsGivenItStaysWithinItsLevels, ()) {
     const auto told = *rc::gen::container<std::vector<double>>(rc::gen::oneOf(
         rc::gen::arbitrary<double>(), rc::gen::element(0.0, 5e-324, 1e300, 1.7e308, std::nan(""), -1.0, 16.0,
                                                        40.0, std::numeric_limits<double>::infinity())));

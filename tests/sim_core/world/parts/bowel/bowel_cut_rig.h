@@ -155,7 +155,7 @@ struct BowelCutRig : SheetRig {
         go(1, start + 0.15 * path - Vector3(0, 0, depth), speed);
         go(1, start + path - Vector3(0, 0, depth), speed);
     }
-    /// Left jaws on the wall beside the top.
+    /// Left jaws on the wall next to the top.
     void hold_beside(const Vector3& off) {
         const std::int32_t vertex = highest_near(top_now() + off);
         go(0, tip_for(now(vertex) + Vector3(0, 0, 0.02)), 0.2);

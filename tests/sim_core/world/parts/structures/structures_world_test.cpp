@@ -108,7 +108,7 @@ TEST(StructuresInTheWorld, EnergyInThePlaneIsOnTargetAndInTheFatIsNot) {
             place = sheet.positions[v];
         }
         ASSERT_LT(least, 0.004);
-        // Beside it at once, cranially along the hollow, so that nothing is touched there or on the way.
+        // Next to it at once, cranially along the hollow, so that nothing is touched there or before.
         const double angle = stage.scene.septa->first_angle;
         stage.tip[1] = place + 0.0022 * Vector3(0, std::cos(angle), std::sin(angle));
         stage.run(0.05);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window consists of: banner, top bar, message, rail, pages, lock.
+#include <QComboBox>
+#include <QStackedWidget>
+
+#include "ui/shell/lock_page.h"
+#include "ui/shell/main_window.h"
+#include "ui/style/appearance.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+void MainWindow::build() {
+    auto* proper = new QWidget;
+    auto* layout = new QVBoxLayout(proper);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(build_banner());
+    layout->addWidget(build_top_bar());
+    layout->addWidget(build_message());
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(0);
+    rail_ = new QFrame;
+    rail_->setProperty("role", "rail");
+    rail_layout_ = new QVBoxLayout(rail_);
+    rail_layout_->setContentsMargins(8, 16, 8, 16);
+    rail_layout_->setSpacing(4);
+    middle->addWidget(rail_);
+    stack_ = new QStackedWidget;
+    middle->addWidget(stack_, 1);
+    layout->addLayout(middle, 1);
+
+    layers_ = new QStackedWidget;
+    layers_->addWidget(proper);
+    lock_page_ = new LockPage(context_);
+    layers_->addWidget(lock_page_);
+    setCentralWidget(layers_);
+    connect_lock_page();
+}
+
+QWidget* MainWindow::build_banner() {
+    banner_ = new QFrame;
+    banner_->setProperty("role", "banner");
+    auto* row = new QHBoxLayout(banner_);
+    row->setContentsMargins(16, 3, 16, 3);
+    banner_text_ = make_label({});
+    banner_text_->setObjectName(QStringLiteral("banner_text"));
+    banner_text_->setAlignment(Qt::AlignCenter);
+    row->addWidget(banner_text_);
+    banner_->hide();
+    return banner_;
+}
+
+QWidget* MainWindow::build_top_bar() {
+    top_bar_ = new QFrame;
+    top_bar_->setProperty("role", "top_bar");
+    auto* bar = new QHBoxLayout(top_bar_);
+    bar->setContentsMargins(18, 8, 18, 8);
+    bar->setSpacing(12);
+    programme_ = new ElidedLabel;
+    programme_->setProperty("role", "heading");
+    bar->addWidget(programme_, 2);
+    person_ = new ElidedLabel;
+    person_->setObjectName(QStringLiteral("signed_in_person"));
+    person_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    bar->addWidget(person_, 1);
+    role_ = new QComboBox;
+    role_->setObjectName(QStringLiteral("acting_role"));
+    role_->setAccessibleName(tr("Acting role"));
+    role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    bar->addWidget(role_);
+    theme_ = make_button(theme_title(current_theme() == Theme::light ? Theme::dark : Theme::light), "theme");
+    bar->addWidget(theme_);
+    switch_user_ = make_button(tr("Switch user"), "switch_user");
+    switch_user_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")));
+    bar->addWidget(switch_user_);
+    connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::change_role);
+    connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
+    connect(theme_, &QPushButton::clicked, this,
+            [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
+    return top_bar_;
+}
+
+QWidget* MainWindow::build_message() {
+    message_ = new QFrame;
+    message_->setProperty("role", "message");
+    auto* row = new QHBoxLayout(message_);
+    row->setContentsMargins(14, 6, 8, 6);
+    message_text_ = make_label({});
+    message_text_->setObjectName(QStringLiteral("message_text"));
+    message_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QPushButton* close = make_button(tr("Close"), "close_message");
+    connect(close, &QPushButton::clicked, this, [this] { message_area_->hide(); });
+    row->addWidget(message_text_, 1);
+    row->addWidget(close);
+    message_area_ = new QWidget;
+    auto* holder = new QHBoxLayout(message_area_);
+    holder->setContentsMargins(18, 6, 18, 0);
+    holder->addWidget(message_);
+    message_area_->hide();
+    message_timer_.setSingleShot(true);
+    message_timer_.setInterval(6000);
+    connect(&message_timer_, &QTimer::timeout, message_area_, &QWidget::hide);
+    return message_area_;
+}
+
+}  // namespace fulcrum::ui
