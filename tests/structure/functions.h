@@ -136,8 +136,9 @@ inline Functions functions_of(const std::string& text) {
         if (c == '\n') ++line;
         if (c == '{') {
             const std::string before = trimmed(head);
-            const Opens what = what_opens(before);
             std::size_t function = inside();
+            // Within a function nothing else is looked for.
+            const Opens what = function == none ? what_opens(before) : Opens::block;
             if (what == Opens::function && function == none) {
                 function = result.found.size();
                 result.found.push_back({before, head_line, 0, has_reason_above(lines, head_line)});
@@ -164,7 +165,7 @@ inline Functions functions_of(const std::string& text) {
         }
         if (c == '(') ++parentheses;
         if (c == ')') --parentheses;
-        const bool ends_access = c == ':' && std::regex_search(head, access);
+        const bool ends_access = c == ':' && inside() == none && std::regex_search(head, access);
         if ((c == ';' && parentheses <= 0) || ends_access) {
             head.clear();
         } else if (std::isspace(static_cast<unsigned char>(c)) == 0) {
