@@ -3,16 +3,10 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <cmath>
-#include <stdexcept>
 
 #include "ui/page/background_job.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
-#include "ui/theatre/renderer/drawing_pace.h"
-#include "ui/theatre/renderer/offscreen.h"
-#include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {
 
@@ -29,7 +23,6 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     layout->addWidget(bar_);
     layout->addWidget(build_backup());
     layout->addWidget(build_check());
-    layout->addWidget(build_picture());
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -70,55 +63,7 @@ QFrame* StationPage::build_check() {
     return card;
 }
 
-QFrame* StationPage::build_picture() {
-    QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Picture"), "heading"));
-    picture_ = make_label({});
-    picture_->setObjectName(QStringLiteral("picture_quality"));
-    card_layout(card)->addWidget(picture_);
-    return card;
-}
-
-QString StationPage::picture_text(const PictureQuality& quality) {
-    const auto percent = [](double share) { return std::lround(100 * share); };
-    QStringList lines;
-    lines << tr("Drawn by: %1").arg(quality.device);
-    if (quality.software) {
-        lines << tr("The processor draws the picture, because OpenGL offers no graphics card here.");
-        lines
-            << tr("Resolution: %1 % of the window's, %2 % inside the pelvis, so that a picture takes less "
-                  "than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again "
-                  "when there is time.")
-                   .arg(percent(quality.share))
-                   .arg(percent(quality.share_in_hollow))
-                   .arg(decimal(DrawingPace::goal_ms, 0))
-                   .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
-    } else {
-        lines << tr("Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to "
-                    "as little as %2 %; it rises again when there is time.")
-                     .arg(decimal(DrawingPace::goal_ms, 0))
-                     .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
-    }
-    lines << (quality.smoothing == Smoothing::multisample
-                  ? tr("Anti-aliasing: 4 samples per pixel.")
-                  : tr("Anti-aliasing: edges of instruments and targets, after drawing. Several samples per "
-                       "pixel would take too long on a processor."));
-    return lines.join(QLatin1Char('\n'));
-}
-
-void StationPage::show_picture() {
-    try {
-        OffscreenStage stage;
-        stage.make_current();
-        picture_->setText(picture_text(picture_quality()));
-    } catch (const std::runtime_error& why) {
-        picture_->setText(
-            tr("The scene cannot be drawn on this machine: %1").arg(QString::fromUtf8(why.what())));
-    }
-}
-
 void StationPage::enter() {
-    show_picture();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     check_->setVisible(context().allowed(database::Operation::check_store));

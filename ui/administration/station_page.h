@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop; and what its picture is drawn with.
+// stop.
 #pragma once
 
 #include "database/store/store.h"
@@ -14,7 +14,6 @@ namespace fulcrum::ui {
 
 class BackgroundJob;
 class JobBar;
-struct PictureQuality;
 
 class StationPage : public Page {
     Q_OBJECT
@@ -24,20 +23,16 @@ class StationPage : public Page {
     void leave() override;
     void check();
     void back_up_to(const QString& path);
-    /// What the picture is drawn with, how fine, and why.
-    static QString picture_text(const PictureQuality& quality);
 
   private:
     QFrame* build_check();
     QFrame* build_backup();
-    QFrame* build_picture();
-    void show_picture();
     void ask_backup();
     void show_report(const database::CheckReport& report);
     void start(BackgroundJob* job, const QString& line);
     void ended();
 
-    QLabel *place_, *verdict_, *picture_;
+    QLabel *place_, *verdict_;
     QTableWidget* items_;
     QPushButton *check_, *backup_;
     JobBar* bar_;

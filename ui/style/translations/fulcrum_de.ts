@@ -11077,6 +11077,41 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::PictureCard</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Drawn by: %1</source>
+        <translation>Gezeichnet von: %1</translation>
+    </message>
+    <message>
+        <source>The processor draws the picture, because OpenGL offers no graphics card here.</source>
+        <translation>Der Prozessor zeichnet das Bild, weil OpenGL hier keine Grafikkarte anbietet.</translation>
+    </message>
+    <message>
+        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that a picture takes less than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again when there is time.</source>
+        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird die Auflösung auf %4 % davon gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to as little as %2 %; it rises again when there is time.</source>
+        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie auf bis zu %2 % gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing: 4 samples per pixel.</source>
+        <translation>Kantenglättung: 4 Abtastpunkte je Bildpunkt.</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
+        <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn on this machine: %1</source>
+        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::PracticeView</name>
     <message>
         <source>%1: %2</source>
@@ -12220,38 +12255,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>What is wrong</source>
         <translation>Was nicht stimmt</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>Drawn by: %1</source>
-        <translation>Gezeichnet von: %1</translation>
-    </message>
-    <message>
-        <source>The processor draws the picture, because OpenGL offers no graphics card here.</source>
-        <translation>Der Prozessor zeichnet das Bild, weil OpenGL hier keine Grafikkarte anbietet.</translation>
-    </message>
-    <message>
-        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that a picture takes less than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again when there is time.</source>
-        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird die Auflösung auf %4 % davon gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
-    </message>
-    <message>
-        <source>Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to as little as %2 %; it rises again when there is time.</source>
-        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie auf bis zu %2 % gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
-    </message>
-    <message>
-        <source>Anti-aliasing: 4 samples per pixel.</source>
-        <translation>Kantenglättung: 4 Abtastpunkte je Bildpunkt.</translation>
-    </message>
-    <message>
-        <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
-        <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
-    </message>
-    <message>
-        <source>The scene cannot be drawn on this machine: %1</source>
-        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
     </message>
     <message>
         <source>The store: %1</source>
