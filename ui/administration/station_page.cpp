@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ui/language/language.h"
 #include "ui/page/background_job.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/renderer/drawing_pace.h"
