@@ -41,8 +41,7 @@ std::string known_head(const Arguments& arguments) {
 }
 
 void add_head(const database::Store& store, const std::string& head, database::CheckReport& report) {
-    database::CheckItem item;
-    item.name = QT_TRANSLATE_NOOP("errors", "known head");
+    database::CheckItem item(database::CheckId::known_head);
     item.count = 1;
     if (!database::Audit(store).has_head(head))
         item.problems.push_back(
@@ -70,8 +69,7 @@ std::string known_key(const Arguments& arguments) {
 }
 
 void add_key(const database::Store& store, const std::string& key, database::CheckReport& report) {
-    database::CheckItem item;
-    item.name = QT_TRANSLATE_NOOP("errors", "known key");
+    database::CheckItem item(database::CheckId::known_key);
     item.count = 1;
     const std::string found = database::Audit(store).signing_key();
     if (found.compare(0, key.size(), key) != 0)

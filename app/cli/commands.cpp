@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/cli/terminal.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum::app {
 
@@ -36,7 +37,7 @@ Option store_option() {
 }
 
 Option variant_option() {
-    return {"--variant", "ID", "The variant of the task.", "standard"};
+    return {"--variant", "ID", "The variant of the task.", standard_variant};
 }
 
 Option seed_option() {

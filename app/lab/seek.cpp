@@ -8,8 +8,8 @@
 #include <iostream>
 #include <random>
 
-#include "app/services/frame_store.h"
-#include "app/services/replay_moment.h"
+#include "app/live/frame_store.h"
+#include "app/live/replay_moment.h"
 #include "assessment/assets/assets.h"
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/ghost.h"

@@ -7,14 +7,14 @@
 #include <mutex>
 #include <random>
 
+#include "app/cli/command_line.h"
 #include "app/cli/installed_curriculum.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
-#include "app/services/command_line.h"
+#include "app/live/replay_moment.h"
 #include "app/services/demo.h"
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
-#include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
 #include "app/services/sending.h"
 #include "assessment/assets/assets.h"

@@ -17,7 +17,6 @@ namespace fulcrum::app {
 namespace {
 
 constexpr double gentle_n = 0.3;
-constexpr const char* slot_names[device_slots] = {"left", "right", "scope"};
 
 nlohmann::json to_json(const Durations& durations) {
     return {{"p50", durations.p50_us},
@@ -53,11 +52,11 @@ nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) 
     for (int i = 0; i < device_slots; ++i) {
         if (!client.facts().slot[i]) continue;
         const DevicePose& pose = trial.newest[i];
-        document["poses"][slot_names[i]] = {{"present", pose.present != 0},
-                                            {"position_m", pose.position},
-                                            {"roll_rad", pose.roll},
-                                            {"jaw", pose.jaw},
-                                            {"buttons", pose.buttons}};
+        document["poses"][device_slot_names[i]] = {{"present", pose.present != 0},
+                                                   {"position_m", pose.position},
+                                                   {"roll_rad", pose.roll},
+                                                   {"jaw", pose.jaw},
+                                                   {"buttons", pose.buttons}};
     }
     return document;
 }
@@ -82,7 +81,7 @@ void print_trial(const DaemonClient& client, const DeviceTrial& trial) {
     for (int i = 0; i < device_slots; ++i) {
         if (!client.facts().slot[i]) continue;
         const DevicePose& pose = trial.newest[i];
-        std::cout << slot_names[i] << ": ";
+        std::cout << device_slot_names[i] << ": ";
         if (pose.present == 0) {
             std::cout << "does not answer\n";
             continue;

@@ -135,13 +135,12 @@ std::optional<ui::DeviceReadings> Devices::readings() {
         return now;
     }
     if (client_ == nullptr || client_->poll() != DaemonClient::Health::good) return std::nullopt;
-    constexpr const char* names[device_slots] = {"left", "right", "scope"};
     ui::DeviceReadings now;
     std::uint64_t count = 0;
     for (int i = 0; i < device_slots; ++i) {
         DevicePose pose;
         if (!client_->facts().slot[i] || !client_->state().pose[i].read(pose)) continue;
-        now.held.push_back({names[i], pose.present != 0,
+        now.held.push_back({device_slot_names[i], pose.present != 0,
                             Vector3(pose.position[0], pose.position[1], pose.position[2]), pose.jaw,
                             pose.buttons});
         count = std::max(count, pose.sequence);

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "app/services/frame_store.h"
-#include "app/services/replay_moment.h"
+#include "app/live/frame_store.h"
+#include "app/live/replay_moment.h"
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/replay_cursor.h"
 #include "sim_core/haptics/loop.h"

@@ -161,12 +161,11 @@ bool CheckWatch::report() {
 CheckReport check_store(const Store& store, const StoreProgress& progress) {
     CheckReport report;
     CheckWatch watch(store.connection(), progress);
-    const auto look = [&](double from, double to, const char* name,
+    const auto look = [&](double from, double to, CheckId id,
                           const std::function<void(CheckItem&)>& checker) {
         if (!report.complete) return;
-        watch.begin(from, to, name);
-        CheckItem item;
-        item.name = name;
+        CheckItem item(id);
+        watch.begin(from, to, item.name.c_str());
         try {
             if (!watch.stopped()) checker(item);
         } catch (const StoreError& error) {
@@ -184,11 +183,9 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
         report.ok = report.ok && item.ok;
         report.items.push_back(std::move(item));
     };
-    look(0, 0.25, QT_TRANSLATE_NOOP("errors", "integrity"),
-         [&](CheckItem& item) { check_integrity(store, item); });
-    look(0.25, 0.3, QT_TRANSLATE_NOOP("errors", "foreign keys"),
-         [&](CheckItem& item) { check_foreign_keys(store, item); });
-    look(0.3, 0.4, QT_TRANSLATE_NOOP("errors", "audit chain"), [&](CheckItem& item) {
+    look(0, 0.25, CheckId::integrity, [&](CheckItem& item) { check_integrity(store, item); });
+    look(0.25, 0.3, CheckId::foreign_keys, [&](CheckItem& item) { check_foreign_keys(store, item); });
+    look(0.3, 0.4, CheckId::audit_chain, [&](CheckItem& item) {
         const Audit audit(store);
         item.count = audit.count();
         item.problems = audit.verify();
@@ -198,26 +195,20 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
                   with_signatures = 14;
     const int schema = store.found_schema();
     if (schema >= with_signatures)
-        look(0.4, 0.4, QT_TRANSLATE_NOOP("errors", "signatures"),
+        look(0.4, 0.4, CheckId::signatures,
              [&](CheckItem& item) { item.problems = Audit(store).verify_signatures(item.count); });
     if (schema >= with_attempts)
-        look(0.4, 0.8, QT_TRANSLATE_NOOP("errors", "trace checksums"),
-             [&](CheckItem& item) { check_traces(store, item, watch); });
+        look(0.4, 0.8, CheckId::trace_checksums, [&](CheckItem& item) { check_traces(store, item, watch); });
     // The digests are over columns up to the newest schema; after a migration they are compared as well.
     if (schema == Store::schema_version())
-        look(0.8, 0.9, QT_TRANSLATE_NOOP("errors", "records"),
-             [&](CheckItem& item) { check_records(store, item, watch); });
+        look(0.8, 0.9, CheckId::records, [&](CheckItem& item) { check_records(store, item, watch); });
     if (schema >= with_pathology)
-        look(0.9, 1, QT_TRANSLATE_NOOP("errors", "score digests"),
-             [&](CheckItem& item) { check_scores(store, item); });
+        look(0.9, 1, CheckId::score_digests, [&](CheckItem& item) { check_scores(store, item); });
     if (schema >= with_scenes)
-        look(1, 1, QT_TRANSLATE_NOOP("errors", "scenes"),
-             [&](CheckItem& item) { check_scenes(store, item); });
+        look(1, 1, CheckId::scenes, [&](CheckItem& item) { check_scenes(store, item); });
     if (schema >= with_decisions)
-        look(1, 1, QT_TRANSLATE_NOOP("errors", "decisions"),
-             [&](CheckItem& item) { check_overrides(store, item); });
-    look(1, 1, QT_TRANSLATE_NOOP("errors", "permissions"),
-         [&](CheckItem& item) { check_permissions(store, item); });
+        look(1, 1, CheckId::decisions, [&](CheckItem& item) { check_overrides(store, item); });
+    look(1, 1, CheckId::permissions, [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }
 

@@ -49,9 +49,8 @@ void take_word(IgtlSpecification& wanted, const std::string& word) {
     const std::size_t equals = word.find('=');
     const std::string key = word.substr(0, equals);
     const std::string value = equals == std::string::npos ? std::string() : word.substr(equals + 1);
-    constexpr const char* slot_keys[device_slots] = {"left", "right", "scope"};
     for (std::size_t i = 0; i < device_slots; ++i) {
-        if (key != slot_keys[i]) continue;
+        if (key != device_slot_names[i]) continue;
         if (value.empty() || value.size() > igtl::device_size) refuse_word(word);
         wanted.tool[i] = value;
         wanted.named[i] = true;

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "ui/language/language.h"
 #include "ui/page/background_job.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/renderer/drawing_pace.h"

@@ -9,9 +9,9 @@
 #include <QPushButton>
 
 #include "tests/ui/screens.h"
+#include "ui/language/language.h"
 #include "ui/shell/frame_check.h"
 #include "ui/style/appearance.h"
-#include "ui/style/language.h"
 
 namespace fulcrum::ui::window_test {
 namespace {

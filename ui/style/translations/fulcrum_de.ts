@@ -5594,6 +5594,22 @@
         <source>name the exercise and the person who performed it</source>
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
+    <message>
+        <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
+        <translation>löschen Sie DISPLAY und WAYLAND_DISPLAY, um ohne Bildschirm zu zeichnen</translation>
+    </message>
+    <message>
+        <source>no display can be opened</source>
+        <translation>es lässt sich kein Bildschirm öffnen</translation>
+    </message>
+    <message>
+        <source>no display can be opened (%1)</source>
+        <translation>es lässt sich kein Bildschirm öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>start fulcrum on a desktop, or use its commands, which need no display (fulcrum --help lists them)</source>
+        <translation>starten Sie fulcrum auf einer grafischen Oberfläche, oder verwenden Sie seine Befehle, die keinen Bildschirm brauchen (fulcrum --help nennt sie)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>

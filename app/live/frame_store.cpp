@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/frame_store.h"
+#include "app/live/frame_store.h"
 
 #include <algorithm>
 

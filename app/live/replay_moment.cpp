@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/replay_moment.h"
+#include "app/live/replay_moment.h"
 
 #include <algorithm>
 
