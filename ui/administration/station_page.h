@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop.
+// stop; the key with which it signs.
 #pragma once
 
 #include "database/store/store.h"
 #include "ui/page/context.h"
 
+class QFrame;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -27,14 +29,19 @@ class StationPage : public Page {
   private:
     QFrame* build_check();
     QFrame* build_backup();
+    QFrame* build_key();
+    void show_keys();
+    void change_key();
     void ask_backup();
     void show_report(const database::CheckReport& report);
     void start(BackgroundJob* job, const QString& line);
     void ended();
 
     QLabel *place_, *verdict_;
-    QTableWidget* items_;
-    QPushButton *check_, *backup_;
+    QTableWidget *items_, *keys_;
+    QFrame* key_card_;
+    QLineEdit* key_reason_;
+    QPushButton *check_, *backup_, *change_key_;
     JobBar* bar_;
     BackgroundJob* job_ = nullptr;
 };
