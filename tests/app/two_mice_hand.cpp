@@ -75,10 +75,20 @@ void TwoMiceHand::push(int h) {
     if (sent_[h].isValid() && is == was_[h] && sent_[h].elapsed() < taken_within_ms) return;
     was_[h] = is;
     sent_[h].invalidate();
-    const auto notches = static_cast<int>(std::lround((is.norm() - wanted.norm()) / metres_per_notch));
+    const double deeper = is.norm() - wanted.norm();
+    const auto notches = static_cast<int>(deeper / metres_per_notch);
+    const auto little =
+        static_cast<int>(std::lround((deeper - notches * metres_per_notch) / metres_per_pixel));
     if (notches != 0) {
         mice_.wheel(h, notches);
         events_ += std::abs(notches);
+        sent_[h].start();
+    }
+    if (std::abs(little) > 1) {
+        hold(h, turning_button, true);
+        mice_.move(h, 0, -little);
+        hold(h, turning_button, false);
+        ++events_;
         sent_[h].start();
     }
     const Eigen::Vector2d across =
