@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum devices: what is connected, what is not and why; and a test of one device.
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -115,7 +117,39 @@ int test_controller(const Arguments& arguments, const std::string& named) {
     return trial.connected ? 0 : 1;
 }
 
+/// What is no device for this test is named before anything is opened.
+void require_testable(const std::string& specification) {
+    constexpr const char* testable[] = {"touch",       "force-dimension", "haply",  "controller",
+                                        "openigtlink", "space-mouse",     "virtual"};
+    const std::size_t colon = specification.find(':');
+    const std::string kind = specification.substr(0, colon);
+    if (kind == "mouse-keyboard" || kind == "two-mice")
+        throw UsageError("--test " + specification,
+                         QT_TRANSLATE_NOOP("errors", "needs a window: mice and keys are read there"),
+                         QT_TRANSLATE_NOOP("errors", "start fulcrum and try it on the page Settings"));
+    if (kind == "virtual" && (colon == std::string::npos || colon + 1 == specification.size()))
+        throw UsageError("--test " + specification, QT_TRANSLATE_NOOP("errors", "names no script"),
+                         QT_TRANSLATE_NOOP("errors", "write --test virtual:SCRIPT.json"));
+    std::string names;
+    for (const char* one : testable) {
+        if (kind == one) return;
+        names += (names.empty() ? "" : ", ") + std::string(one);
+    }
+    std::string small = kind;
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool capitals =
+        std::any_of(std::begin(testable), std::end(testable), [&](const char* one) { return small == one; });
+    if (capitals)
+        throw UsageError("--test " + specification,
+                         QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+                         {QT_TRANSLATE_NOOP("errors", "write it in small letters: --test %1"), small});
+    throw UsageError(
+        "--test " + specification, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+        {QT_TRANSLATE_NOOP("errors", "use one of %1; `fulcrum devices` lists what is connected"), names});
+}
+
 int test_device(const Arguments& arguments, const std::string& specification) {
+    require_testable(specification);
     if (specification == "controller" || specification.rfind("controller:", 0) == 0)
         return test_controller(arguments, specification);
     if (arguments.has("--rumble"))
@@ -166,9 +200,8 @@ Command devices_command() {
             0,
             "Lists the devices for the hands: what is connected, what is not, why and what to do.",
             {{"--test", "DEVICE",
-              "Open this device (touch, force-dimension, controller, openigtlink:HOST:PORT, space-mouse, "
-              "virtual:SCRIPT.json) and measure rate, "
-              "jitter and delays."},
+              "Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, "
+              "space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays."},
              {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
              {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},
              {"--rumble", "", "Let a game controller rumble for half a second."},
