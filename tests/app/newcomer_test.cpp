@@ -12,6 +12,7 @@
 #include "tests/app/controller_hand.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
+#include "tests/app/program_path.h"
 #include "tests/app/two_mice_hand.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
@@ -57,8 +58,9 @@ class Newcomer : public Window {
     }
     /// An instrument presses on the target that is lit.
     bool touched() {
+        constexpr double felt = 0.02;  // N
         const TaskDisplay& display = theatre().session()->display();
-        return display.goal_progress > 0 || display.hold_progress > 0;
+        return display.hold_progress > 0 && std::max(display.force[0], display.force[1]) > felt;
     }
     /// `hand` works until the first target is touched; `unit` names what its events are.
     template <typename Work>
@@ -154,8 +156,15 @@ TEST_F(NewcomerWithController, TouchesTheFirstTarget) {
                 [this](ObservingRig& mind) { return ControllerHand(theatre(), mind, pad); });
 }
 
+/// fulcrum-hapticd next to the program.
+std::string newcomers_daemon() {
+    const std::string program = program_path();
+    return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
+}
+
 /// Both hands by devices whose pose a test sets.
 struct NewcomersTouch {
+    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
     fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
     Variable library{"FULCRUM_LIBHD", std::string(FULCRUM_FAKES) + "/libHD.so"};
     Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
@@ -175,6 +184,7 @@ TEST_F(NewcomerWithTouch, TouchesTheFirstTarget) {
 }
 
 struct NewcomersHaply {
+    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
     fulcrum::test::FakeHaply haply{{{"0A11", "left"}, {"0B22", "right"}}};
     Variable device{"FULCRUM_DEVICE", haply.specification()};
 };
@@ -192,6 +202,7 @@ TEST_F(NewcomerWithHaply, TouchesTheFirstTarget) {
 }
 
 struct NewcomersTracker {
+    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
     fulcrum::test::FakeTracker tracker{{"LeftTipToPatient", "RightTipToPatient"}};
     Variable device{"FULCRUM_DEVICE", "openigtlink:" + tracker.address() +
                                           ",left=LeftTipToPatient,right=RightTipToPatient,length=0"};
