@@ -5802,6 +5802,10 @@
         <source>use one of %1; `fulcrum devices` lists what is connected</source>
         <translation>verwenden Sie eines von %1; `fulcrum devices` listet auf, was angeschlossen ist</translation>
     </message>
+    <message>
+        <source>libwebsockets, which speaks with it, does not start</source>
+        <translation>libwebsockets, das mit ihm spricht, startet nicht</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
