@@ -3,7 +3,9 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -121,7 +123,10 @@ void StationPage::show_keys() {
                                                   : tr("✕ not announced by the key before it")));
     }
     fit_columns(keys_);
-    fit_rows(keys_);
+    constexpr int most_rows = 6;
+    int height = keys_->horizontalHeader()->sizeHint().height() + 2 * keys_->frameWidth();
+    for (int row = 0; row < std::min(most_rows, keys_->rowCount()); ++row) height += keys_->rowHeight(row);
+    keys_->setFixedHeight(height);
 }
 
 void StationPage::change_key() {
