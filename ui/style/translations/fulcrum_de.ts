@@ -5579,20 +5579,88 @@
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
     <message>
-        <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
-        <translation>löschen Sie DISPLAY und WAYLAND_DISPLAY, um ohne Bildschirm zu zeichnen</translation>
+        <source>%1: signed by the key %2, but the key %3 was announced</source>
+        <translation>%1: vom Schlüssel %2 unterschrieben, angekündigt war aber der Schlüssel %3</translation>
     </message>
     <message>
-        <source>no display can be opened</source>
-        <translation>es lässt sich kein Bildschirm öffnen</translation>
+        <source>%1: signed by the key %2, which ended with row %3</source>
+        <translation>%1: vom Schlüssel %2 unterschrieben, der mit Zeile %3 endete</translation>
     </message>
     <message>
-        <source>no display can be opened (%1)</source>
-        <translation>es lässt sich kein Bildschirm öffnen (%1)</translation>
+        <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
+        <translation>%1: von hier an unterschreibt der Schlüssel %2, den der vorige, %3, nicht angekündigt hat (seine Datei ging verloren, oder jemand anderes hat dies geschrieben)</translation>
     </message>
     <message>
-        <source>start fulcrum on a desktop, or use its commands, which need no display (fulcrum --help lists them)</source>
-        <translation>starten Sie fulcrum auf einer grafischen Oberfläche, oder verwenden Sie seine Befehle, die keinen Bildschirm brauchen (fulcrum --help nennt sie)</translation>
+        <source>%1: does not announce a new key</source>
+        <translation>%1: kündigt keinen neuen Schlüssel an</translation>
+    </message>
+    <message>
+        <source>a new key needs a reason</source>
+        <translation>ein neuer Schlüssel braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>say why: planned, or what may have been copied</source>
+        <translation>sagen Sie, warum: geplant, oder was kopiert worden sein kann</translation>
+    </message>
+    <message>
+        <source>a person who is to be erased is performing at this station</source>
+        <translation>eine Person, die gelöscht werden soll, übt gerade an diesem Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>try again when the attempt has ended</source>
+        <translation>versuchen Sie es noch einmal, wenn der Versuch beendet ist</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
+        <translation>„%1“ wurde mit einer Person zusammengeführt, die auf dem Server gelöscht wurde, der davon nichts wusste: Löschen Sie dort auch %2 (`fulcrum server erase`), oder machen Sie die Zusammenführung rückgängig</translation>
+    </message>
+    <message>
+        <source>%1: the list of erased people: %2</source>
+        <translation>%1: die Liste der gelöschten Personen: %2</translation>
+    </message>
+    <message>
+        <source>put its copy back, or make its folder writable; nothing was erased</source>
+        <translation>legen Sie die Kopie zurück, oder machen Sie den Ordner beschreibbar; es wurde nichts gelöscht</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>nobody is erased in the demonstration</source>
+        <translation>in der Demonstration wird niemand gelöscht</translation>
+    </message>
+    <message>
+        <source>this programme has a server, which would bring the person back</source>
+        <translation>dieses Programm hat einen Server, der die Person zurückbringen würde</translation>
+    </message>
+    <message>
+        <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
+        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jeder Arbeitsplatz folgt bei seinem nächsten Abgleich</translation>
+    </message>
+    <message>
+        <source>the last administrator cannot be erased</source>
+        <translation>der letzte Administrator kann nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>give another person the role first</source>
+        <translation>geben Sie zuerst einer anderen Person die Rolle</translation>
+    </message>
+    <message>
+        <source>an erasure needs a reason</source>
+        <translation>eine Löschung braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>say who asked for it; the reason itself stays, so name nobody in it</source>
+        <translation>sagen Sie, wer darum gebeten hat; der Grund selbst bleibt, nennen Sie darin also keine Namen</translation>
+    </message>
+    <message>
+        <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
+        <translation>die neueste Zeile des Protokolls ist vom Schlüssel %1 unterschrieben, zu dem von %2 keine angekündigten Schlüssel führen: Das Protokoll hat jemand anderes geschrieben, oder der Schlüssel ging verloren</translation>
+    </message>
+    <message>
+        <source>is not such a list</source>
+        <translation>ist keine solche Liste</translation>
     </message>
     <message>
         <source>The Inverse service of Haply ended or closed the connection. Start it again, and end other programs that use the device.</source>
@@ -5613,6 +5681,10 @@
     <message>
         <source>The safety brake of the device has triggered. Let go of the handle for three seconds, then resume; move it more slowly.</source>
         <translation>Die Sicherheitsbremse des Geräts hat ausgelöst. Lassen Sie den Griff drei Sekunden lang los und machen Sie dann weiter; bewegen Sie ihn langsamer.</translation>
+    </message>
+    <message>
+        <source>libwebsockets, which speaks with it, does not start</source>
+        <translation>libwebsockets, das mit ihm spricht, startet nicht</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not the name of a kind of device</source>
@@ -5691,88 +5763,20 @@
         <translation>installieren Sie das Paket libwebsockets17 neu</translation>
     </message>
     <message>
-        <source>%1: signed by the key %2, but the key %3 was announced</source>
-        <translation type="unfinished"></translation>
+        <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
+        <translation>löschen Sie DISPLAY und WAYLAND_DISPLAY, um ohne Bildschirm zu zeichnen</translation>
     </message>
     <message>
-        <source>%1: signed by the key %2, which ended with row %3</source>
-        <translation type="unfinished"></translation>
+        <source>no display can be opened</source>
+        <translation>es lässt sich kein Bildschirm öffnen</translation>
     </message>
     <message>
-        <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
-        <translation type="unfinished"></translation>
+        <source>no display can be opened (%1)</source>
+        <translation>es lässt sich kein Bildschirm öffnen (%1)</translation>
     </message>
     <message>
-        <source>%1: does not announce a new key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a new key needs a reason</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>say why: planned, or what may have been copied</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a person who is to be erased is performing at this station</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>try again when the attempt has ended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: the list of erased people: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>put its copy back, or make its folder writable; nothing was erased</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is not one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is damaged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nobody is erased in the demonstration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>this programme has a server, which would bring the person back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the last administrator cannot be erased</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>give another person the role first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>an erasure needs a reason</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>say who asked for it; the reason itself stays, so name nobody in it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
-        <translation type="unfinished"></translation>
+        <source>start fulcrum on a desktop, or use its commands, which need no display (fulcrum --help lists them)</source>
+        <translation>starten Sie fulcrum auf einer grafischen Oberfläche, oder verwenden Sie seine Befehle, die keinen Bildschirm brauchen (fulcrum --help nennt sie)</translation>
     </message>
     <message>
         <source>needs a window: mice and keys are read there</source>
@@ -5801,10 +5805,6 @@
     <message>
         <source>use one of %1; `fulcrum devices` lists what is connected</source>
         <translation>verwenden Sie eines von %1; `fulcrum devices` listet auf, was angeschlossen ist</translation>
-    </message>
-    <message>
-        <source>libwebsockets, which speaks with it, does not start</source>
-        <translation>libwebsockets, das mit ihm spricht, startet nicht</translation>
     </message>
 </context>
 <context>
@@ -6823,10 +6823,6 @@
         <translation>die Hälfte des Schnitts lag weiter als {value} von der Schicht entfernt, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>apply traction until the plane opens, and follow the middle of the stretched fibres</source>
-        <translation>ziehen Sie, bis sich die Schicht öffnet, und folgen Sie der Mitte der gespannten Fasern</translation>
-    </message>
-    <message>
         <source>Side of the plane</source>
         <translation>Seite der Schicht</translation>
     </message>
@@ -6901,10 +6897,6 @@
     <message>
         <source>{value} of the line was divided, below the required {limit}</source>
         <translation>{value} der Linie wurden durchtrennt, unter dem geforderten Wert von {limit}</translation>
-    </message>
-    <message>
-        <source>apply less traction, and go back along the line and divide the bridges that are left</source>
-        <translation>ziehen Sie weniger, gehen Sie die Linie noch einmal ab und durchtrennen Sie die verbliebenen Brücken</translation>
     </message>
     <message>
         <source>Safe use of energy</source>
@@ -6999,10 +6991,6 @@
         <translation>{value} Gefäße wurden offen gerissen oder durchtrennt, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>clip or seal a vessel before it is divided, and apply less traction</source>
-        <translation>clippen oder versiegeln Sie ein Gefäß, bevor es durchtrennt wird, und ziehen Sie weniger</translation>
-    </message>
-    <message>
         <source>Nerve injured</source>
         <translation>Nerv verletzt</translation>
     </message>
@@ -7045,10 +7033,6 @@
     <message>
         <source>the force rose to {value}, above the limit of {limit}</source>
         <translation>die Kraft stieg auf {value}, über dem Grenzwert von {limit}</translation>
-    </message>
-    <message>
-        <source>approach slowly, and stop when the tissue no longer yields</source>
-        <translation>nähern Sie sich langsam, und ziehen Sie nicht weiter, wenn das Gewebe nicht mehr nachgibt</translation>
     </message>
     <message>
         <source>Force variation</source>
@@ -7141,10 +7125,6 @@
     <message>
         <source>the force varied in all directions: volume {value}, above the limit of {limit}</source>
         <translation>die Kraft schwankte in alle Richtungen: Volumen {value}, über dem Grenzwert von {limit}</translation>
-    </message>
-    <message>
-        <source>decide on one direction of traction and keep it</source>
-        <translation>entscheiden Sie sich für eine Zugrichtung und behalten Sie sie bei</translation>
     </message>
     <message>
         <source>Time above the force limit</source>
@@ -7263,10 +7243,6 @@
         <translation>Gewebe rutschte {value}-mal ab, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>take a larger bite before you apply traction</source>
-        <translation>fassen Sie mehr Gewebe, bevor Sie ziehen</translation>
-    </message>
-    <message>
         <source>Repeated grasps</source>
         <translation>Wiederholte Griffe</translation>
     </message>
@@ -7277,10 +7253,6 @@
     <message>
         <source>the same place was grasped again {value} times, above the limit of {limit}</source>
         <translation>dieselbe Stelle wurde {value}-mal erneut gefasst, über dem Grenzwert von {limit}</translation>
-    </message>
-    <message>
-        <source>place the jaws where you will apply traction, then close once</source>
-        <translation>setzen Sie das Maul dort an, wo Sie ziehen werden, und schließen Sie es dann einmal</translation>
     </message>
     <message>
         <source>Drops</source>
@@ -7745,6 +7717,34 @@
     <message>
         <source>restore the tension on the patient&apos;s left before you cut there</source>
         <translation>stellen Sie auf der linken Seite des Patienten die Spannung wieder her, bevor Sie dort schneiden</translation>
+    </message>
+    <message>
+        <source>apply traction until the plane opens, and follow the middle of the stretched fibres</source>
+        <translation>ziehen Sie, bis sich die Schicht öffnet, und folgen Sie der Mitte der gespannten Fasern</translation>
+    </message>
+    <message>
+        <source>apply less traction, and go back along the line and divide the bridges that are left</source>
+        <translation>ziehen Sie weniger, gehen Sie die Linie noch einmal ab und durchtrennen Sie die verbliebenen Brücken</translation>
+    </message>
+    <message>
+        <source>clip or seal a vessel before it is divided, and apply less traction</source>
+        <translation>clippen oder versiegeln Sie ein Gefäß, bevor es durchtrennt wird, und ziehen Sie weniger</translation>
+    </message>
+    <message>
+        <source>approach slowly, and stop when the tissue no longer yields</source>
+        <translation>nähern Sie sich langsam, und ziehen Sie nicht weiter, wenn das Gewebe nicht mehr nachgibt</translation>
+    </message>
+    <message>
+        <source>decide on one direction of traction and keep it</source>
+        <translation>entscheiden Sie sich für eine Zugrichtung und behalten Sie sie bei</translation>
+    </message>
+    <message>
+        <source>take a larger bite before you apply traction</source>
+        <translation>fassen Sie mehr Gewebe, bevor Sie ziehen</translation>
+    </message>
+    <message>
+        <source>place the jaws where you will apply traction, then close once</source>
+        <translation>setzen Sie das Maul dort an, wo Sie ziehen werden, und schließen Sie es dann einmal</translation>
     </message>
 </context>
 <context>
@@ -11094,12 +11094,12 @@ Kennzahlen: %2</translation>
         <translation>Gestrichelt und in Klammern: die geltende Regel, %1.</translation>
     </message>
     <message>
-        <source>Every pass raises a sum, every failure lowers it more, never below 0; a trainee who reaches the limit is proficient.</source>
-        <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
-    </message>
-    <message>
         <source>This is the rule in force.</source>
         <translation>Das ist die geltende Regel.</translation>
+    </message>
+    <message>
+        <source>Every pass raises a sum, every failure lowers it more, never below 0; a trainee who reaches the limit is proficient.</source>
+        <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
     </message>
 </context>
 <context>
@@ -11335,6 +11335,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Bild</translation>
     </message>
     <message>
+        <source>The scene cannot be drawn on this machine: %1</source>
+        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
+    </message>
+    <message>
         <source>Drawn by: %1</source>
         <translation>Gezeichnet von: %1</translation>
     </message>
@@ -11357,10 +11361,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
         <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
-    </message>
-    <message>
-        <source>The scene cannot be drawn on this machine: %1</source>
-        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
     </message>
 </context>
 <context>
@@ -12550,51 +12550,51 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel</translation>
     </message>
     <message>
         <source>The station signs its audit log with a key, and reports print its name. Change the key when its file may have been copied, or when somebody who could read it leaves. The old key announces the new one; what it signed stays valid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsplatz unterschreibt sein Protokoll mit einem Schlüssel, dessen Namen Berichte nennen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann oder wenn jemand geht, der sie lesen konnte. Der alte Schlüssel kündigt den neuen an; was er unterschrieben hat, bleibt gültig.</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished">Von</translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>Until</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>How it began</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie er begann</translation>
     </message>
     <message>
         <source>Why the key is changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum der Schlüssel gewechselt wird</translation>
     </message>
     <message>
         <source>Change the key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel wechseln</translation>
     </message>
     <message>
         <source>in use</source>
-        <translation type="unfinished"></translation>
+        <translation>in Gebrauch</translation>
     </message>
     <message>
         <source>the first</source>
-        <translation type="unfinished"></translation>
+        <translation>der erste</translation>
     </message>
     <message>
         <source>✓ announced by the key before it</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ vom vorigen Schlüssel angekündigt</translation>
     </message>
     <message>
         <source>✕ not announced by the key before it</source>
-        <translation type="unfinished"></translation>
+        <translation>✕ vom vorigen Schlüssel nicht angekündigt</translation>
     </message>
     <message>
         <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsplatz unterschreibt von jetzt an mit dem Schlüssel %1. Bewahren Sie eine Kopie seiner Datei auf.</translation>
     </message>
 </context>
 <context>
@@ -13282,15 +13282,15 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>First row signed by the new key</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Zeile mit dem neuen Schlüssel</translation>
     </message>
     <message>
         <source>New key of the station announced</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Schlüssel des Arbeitsplatzes angekündigt</translation>
     </message>
     <message>
         <source>Keys of the station: all</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel des Arbeitsplatzes: alle</translation>
     </message>
 </context>
 <context>
@@ -13564,11 +13564,11 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>change the station&apos;s key</source>
-        <translation type="unfinished"></translation>
+        <translation>den Schlüssel des Arbeitsplatzes wechseln</translation>
     </message>
     <message>
         <source>erase this person</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Person löschen</translation>
     </message>
 </context>
 <context>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Key frames of a replay: differences give back every byte, seeks continue bit for bit from every frame, and
 // the store keeps within its bound.
-#include "app/services/frame_store.h"
+#include "app/live/frame_store.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "app/services/state_difference.h"
+#include "app/live/state_difference.h"
 #include "sim_core/numerics/state_archive.h"
 #include "tests/assessment/attempt/expert_record.h"
 
