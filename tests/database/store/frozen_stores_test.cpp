@@ -186,9 +186,10 @@ TEST_P(FrozenStore, BecomesOneOfTodayWithEveryRow) {
     EXPECT_EQ(store.interrupted_at_open().size(), GetParam() >= 2 ? 1U : 0U)
         << "the attempt whose program was killed";
     const Session station = store.station_session();
-    const std::string imported = ExternalAttempts(store).add(
-        station,
-        box_attempt(People(store).ensure_synthetic(station, "external-box", "Box", PersonKind::external).id));
+    ExternalAttempt box =
+        box_attempt(People(store).ensure_synthetic(station, "external-box", "Box", PersonKind::external).id);
+    box.performed = store.now() - 1000;
+    const std::string imported = ExternalAttempts(store).add(station, box);
     EXPECT_EQ(ExternalAttempts(store).trace(station, imported), box_trace);
     expect_sound(store);
     store.connection().execute("UPDATE person SET display_name = 'Forged' WHERE login_key = 'ann'");
