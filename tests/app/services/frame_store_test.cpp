@@ -109,7 +109,7 @@ TEST_P(Frames, EveryStateComesBackAndContinuesBitForBit) {
     ReplayCursor cursor(engine, made.record);
     std::mt19937 random(4);
     for (int i = 0; i < 12; ++i) {
-        const std::uint32_t tick = random() % 12'000;
+        const auto tick = static_cast<std::uint32_t>(random() % 12'000);
         frames.put(tick, cursor);
         EXPECT_EQ(cursor.tick(), frames.before(tick));
         cursor.run_to(tick);
