@@ -157,9 +157,12 @@ void TraceImportCard::enter() {
                 person_->addItem(text(person.display_name), text(person.id));
         person_->setCurrentIndex(std::max(0, person_->findData(before)));
         if (mapping_->count() > 0) return;
-        mapping_->addItem(tr("Trace of Fulcrum (CSV)"), own_format);
-        for (const DeliveredMapping& one : delivered_mappings())
-            mapping_->addItem(asset_text(one.title), text(one.path));
+        mapping_->addItem(tr("Fulcrum (CSV)"), own_format);
+        // The first word is the format's name; the whole title has no room with large text.
+        for (const DeliveredMapping& one : delivered_mappings()) {
+            mapping_->addItem(text(one.title).section(QLatin1Char(' '), 0, 0), text(one.path));
+            mapping_->setItemData(mapping_->count() - 1, asset_text(one.title), Qt::ToolTipRole);
+        }
         mapping_->addItem(tr("Another mapping file …"), another_file);
     });
 }

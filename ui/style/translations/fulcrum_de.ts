@@ -12827,8 +12827,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Person wählen</translation>
     </message>
     <message>
-        <source>Trace of Fulcrum (CSV)</source>
-        <translation>Aufzeichnung von Fulcrum (CSV)</translation>
+        <source>Fulcrum (CSV)</source>
+        <translation>Fulcrum (CSV)</translation>
     </message>
     <message>
         <source>Another mapping file …</source>
