@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "database/store/signing_keys.h"
+#include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
-#include "ui/language/error_text.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

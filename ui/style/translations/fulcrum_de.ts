@@ -5579,88 +5579,96 @@
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
     <message>
-        <source>%1: signed by the key %2, but the key %3 was announced</source>
-        <translation>%1: vom Schlüssel %2 unterschrieben, angekündigt war aber der Schlüssel %3</translation>
+        <source>&lt;%1&gt; has no attribute %2</source>
+        <translation>&lt;%1&gt; hat kein Attribut %2</translation>
     </message>
     <message>
-        <source>%1: signed by the key %2, which ended with row %3</source>
-        <translation>%1: vom Schlüssel %2 unterschrieben, der mit Zeile %3 endete</translation>
+        <source>record it again with PerkTutor, or remove this element</source>
+        <translation>nehmen Sie es mit PerkTutor neu auf, oder entfernen Sie dieses Element</translation>
     </message>
     <message>
-        <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
-        <translation>%1: von hier an unterschreibt der Schlüssel %2, den der vorige, %3, nicht angekündigt hat (seine Datei ging verloren, oder jemand anderes hat dies geschrieben)</translation>
+        <source>the file ends within an element</source>
+        <translation>die Datei endet mitten in einem Element</translation>
     </message>
     <message>
-        <source>%1: does not announce a new key</source>
-        <translation>%1: kündigt keinen neuen Schlüssel an</translation>
+        <source>the recording was cut off: copy the file again</source>
+        <translation>die Aufzeichnung ist abgeschnitten: kopieren Sie die Datei noch einmal</translation>
     </message>
     <message>
-        <source>a new key needs a reason</source>
-        <translation>ein neuer Schlüssel braucht einen Grund</translation>
+        <source>the attributes of &lt;%1&gt; cannot be read</source>
+        <translation>die Attribute von &lt;%1&gt; sind nicht lesbar</translation>
     </message>
     <message>
-        <source>say why: planned, or what may have been copied</source>
-        <translation>sagen Sie, warum: geplant, oder was kopiert worden sein kann</translation>
+        <source>choose a recording that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung, die PerkTutor als XML gespeichert hat</translation>
     </message>
     <message>
-        <source>a person who is to be erased is performing at this station</source>
-        <translation>eine Person, die gelöscht werden soll, übt gerade an diesem Arbeitsplatz</translation>
+        <source>attribute %1 has more than %2 bytes</source>
+        <translation>Attribut %1 hat mehr als %2 Bytes</translation>
     </message>
     <message>
-        <source>try again when the attempt has ended</source>
-        <translation>versuchen Sie es noch einmal, wenn der Versuch beendet ist</translation>
+        <source>poses have a time already</source>
+        <translation>Posen haben schon eine Zeit</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
-        <translation>„%1“ wurde mit einer Person zusammengeführt, die auf dem Server gelöscht wurde, der davon nichts wusste: Löschen Sie dort auch %2 (`fulcrum server erase`), oder machen Sie die Zusammenführung rückgängig</translation>
+        <source>does not name a device and an entry of its pose</source>
+        <translation>nennt kein Gerät mit einem Eintrag seiner Pose</translation>
     </message>
     <message>
-        <source>%1: the list of erased people: %2</source>
-        <translation>%1: die Liste der gelöschten Personen: %2</translation>
+        <source>write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x</source>
+        <translation>schreiben Sie GERÄT.x, .y oder .z, oder für eine Achse GERÄT.z_axis.x</translation>
     </message>
     <message>
-        <source>put its copy back, or make its folder writable; nothing was erased</source>
-        <translation>legen Sie die Kopie zurück, oder machen Sie den Ordner beschreibbar; es wurde nichts gelöscht</translation>
+        <source>has no meaning for a recording of poses</source>
+        <translation>hat bei einer Aufzeichnung von Posen keine Bedeutung</translation>
     </message>
     <message>
-        <source>is damaged</source>
-        <translation>ist beschädigt</translation>
+        <source>%1 is not a number: &quot;%2&quot;</source>
+        <translation>%1 ist keine Zahl: „%2“</translation>
     </message>
     <message>
-        <source>nobody is erased in the demonstration</source>
-        <translation>in der Demonstration wird niemand gelöscht</translation>
+        <source>remove this element, or record again</source>
+        <translation>entfernen Sie dieses Element, oder nehmen Sie neu auf</translation>
     </message>
     <message>
-        <source>this programme has a server, which would bring the person back</source>
-        <translation>dieses Programm hat einen Server, der die Person zurückbringen würde</translation>
+        <source>the time is out of range</source>
+        <translation>die Zeit liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
-        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jeder Arbeitsplatz folgt bei seinem nächsten Abgleich</translation>
+        <source>transform has not 16 numbers by rows, the last four of them 0 0 0 1 (numbers: %1)</source>
+        <translation>transform hat nicht 16 Zahlen zeilenweise, die letzten vier davon 0 0 0 1 (Zahlen: %1)</translation>
     </message>
     <message>
-        <source>the last administrator cannot be erased</source>
-        <translation>der letzte Administrator kann nicht gelöscht werden</translation>
+        <source>choose a recording of rigid tools that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung starrer Werkzeuge, die PerkTutor als XML gespeichert hat</translation>
     </message>
     <message>
-        <source>give another person the role first</source>
-        <translation>geben Sie zuerst einer anderen Person die Rolle</translation>
+        <source>more than %1 devices</source>
+        <translation>mehr als %1 Geräte</translation>
     </message>
     <message>
-        <source>an erasure needs a reason</source>
-        <translation>eine Löschung braucht einen Grund</translation>
+        <source>does not begin with &lt;TransformRecorderLog&gt;</source>
+        <translation>beginnt nicht mit &lt;TransformRecorderLog&gt;</translation>
     </message>
     <message>
-        <source>say who asked for it; the reason itself stays, so name nobody in it</source>
-        <translation>sagen Sie, wer darum gebeten hat; der Grund selbst bleibt, nennen Sie darin also keine Namen</translation>
+        <source>DeviceName is empty, too long or not UTF-8</source>
+        <translation>DeviceName ist leer, zu lang oder kein UTF-8</translation>
     </message>
     <message>
-        <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
-        <translation>die neueste Zeile des Protokolls ist vom Schlüssel %1 unterschrieben, zu dem von %2 keine angekündigten Schlüssel führen: Das Protokoll hat jemand anderes geschrieben, oder der Schlüssel ging verloren</translation>
+        <source>name the device in 3D Slicer and record again</source>
+        <translation>benennen Sie das Gerät in 3D Slicer und nehmen Sie neu auf</translation>
     </message>
     <message>
-        <source>is not such a list</source>
-        <translation>ist keine solche Liste</translation>
+        <source>the file ends without &lt;/TransformRecorderLog&gt;</source>
+        <translation>die Datei endet ohne &lt;/TransformRecorderLog&gt;</translation>
+    </message>
+    <message>
+        <source>there is no pose of the device %1</source>
+        <translation>es gibt keine Pose des Geräts %1</translation>
+    </message>
+    <message>
+        <source>name one of these in the mapping: %1</source>
+        <translation>nennen Sie eines davon in der Zuordnung: %1</translation>
     </message>
     <message>
         <source>The Inverse service of Haply ended or closed the connection. Start it again, and end other programs that use the device.</source>
@@ -5761,6 +5769,90 @@
     <message>
         <source>install the package libwebsockets17 again</source>
         <translation>installieren Sie das Paket libwebsockets17 neu</translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, but the key %3 was announced</source>
+        <translation>%1: vom Schlüssel %2 unterschrieben, angekündigt war aber der Schlüssel %3</translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, which ended with row %3</source>
+        <translation>%1: vom Schlüssel %2 unterschrieben, der mit Zeile %3 endete</translation>
+    </message>
+    <message>
+        <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
+        <translation>%1: von hier an unterschreibt der Schlüssel %2, den der vorige, %3, nicht angekündigt hat (seine Datei ging verloren, oder jemand anderes hat dies geschrieben)</translation>
+    </message>
+    <message>
+        <source>%1: does not announce a new key</source>
+        <translation>%1: kündigt keinen neuen Schlüssel an</translation>
+    </message>
+    <message>
+        <source>a new key needs a reason</source>
+        <translation>ein neuer Schlüssel braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>say why: planned, or what may have been copied</source>
+        <translation>sagen Sie, warum: geplant, oder was kopiert worden sein kann</translation>
+    </message>
+    <message>
+        <source>a person who is to be erased is performing at this station</source>
+        <translation>eine Person, die gelöscht werden soll, übt gerade an diesem Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>try again when the attempt has ended</source>
+        <translation>versuchen Sie es noch einmal, wenn der Versuch beendet ist</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
+        <translation>„%1“ wurde mit einer Person zusammengeführt, die auf dem Server gelöscht wurde, der davon nichts wusste: Löschen Sie dort auch %2 (`fulcrum server erase`), oder machen Sie die Zusammenführung rückgängig</translation>
+    </message>
+    <message>
+        <source>%1: the list of erased people: %2</source>
+        <translation>%1: die Liste der gelöschten Personen: %2</translation>
+    </message>
+    <message>
+        <source>put its copy back, or make its folder writable; nothing was erased</source>
+        <translation>legen Sie die Kopie zurück, oder machen Sie den Ordner beschreibbar; es wurde nichts gelöscht</translation>
+    </message>
+    <message>
+        <source>is not such a list</source>
+        <translation>ist keine solche Liste</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>nobody is erased in the demonstration</source>
+        <translation>in der Demonstration wird niemand gelöscht</translation>
+    </message>
+    <message>
+        <source>this programme has a server, which would bring the person back</source>
+        <translation>dieses Programm hat einen Server, der die Person zurückbringen würde</translation>
+    </message>
+    <message>
+        <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
+        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jeder Arbeitsplatz folgt bei seinem nächsten Abgleich</translation>
+    </message>
+    <message>
+        <source>the last administrator cannot be erased</source>
+        <translation>der letzte Administrator kann nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>give another person the role first</source>
+        <translation>geben Sie zuerst einer anderen Person die Rolle</translation>
+    </message>
+    <message>
+        <source>an erasure needs a reason</source>
+        <translation>eine Löschung braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>say who asked for it; the reason itself stays, so name nobody in it</source>
+        <translation>sagen Sie, wer darum gebeten hat; der Grund selbst bleibt, nennen Sie darin also keine Namen</translation>
+    </message>
+    <message>
+        <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
+        <translation>die neueste Zeile des Protokolls ist vom Schlüssel %1 unterschrieben, zu dem von %2 keine angekündigten Schlüssel führen: Das Protokoll hat jemand anderes geschrieben, oder der Schlüssel ging verloren</translation>
     </message>
     <message>
         <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
@@ -8389,6 +8481,14 @@
     <message>
         <source>attempts: %1</source>
         <translation>Versuche: %1</translation>
+    </message>
+    <message>
+        <source>The trace was imported as an external attempt.</source>
+        <translation>Die Aufzeichnung wurde als externer Versuch importiert.</translation>
+    </message>
+    <message>
+        <source>Import a trace …</source>
+        <translation>Aufzeichnung importieren …</translation>
     </message>
 </context>
 <context>
@@ -12961,6 +13061,157 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Attempts: %1, awaiting rating: %2</source>
         <translation>Versuche: %1, davon mit ausstehender Beurteilung: %2</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::TraceImportCard</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Read the file</source>
+        <translation>Datei lesen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Column in the file</source>
+        <translation>Spalte in der Datei</translation>
+    </message>
+    <message>
+        <source>Unit in the file</source>
+        <translation>Einheit in der Datei</translation>
+    </message>
+    <message>
+        <source>Import a trace from elsewhere</source>
+        <translation>Aufzeichnung von anderswo importieren</translation>
+    </message>
+    <message>
+        <source>A recording of a box trainer, a robot or another simulator. It is measured and shown as external; no limits judge it and it counts for no standing.</source>
+        <translation>Eine Aufzeichnung eines Boxtrainers, eines Roboters oder eines anderen Simulators. Sie wird gemessen und als extern gezeigt; kein Grenzwert bewertet sie, und sie zählt für keinen Stand.</translation>
+    </message>
+    <message>
+        <source>Trace file</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Format of the file</source>
+        <translation>Format der Datei</translation>
+    </message>
+    <message>
+        <source>File …</source>
+        <translation>Datei …</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Performed at</source>
+        <translation>Durchgeführt am</translation>
+    </message>
+    <message>
+        <source>Choose a person</source>
+        <translation>Person wählen</translation>
+    </message>
+    <message>
+        <source>Fulcrum (CSV)</source>
+        <translation>Fulcrum (CSV)</translation>
+    </message>
+    <message>
+        <source>Another mapping file …</source>
+        <translation>Andere Zuordnungsdatei …</translation>
+    </message>
+    <message>
+        <source>Traces (*.csv *.txt *.tsv *.xml)</source>
+        <translation>Aufzeichnungen (*.csv *.txt *.tsv *.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mapping file</source>
+        <translation>Zuordnungsdatei</translation>
+    </message>
+    <message>
+        <source>Mappings (*.json)</source>
+        <translation>Zuordnungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Choose the file that was recorded.</source>
+        <translation>Wählen Sie die aufgezeichnete Datei.</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>rate unknown</source>
+        <translation>Abtastrate unbekannt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n Messpunkt</numerusform>
+            <numerusform>%n Messpunkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n metrics have a value</source>
+        <translation>
+            <numerusform>%n Kennzahl hat einen Wert</numerusform>
+            <numerusform>%n Kennzahlen haben einen Wert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not read: %1.</source>
+        <translation>Nicht gelesen: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples without a value were left out.</source>
+        <translation>
+            <numerusform>%n Messpunkt ohne Wert wurde ausgelassen.</numerusform>
+            <numerusform>%n Messpunkte ohne Wert wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of more than 0.1 s have no sample; nothing is measured across them.</source>
+        <translation>
+            <numerusform>Ein Abschnitt von mehr als 0,1 s (Anzahl: %n) hat keinen Messpunkt; darüber hinweg wird nicht gemessen.</numerusform>
+            <numerusform>%n Abschnitte von mehr als 0,1 s haben keinen Messpunkt; darüber hinweg wird nicht gemessen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose the person who performed it.</source>
+        <translation>Wählen Sie die Person, die es durchgeführt hat.</translation>
+    </message>
+    <message>
+        <source>Storing …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
+        <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
     </message>
 </context>
 <context>
