@@ -11,6 +11,7 @@
 
 #include "database/records/people.h"
 #include "ui/page/error_text.h"
+#include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/first_start_page.h"
 #include "ui/shell/lock_page.h"
@@ -67,7 +68,7 @@ TheatrePage* MainWindow::running_theatre() const {
 }
 
 MainWindow::MainWindow(ApplicationServices& services, QWidget* parent, int lock_ms, int close_ms)
-    : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms) {
+    : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms), schedules_(context_, this) {
     setObjectName(QStringLiteral("main_window"));
     setWindowTitle(tr("Fulcrum"));
     build();
@@ -221,6 +222,11 @@ void MainWindow::connect_context() {
         auto* debrief = page<DebriefPage>();
         debrief->open(plain(attempt_id), time_s);
         show_page(debrief);
+    });
+    connect(&context_, &Context::compare_wanted, this, [this](const QString& attempt_id) {
+        auto* compare = page<ComparePage>();
+        compare->open(plain(attempt_id));
+        show_page(compare);
     });
     connect(&context_, &Context::rating_wanted, this, [this](const QString& attempt_id) {
         auto* debrief = page<DebriefPage>();
