@@ -14,6 +14,7 @@
 #include <initializer_list>
 
 #include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -51,7 +52,7 @@ void put_problems(QLabel* label, const std::vector<CurriculumProblem>& problems,
 
 QWidget* named(QFormLayout* form, const QString& name, QWidget* field) {
     QLabel* label = make_label(name);
-    label->setWordWrap(false);
+    label->setWordWrap(text_percent() > 150);
     label->setBuddy(field);
     form->addRow(label, field);
     field->setAccessibleName(name);

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QTableWidget>
+#include <QTimer>
 #include <algorithm>
 #include <filesystem>
 
@@ -22,6 +23,8 @@ namespace fulcrum::ui {
 namespace {
 
 enum ScheduleColumn { cohort_column, format_column, every_column, folder_column, last_column, state_column };
+
+constexpr int look_again_ms = 3000;  // for what another run writes
 
 QString every_words(database::ScheduleEvery every) {
     return every == database::ScheduleEvery::day ? SchedulesPage::tr("every day")
@@ -258,9 +261,12 @@ void SchedulesPage::write(const std::string& only) {
         [this, run] {
             job_ = nullptr;
             fill();
-            if (run->busy)
+            if (run->busy) {
+                QTimer::singleShot(look_again_ms, this, [this] {
+                    if (context().signed_in() && isVisible()) fill();
+                });
                 context().say(tr("Another run is under way and writes what is due."));
-            else if (!run->failed.empty())
+            } else if (!run->failed.empty())
                 context().complain(
                     tr("%1: %2").arg(text(run->failed[0].cohort), text(run->failed[0].problem)));
             else

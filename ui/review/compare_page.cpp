@@ -55,7 +55,7 @@ ComparePage::ComparePage(Context& context) : Page(context, "compare_page") {
     with->setWordWrap(false);
     row->add(with);
     with_ = make_narrow_choice("compare_with", tr("Compare with"), 18);
-    row->add(with_, 1, with_text(260));
+    row->add(with_, 1, with_text(400));  // with large text on a line of its own
     content->addLayout(row);
     notes_ = make_label({}, "muted");
     notes_->setObjectName(QStringLiteral("compare_notes"));

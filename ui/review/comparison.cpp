@@ -19,9 +19,12 @@ struct ComparisonTexts {
     Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::ComparisonTexts)
 };
 
-QString result_text(const database::AttemptSummary& attempt) {
-    QStringList parts{local_time(attempt.meta.started), verdict(attempt.passed, attempt.provisional)};
-    if (attempt.points && attempt.passed) parts << points_text(*attempt.points);
+/// Short: it has to be readable in a line of large text.
+QString choice_text(const database::AttemptSummary& attempt, bool with_result) {
+    QStringList parts{local_time(attempt.meta.started)};
+    if (with_result)
+        parts << (attempt.points && attempt.passed ? points_text(*attempt.points)
+                                                   : verdict(attempt.passed, attempt.provisional));
     if (!attempt.meta.variant.empty() && attempt.meta.variant != "standard")
         parts << text(attempt.meta.variant);
     return parts.join(QStringLiteral(", "));
@@ -57,11 +60,11 @@ std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
         if (last == nullptr && one.meta.started < own.meta.started) last = &one;
     }
     if (best != nullptr)
-        choices.push_back(
-            {Kind::attempt, best->meta.id, ComparisonTexts::tr("Own best: %1").arg(result_text(*best))});
+        choices.push_back({Kind::attempt, best->meta.id,
+                           ComparisonTexts::tr("Own best: %1").arg(choice_text(*best, false))});
     if (last != nullptr)
-        choices.push_back(
-            {Kind::attempt, last->meta.id, ComparisonTexts::tr("Own last: %1").arg(result_text(*last))});
+        choices.push_back({Kind::attempt, last->meta.id,
+                           ComparisonTexts::tr("Own last: %1").arg(choice_text(*last, false))});
     if (!database::is_external_task(own.meta.task_id))
         choices.push_back({Kind::expert, {}, ComparisonTexts::tr("An expert of the benchmark (simulated)")});
     if (session.role() != database::Role::trainee) {
@@ -70,7 +73,8 @@ std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
                 {Kind::cohort, cohort.id, ComparisonTexts::tr("Cohort %1 as a band").arg(text(cohort.name))});
     }
     for (const database::AttemptSummary& one : others)
-        if (&one != best && &one != last) choices.push_back({Kind::attempt, one.meta.id, result_text(one)});
+        if (&one != best && &one != last)
+            choices.push_back({Kind::attempt, one.meta.id, choice_text(one, true)});
     return choices;
 }
 

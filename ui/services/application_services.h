@@ -68,8 +68,8 @@ class TaskService {
     /// The curriculum that trainees follow.
     /// It and its versions stay where they are while the program runs, also after a newer one was published.
     virtual const Curriculum& curriculum() const = 0;
-    /// Puts the next version in force (database/records/curriculum_publishing.h); curriculum() is it from then
-    /// on. Throws as publish_curriculum().
+    /// Puts the next version in force (database/records/curriculum_publishing.h); curriculum() is it from
+    /// then on. Throws as publish_curriculum().
     virtual void publish_curriculum(const database::Session& session, const std::string& text,
                                     const std::string& reason) = 0;
     /// The observer forms that are installed. Throws InputError.
@@ -152,9 +152,9 @@ class ReplayService {
     virtual std::function<std::optional<ExpertAttempt>(const Progress&)> expert_attempt(
         const database::Session& session, const database::AttemptSummary& attempt) = 0;
     /// The picture of such an attempt, as open_replay. `attempt`: the one it was made for.
-    virtual std::unique_ptr<ReplaySource> open_expert_replay(
-        const database::Session& session, const database::AttemptSummary& attempt,
-        const ExpertAttempt& expert) = 0;
+    virtual std::unique_ptr<ReplaySource> open_expert_replay(const database::Session& session,
+                                                             const database::AttemptSummary& attempt,
+                                                             const ExpertAttempt& expert) = 0;
     /// The scene as a stored attempt used it. Throws as open_replay, and StoreError, AccessDenied.
     virtual Scene scene_of(const database::Session& session,
                            const database::AttemptSummary& attempt) const = 0;

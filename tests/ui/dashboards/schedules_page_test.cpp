@@ -72,6 +72,7 @@ class ReportsPage : public ::testing::Test {
 TEST_F(ReportsPage, SchedulesAreAddedWrittenAndRemoved) {
     QTemporaryDir folder;
     open();
+    ASSERT_TRUE(wait_for([&] { return idle(); }));  // the window has looked for what is due: nothing
     click(*window, "rail_schedules");
     EXPECT_TRUE(sees(*window, "schedules_none"));
     EXPECT_FALSE(find<QAbstractButton>(*window, "schedule_add")->isEnabled()) << "no folder yet";
