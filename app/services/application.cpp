@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <filesystem>
+#include <list>
 #include <map>
 #include <mutex>
 #include <random>
@@ -15,6 +16,7 @@
 #include "app/services/demo.h"
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
+#include "app/services/expert_attempt.h"
 #include "app/services/replay_source.h"
 #include "app/services/sending.h"
 #include "assessment/assets/assets.h"
@@ -22,6 +24,7 @@
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
 #include "database/records/curricula.h"
+#include "database/records/curriculum_publishing.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
@@ -46,7 +49,7 @@ class Services : public ui::ApplicationServices {
   public:
     Services(std::string folder, std::string store) : folder_(std::move(folder)), named_(std::move(store)) {
         for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
-        curriculum_ = installed_curriculum();
+        curricula_.push_back(installed_curriculum());
     }
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override {
@@ -58,7 +61,7 @@ class Services : public ui::ApplicationServices {
         const std::string path = store_path(demo);
         store_.reset();
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
-        database::Curricula(*opened).check(curriculum_);
+        database::Curricula(*opened).check(curriculum());
         if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);
     }
@@ -67,7 +70,14 @@ class Services : public ui::ApplicationServices {
         return app::unpack_demo(store_path(true), progress);
     }
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
-    const Curriculum& curriculum() const override { return curriculum_; }
+    const Curriculum& curriculum() const override { return curricula_.back(); }
+    void publish_curriculum(const database::Session& session, const std::string& text,
+                            const std::string& reason) override {
+        database::publish_curriculum(*store_, session, {asset_path("curricula"), task_ids(), forms()},
+                                     curriculum().id, text, reason);
+        curricula_.push_back(installed_curriculum());
+    }
+    std::vector<ObserverForm> forms() const override { return load_forms(asset_path("forms")); }
     Scene scene_for(const TaskDefinition& task, const std::string& variant) const override {
         return load_task_and_scene({task.id, variant, {}}).scene;
     }
@@ -184,6 +194,21 @@ class Services : public ui::ApplicationServices {
         }
         replay.tap = sending_.begin(replay.loaded.scene);
         return make_replay_source(std::move(replay));
+    }
+    std::function<std::optional<ui::ExpertAttempt>(const ui::Progress&)> expert_attempt(
+        const database::Session& session, const database::AttemptSummary& attempt) override {
+        return expert_maker(load_recorded(database::Attempts(*store_), session, attempt), attempt.meta);
+    }
+    std::unique_ptr<ui::ReplaySource> open_expert_replay(const database::Session& session,
+                                                         const database::AttemptSummary& attempt,
+                                                         const ui::ExpertAttempt& expert) override {
+        return make_replay_source({load_recorded(database::Attempts(*store_), session, attempt),
+                                   expert.summary.meta.seed,
+                                   {},
+                                   expert.trace,
+                                   expert.summary.meta.force_devices,
+                                   {},
+                                   true});
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
         return fulcrum::site_tissues(*store_, session, task_id);
@@ -331,7 +356,7 @@ class Services : public ui::ApplicationServices {
         return files;
     }
     const Curriculum& followed_by(const database::Session& session) const {
-        return database::Curricula(*store_).in_force(session, session.person_id(), curriculum_);
+        return database::Curricula(*store_).in_force(session, session.person_id(), curriculum());
     }
     static database::AssetFile file_of(const Curriculum& curriculum) {
         return {"curricula/" + curriculum.file, database::sha256_hex(curriculum.text)};
@@ -342,7 +367,7 @@ class Services : public ui::ApplicationServices {
         meta.curriculum = followed.name();
         meta.assets.push_back(file_of(followed));
     }
-    Curriculum curriculum_;
+    std::list<Curriculum> curricula_;  ///< the newest last; pages hold on to those before it
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
     Sending sending_;

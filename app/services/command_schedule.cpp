@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum schedule: reports of a cohort that are written to a folder every day or week.
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +12,7 @@
 #include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "database/schedules/schedules.h"
-#include "ui/reports/report.h"
+#include "ui/reports/scheduled_reports.h"
 
 namespace fulcrum::app {
 namespace {
@@ -22,19 +21,6 @@ using database::ReportSchedule;
 using database::ScheduleEvery;
 using database::Schedules;
 using nlohmann::json;
-
-/// "year-1-2026-W48.pdf": the same in the same period, so that a second run replaces and adds nothing. The
-/// beginning of the schedule's id keeps apart what would have one name.
-std::string file_of(const ReportSchedule& schedule, const std::string& period) {
-    std::string name;
-    for (const char c : schedule.cohort_name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        if (plain || name.empty() || name.back() != '-') name += plain ? c : '-';
-    }
-    return (std::filesystem::path(schedule.folder) /
-            (name + "-" + period + "-" + schedule.id.substr(0, 8) + "." + schedule.format))
-        .string();
-}
 
 json document_of(const ReportSchedule& one) {
     return {{"id", one.id},
@@ -110,36 +96,23 @@ int run_due(const Arguments& arguments) {
     for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
     const Curriculum curriculum = installed_curriculum();
     database::Curricula(store).check(curriculum);
-    const Schedules schedules(store);
-    json written = json::array(), failed = json::array();
-    int current = 0;
-    for (const ReportSchedule& one : schedules.list(session)) {
-        const std::string period = database::period_of(one.every, store.now());
-        const std::string path = file_of(one, period);
-        if (one.last_period == period && std::filesystem::exists(path)) {
-            ++current;
-            continue;
-        }
-        try {
-            ui::ReportRequest request;
-            request.cohort_id = one.cohort_id;
-            request.format = ui::parse_report_format(one.format);
-            request.path = path;
-            request.curriculum = &curriculum;
-            for (const std::string& file : ui::write_report(store, session, request, tasks, version_line()))
-                written.push_back(file);
-            schedules.note(session, one.id, period, {});
-        } catch (const std::exception& error) {
-            failed.push_back({{"id", one.id}, {"cohort", one.cohort_name}, {"problem", line_of(error)}});
-            std::cerr << one.id << ": " << line_of(error) << '\n';
-            schedules.note(session, one.id, period, line_of(error));
-        }
+    const ui::ScheduledRun run =
+        ui::run_schedules(store, session, {tasks, curriculum, version_line()}, {}, {});
+    json failed = json::array();
+    for (const auto& one : run.failed) {
+        failed.push_back({{"id", one.id}, {"cohort", one.cohort}, {"problem", one.problem}});
+        std::cerr << one.id << ": " << one.problem << '\n';
     }
     if (arguments.has("--json")) {
-        print_json({{"written", written}, {"failed", failed}, {"current", current}});
+        print_json({{"written", run.written},
+                    {"failed", failed},
+                    {"current", run.current},
+                    {"other_run_under_way", run.busy}});
+    } else if (run.busy) {
+        std::cout << "another run is under way and writes what is due\n";
     } else {
-        for (const auto& file : written) std::cout << "wrote " << file.get<std::string>() << '\n';
-        std::cout << current << " were written before, " << failed.size() << " failed\n";
+        for (const std::string& file : run.written) std::cout << "wrote " << file << '\n';
+        std::cout << run.current << " were written before, " << failed.size() << " failed\n";
     }
     return failed.empty() ? 0 : 1;
 }

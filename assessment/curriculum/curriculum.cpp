@@ -24,9 +24,6 @@ std::string place(std::size_t task, const char* key) {
 void read_stages(const JsonDocument& document, Curriculum& curriculum) {
     for (const json& node : document.root().at("stages")) {
         const CurriculumStage stage{node.at("id").get<std::string>(), node.at("title").get<std::string>()};
-        if (curriculum.find_stage(stage.id) != nullptr)
-            document.fail("/stages", {QT_TRANSLATE_NOOP("errors", "stage %1 is listed twice"), stage.id},
-                          QT_TRANSLATE_NOOP("errors", "give every stage its own id"));
         curriculum.stages.push_back(stage);
     }
 }
@@ -61,6 +58,20 @@ CurriculumTask read_task(const JsonDocument& document, std::size_t number, const
     for (const json& name : node.at("device_classes"))
         task.device_classes.push_back(find_row(device_classes, name.get<std::string>())->kind);
     return task;
+}
+
+/// Valid by the schema; nothing is said of how its parts fit together.
+Curriculum read_curriculum(const JsonDocument& document) {
+    document.check_schema(curriculum_schema_text);
+    Curriculum curriculum;
+    curriculum.id = document.root().at("id").get<std::string>();
+    curriculum.version = document.root().at("version").get<int>();
+    curriculum.title = document.root().at("title").get<std::string>();
+    read_stages(document, curriculum);
+    std::size_t number = 0;
+    for (const json& node : document.root().at("tasks"))
+        curriculum.tasks.push_back(read_task(document, number++, node));
+    return curriculum;
 }
 
 std::size_t rank_of(const Curriculum& curriculum, const std::string& stage) {
@@ -130,18 +141,27 @@ bool counts(const CurriculumTask& task, DeviceClass used) {
     return std::find(classes.begin(), classes.end(), curriculum_class(used)) != classes.end();
 }
 
+Curriculum parse_draft(const std::string& text, const std::string& file) {
+    Curriculum draft = read_curriculum(JsonDocument::parse(text, file));
+    draft.text = text;
+    return draft;
+}
+
 Curriculum parse_curriculum(const std::string& text, const std::string& file,
                             const std::vector<std::string>& tasks) {
     const JsonDocument document = JsonDocument::parse(text, file);
-    document.check_schema(curriculum_schema_text);
-    Curriculum curriculum;
-    curriculum.id = document.root().at("id").get<std::string>();
-    curriculum.version = document.root().at("version").get<int>();
-    curriculum.title = document.root().at("title").get<std::string>();
-    read_stages(document, curriculum);
+    const Curriculum said = read_curriculum(document);
+    Curriculum curriculum = said;
+    curriculum.tasks.clear();
+    curriculum.stages.clear();
+    for (const CurriculumStage& stage : said.stages) {
+        if (curriculum.find_stage(stage.id) != nullptr)
+            document.fail("/stages", {QT_TRANSLATE_NOOP("errors", "stage %1 is listed twice"), stage.id},
+                          QT_TRANSLATE_NOOP("errors", "give every stage its own id"));
+        curriculum.stages.push_back(stage);
+    }
     std::size_t number = 0;
-    for (const json& node : document.root().at("tasks")) {
-        CurriculumTask task = read_task(document, number, node);
+    for (const CurriculumTask& task : said.tasks) {
         if (std::find(tasks.begin(), tasks.end(), task.task) == tasks.end())
             document.fail(place(number, "task"),
                           {QT_TRANSLATE_NOOP("errors", "no task %1 is installed"), task.task},
@@ -154,7 +174,7 @@ Curriculum parse_curriculum(const std::string& text, const std::string& file,
             document.fail(place(number, "stage"),
                           {QT_TRANSLATE_NOOP("errors", "there is no stage %1"), task.stage},
                           QT_TRANSLATE_NOOP("errors", "name one of /stages, or add it there"));
-        curriculum.tasks.push_back(std::move(task));
+        curriculum.tasks.push_back(task);
         ++number;
     }
     check_prerequisites(document, curriculum);

@@ -61,6 +61,8 @@ bool counts(const CurriculumTask& task, DeviceClass used);
 /// installed ones. Forms and items of ratings: check_ratings().
 Curriculum parse_curriculum(const std::string& text, const std::string& file,
                             const std::vector<std::string>& tasks);
+/// Of a draft: valid by the schema, whatever else is wrong with it (check_draft()). Throws InputError.
+Curriculum parse_draft(const std::string& text, const std::string& file);
 Curriculum load_curriculum(const std::string& path, const std::vector<std::string>& tasks);
 /// All versions of the curriculum `id` among the files of `folder`: the newest with the others as `older`.
 /// Throws InputError as well where two files hold the same version, or none.

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/schedules/schedules.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
@@ -79,6 +86,23 @@ std::string period_of(ScheduleEvery every, UtcMilliseconds time) {
     int year = 0;
     const int week = day.weekNumber(&year);
     return QString("%1-W%2").arg(year).arg(week, 2, 10, QLatin1Char('0')).toStdString();
+}
+
+ScheduleLock::ScheduleLock(const Store& store) {
+    std::error_code unknown;
+    const std::filesystem::path path = std::filesystem::canonical(store.path(), unknown);
+    const std::string file = (unknown ? store.path() : path.string()) + ".schedules";
+    descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (descriptor_ < 0)
+        throw StoreError(
+            errno == ENOSPC ? StoreErrorKind::disk_full : StoreErrorKind::read_only,
+            {QT_TRANSLATE_NOOP("errors", "%1: cannot be created (%2)"), file, std::strerror(errno)},
+            QT_TRANSLATE_NOOP("errors", "make the store's folder writable and free some space on the disk"));
+    held_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+}
+
+ScheduleLock::~ScheduleLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);  // the file stays: without it two could hold two of them
 }
 
 std::string Schedules::add(const Session& director, const ReportSchedule& schedule) const {

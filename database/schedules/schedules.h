@@ -27,6 +27,22 @@ struct ReportSchedule {
 /// "2026-11-26", "2026-W48" (ISO 8601), in UTC: the part of a file's name, and what is written once.
 std::string period_of(ScheduleEvery every, UtcMilliseconds time);
 
+/// Held by whoever writes what is due, so that two at once write each report once. Another program, or
+/// another part of this one, does not wait for it. A program that is killed has released it.
+class ScheduleLock {
+  public:
+    /// Throws StoreError read_only, disk_full where the file next to the store cannot be made.
+    explicit ScheduleLock(const Store& store);
+    ~ScheduleLock();
+    ScheduleLock(const ScheduleLock&) = delete;
+    ScheduleLock& operator=(const ScheduleLock&) = delete;
+    bool held() const noexcept { return held_; }
+
+  private:
+    int descriptor_ = -1;
+    bool held_ = false;
+};
+
 class Schedules {
   public:
     explicit Schedules(const Store& store) : store_(store) {}

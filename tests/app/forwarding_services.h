@@ -20,6 +20,20 @@ class ForwardingServices : public ui::ApplicationServices {
     bool unpack_demo(const ui::Progress& progress) override { return own_->unpack_demo(progress); }
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
     const Curriculum& curriculum() const override { return own_->curriculum(); }
+    void publish_curriculum(const database::Session& session, const std::string& text,
+                            const std::string& reason) override {
+        own_->publish_curriculum(session, text, reason);
+    }
+    std::vector<ObserverForm> forms() const override { return own_->forms(); }
+    std::function<std::optional<ui::ExpertAttempt>(const ui::Progress&)> expert_attempt(
+        const database::Session& session, const database::AttemptSummary& attempt) override {
+        return own_->expert_attempt(session, attempt);
+    }
+    std::unique_ptr<ui::ReplaySource> open_expert_replay(const database::Session& session,
+                                                         const database::AttemptSummary& attempt,
+                                                         const ui::ExpertAttempt& expert) override {
+        return own_->open_expert_replay(session, attempt, expert);
+    }
     Scene scene_for(const TaskDefinition& task, const std::string& variant) const override {
         return own_->scene_for(task, variant);
     }

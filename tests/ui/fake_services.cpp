@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/fake_services.h"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <thread>
 
 #include "assessment/assets/assets.h"
+#include "database/records/curriculum_publishing.h"
 #include "database/records/people.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/input_error.h"
@@ -317,6 +320,22 @@ FakeServices::FakeServices() {
         load_versions(fulcrum::test::source_path("assets/curricula"), "rectal", fulcrum::task_ids());
 }
 
+void FakeServices::publish_curriculum(const database::Session& session, const std::string& text,
+                                      const std::string& reason) {
+    namespace fs = std::filesystem;
+    const fs::path folder = folder_.filePath(QStringLiteral("curricula")).toStdString();
+    if (fs::create_directory(folder))
+        for (const auto& file : fs::directory_iterator(fulcrum::test::source_path("assets/curricula")))
+            fs::copy_file(file.path(), folder / file.path().filename());
+    database::publish_curriculum(*store_, session, {folder.string(), fulcrum::task_ids(), forms()},
+                                 curriculum().id, text, reason);
+    published_.push_back(load_versions(folder.string(), curriculum().id, fulcrum::task_ids()));
+}
+
+std::vector<ObserverForm> FakeServices::forms() const {
+    return load_forms(fulcrum::test::source_path("assets/forms"));
+}
+
 std::string FakeServices::store_path(bool demo) const {
     return folder_.filePath(demo ? QStringLiteral("demo.db") : QStringLiteral("fulcrum.db")).toStdString();
 }
@@ -402,6 +421,24 @@ std::unique_ptr<ReplaySource> FakeServices::open_replay(const database::Session&
                                                         const database::AttemptSummary& attempt,
                                                         std::shared_ptr<const database::Trace> trace) {
     return std::make_unique<FakeReplay>(scene_of(session, attempt), std::move(trace));
+}
+
+std::function<std::optional<ExpertAttempt>(const Progress&)> FakeServices::expert_attempt(
+    const database::Session& session, const database::AttemptSummary& attempt) {
+    if (expert_waits)
+        return [](const Progress& progress) -> std::optional<ExpertAttempt> {
+            while (progress(0.5, {})) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            return std::nullopt;
+        };
+    if (expert) return [made = expert](const Progress&) { return made; };
+    // The attempt itself.
+    const database::Attempts attempts(*store_);
+    ExpertAttempt same{attempt, attempts.score(session, attempt.meta.id).value_or(database::ScoreRow()),
+                       std::make_shared<const database::Trace>()};
+    if (attempt.meta.keep_trace)
+        same.trace = std::make_shared<const database::Trace>(attempts.read_trace(session, attempt.meta.id));
+    same.summary.meta.id.clear();
+    return [same](const Progress&) { return std::optional<ExpertAttempt>(same); };
 }
 
 void FakeServices::set_site_tissues(const database::Session&, const std::string& task_id, int,

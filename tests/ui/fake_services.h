@@ -6,6 +6,7 @@
 
 #include <QTemporaryDir>
 #include <atomic>
+#include <list>
 #include <map>
 #include <memory>
 
@@ -33,7 +34,13 @@ class FakeServices : public ApplicationServices {
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool unpack_demo(const Progress& progress) override;
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
-    const Curriculum& curriculum() const override { return curriculum_; }
+    const Curriculum& curriculum() const override {
+        return published_.empty() ? curriculum_ : published_.back();
+    }
+    /// Into a folder of the test's own.
+    void publish_curriculum(const database::Session& session, const std::string& text,
+                            const std::string& reason) override;
+    std::vector<ObserverForm> forms() const override;
     void set_curriculum(Curriculum curriculum) { curriculum_ = std::move(curriculum); }
     Scene scene_for(const TaskDefinition& task, const std::string& variant) const override;
     std::string scene_text(const TaskDefinition& task, const std::string& variant) const override;
@@ -62,6 +69,13 @@ class FakeServices : public ApplicationServices {
     std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
                                               const database::AttemptSummary& attempt,
                                               std::shared_ptr<const database::Trace> trace) override;
+    std::function<std::optional<ExpertAttempt>(const Progress&)> expert_attempt(
+        const database::Session& session, const database::AttemptSummary& attempt) override;
+    std::unique_ptr<ReplaySource> open_expert_replay(const database::Session& session,
+                                                     const database::AttemptSummary& attempt,
+                                                     const ExpertAttempt& expert) override {
+        return open_replay(session, attempt, expert.trace);
+    }
     Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override;
     SiteTissues site_tissues(const database::Session&, const std::string&) override { return {}; }
     void set_site_tissues(const database::Session&, const std::string& task_id, int,
@@ -102,6 +116,8 @@ class FakeServices : public ApplicationServices {
     ForceTestState force_test() override { return tested; }
     std::string program_version() const override { return "0.1.0-test"; }
 
+    std::optional<ExpertAttempt> expert;       ///< what expert_attempt() makes; none: the attempt itself
+    bool expert_waits = false;                 ///< it works until it is stopped
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;
@@ -120,6 +136,7 @@ class FakeServices : public ApplicationServices {
     QTemporaryDir folder_;
     std::vector<TaskDefinition> tasks_;
     Curriculum curriculum_;
+    std::list<Curriculum> published_;  ///< that were published, the newest last
     std::unique_ptr<database::Store> store_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <QScrollBar>
 
-#include "database/records/people.h"
+#include "tests/ui/four_people.h"
 #include "ui/page/background_job.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/page_table.h"
@@ -15,23 +15,7 @@ namespace fulcrum::ui::window_test {
 Screens::Screens() {
     apply_theme(*qApp, Theme::light);
     services.open_store(false);
-    const database::People people(*services.store());
-    const database::Session alma = people
-                                       .create_programme("Department of Surgery, University Hospital", "alma",
-                                                         "Alma Admin", "correct horse")
-                                       .administrator;
-    sessions.emplace(Role::administrator, alma);
-    for (const auto& [role, login, name] :
-         {std::tuple{Role::trainee, "tara", "Tara Trainee"}, std::tuple{Role::educator, "ed", "Ed Educator"},
-          std::tuple{Role::director, "dora", "Dora Director"}}) {
-        const auto made = people.create(alma, login, name, {role});
-        const database::Session once = people.sign_in(login, made.one_time_password);
-        sessions.emplace(role, people.change_password(once, made.one_time_password, "a long password"));
-    }
-    const database::Session& dora = sessions.at(Role::director);
-    const std::string cohort = people.create_cohort(dora, "Spring");
-    people.set_members(dora, cohort, {sessions.at(Role::trainee).person_id()});
-    people.set_educators(dora, cohort, {sessions.at(Role::educator).person_id()});
+    sessions = make_four_people(*services.store(), "Department of Surgery, University Hospital");
 }
 
 Screens::~Screens() {
@@ -140,6 +124,9 @@ void Screens::visit(const std::string& attempt, const std::function<void(const Q
         emit window->context().debrief_wanted(text(attempt), -1);
         wait_for_debrief();
         look(who + "-debrief");
+        emit window->context().compare_wanted(text(attempt));
+        settle();
+        look(who + "-compare");
     }
     window->context().sign_out();
     settle();

@@ -46,6 +46,12 @@ MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y)
     highest_ = static_cast<double>(y_[levels_.back().front().high]);
 }
 
+MinMaxPyramid MinMaxPyramid::moved(const std::function<double(double)>& place) const {
+    MinMaxPyramid other = *this;
+    for (double& x : other.x_) x = place(x);
+    return other;
+}
+
 double MinMaxPyramid::value_at(double x) const noexcept {
     const auto after = std::upper_bound(x_.begin(), x_.end(), x);
     if (after == x_.begin()) return 0;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace fulcrum::ui {
@@ -23,6 +24,11 @@ class MinMaxPyramid {
     /// next to the data.
     MinMaxPyramid(std::vector<double> x, std::vector<float> y);
 
+    /// The same values at other places; `place` never falls.
+    MinMaxPyramid moved(const std::function<double(double)>& place) const;
+
+    const std::vector<double>& x() const noexcept { return x_; }
+    const std::vector<float>& y() const noexcept { return y_; }
     std::size_t size() const noexcept { return y_.size(); }
     double first_x() const noexcept { return x_.empty() ? 0 : x_.front(); }
     double last_x() const noexcept { return x_.empty() ? 0 : x_.back(); }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/time_chart.h"
 
+#include <QAreaSeries>
 #include <QChart>
 #include <QHelpEvent>
 #include <QLegend>
+#include <QLegendMarker>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QToolTip>
@@ -17,6 +19,7 @@
 
 namespace fulcrum::ui {
 
+using QtCharts::QAreaSeries;
 using QtCharts::QChart;
 using QtCharts::QLineSeries;
 using QtCharts::QValueAxis;
@@ -58,6 +61,13 @@ void TimeChart::restyle() {
         axis->setLinePenColor(p.line);
     }
     for (Series& series : series_) series.line->setPen(QPen(p.*series.colour, 1.6, series.pen));
+    for (const Band& band : bands_) {
+        QColor faint = p.*band.colour;
+        faint.setAlpha(70);
+        band.area->setBrush(faint);
+        band.area->setPen(Qt::NoPen);
+        band.middle->setPen(QPen(p.*band.colour, 1.4, Qt::DotLine));
+    }
     setBackgroundBrush(p.card);
 }
 
@@ -72,6 +82,14 @@ void TimeChart::clear() {
         delete series.line;
     }
     series_.clear();
+    for (const Band& band : bands_) {
+        chart()->removeSeries(band.area);
+        chart()->removeSeries(band.middle);
+        delete band.area;
+        delete band.middle;
+    }
+    bands_.clear();
+    selected_from_ = selected_to_ = 0;
     limits_.clear();
     marks_.clear();
     cursor_ = -1;
@@ -87,6 +105,38 @@ void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::Pen
     line->attachAxis(x_axis_);
     line->attachAxis(y_axis_);
     series_.push_back({line, colour, pen, std::move(samples)});
+}
+
+void TimeChart::add_band(const QString& name, QColor Palette::*colour, const std::vector<ChartBand>& band) {
+    auto* low = new QLineSeries;
+    auto* high = new QLineSeries;
+    Band added{new QAreaSeries(high, low), new QLineSeries, colour, 0, 0};
+    low->setParent(added.area);
+    high->setParent(added.area);
+    for (const ChartBand& at : band) {
+        low->append(at.time, at.low);
+        high->append(at.time, at.high);
+        added.middle->append(at.time, at.middle);
+        added.highest = std::max(added.highest, at.high);
+        added.last = at.time;
+    }
+    added.area->setName(name);
+    for (QtCharts::QAbstractSeries* one :
+         std::initializer_list<QtCharts::QAbstractSeries*>{added.area, added.middle}) {
+        chart()->addSeries(one);
+        one->attachAxis(x_axis_);
+        one->attachAxis(y_axis_);
+    }
+    for (QtCharts::QLegendMarker* marker : chart()->legend()->markers(added.middle))
+        marker->setVisible(false);
+    bands_.push_back(added);
+    restyle();
+}
+
+void TimeChart::set_selection(double from, double to) {
+    selected_from_ = from;
+    selected_to_ = to;
+    viewport()->update();
 }
 
 void TimeChart::add_limit(const QString& name, double value) {
@@ -111,6 +161,10 @@ void TimeChart::show_all() {
         last_ = std::max(last_, series.data->last_x());
         low = std::min(low, series.data->lowest());
         high = std::max(high, series.data->highest());
+    }
+    for (const Band& band : bands_) {
+        last_ = std::max(last_, band.last);
+        high = std::max(high, band.highest);
     }
     for (const auto& [name, value] : limits_) {
         if (value < 4 * high) high = std::max(high, value);
@@ -185,6 +239,18 @@ double TimeChart::x_of(double time) const {
            area.width() * (time - x_axis_->min()) / std::max(x_axis_->max() - x_axis_->min(), 1e-9);
 }
 
+void TimeChart::draw_selection(QPainter& painter, const QRectF& area) const {
+    if (selected_to_ <= selected_from_) return;
+    const double left = std::max(area.left(), x_of(selected_from_)),
+                 right = std::min(area.right(), x_of(selected_to_));
+    if (right <= left) return;
+    QColor shade = colours().accent;
+    painter.setPen(QPen(shade, 1));
+    shade.setAlpha(36);
+    painter.setBrush(shade);
+    painter.drawRect(QRectF(left, area.top(), right - left, area.height()));
+}
+
 void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
     QChartView::drawForeground(painter, rect);
     const Palette& p = colours();
@@ -192,6 +258,7 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
     painter->save();
     painter->setClipRect(area.adjusted(-6, -14, 6, 2));
     painter->setRenderHint(QPainter::Antialiasing);
+    draw_selection(*painter, area);
     const double y_span = std::max(y_axis_->max() - y_axis_->min(), 1e-9);
     for (const auto& [name, value] : limits_) {
         if (value > y_axis_->max()) continue;
@@ -241,6 +308,10 @@ void TimeChart::choose_all() {
     emit range_changed(first_shown(), last_shown());
 }
 
+void TimeChart::set_y_title(const QString& title) {
+    y_axis_->setTitleText(title);
+}
+
 void TimeChart::show_names(bool shown) {
     chart()->legend()->setVisible(shown);
 }
@@ -266,6 +337,7 @@ void TimeChart::wheelEvent(QWheelEvent* event) {
 void TimeChart::mousePressEvent(QMouseEvent* event) {
     pressed_ = event->button() == Qt::LeftButton;
     dragged_ = false;
+    selecting_ = pressed_ && selects_ && (event->modifiers() & Qt::ShiftModifier) != 0;
     pressed_at_ = event->pos();
     pressed_from_ = x_axis_->min();
     pressed_to_ = x_axis_->max();
@@ -275,6 +347,12 @@ void TimeChart::mousePressEvent(QMouseEvent* event) {
 void TimeChart::mouseMoveEvent(QMouseEvent* event) {
     if (pressed_ && std::abs(event->pos().x() - pressed_at_.x()) > 4) {
         dragged_ = true;
+        if (selecting_) {
+            const double here = std::clamp(time_at(event->pos()), first_, last_),
+                         start = std::clamp(time_at(pressed_at_), first_, last_);
+            set_selection(std::min(here, start), std::max(here, start));
+            return;
+        }
         const double per_pixel = (pressed_to_ - pressed_from_) / std::max(chart()->plotArea().width(), 1.0);
         const double shift = (pressed_at_.x() - event->pos().x()) * per_pixel;
         choose_range(pressed_from_ + shift, pressed_to_ + shift);
@@ -300,6 +378,8 @@ void TimeChart::mouseReleaseEvent(QMouseEvent* event) {
             event->pos().y() < chart()->plotArea().top() + 6 ? mark_near(event->pos()) : nullptr;
         emit time_chosen(std::clamp(mark != nullptr ? mark->time : time_at(event->pos()), first_, last_));
     }
+    if (pressed_ && dragged_ && selecting_ && selected_to_ > selected_from_)
+        emit range_selected(selected_from_, selected_to_);
     pressed_ = false;
 }
 

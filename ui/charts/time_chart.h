@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Quantities over the time of an attempt: any number of series (at most 4,000 points each, whatever the
 // length), limits, event marks, a cursor. Wheel zooms at the pointer, a drag moves, a click chooses a time,
-// double click shows all; keys: arrows move the cursor, + and - zoom, 0 shows all.
+// double click shows all; keys: arrows move the cursor, + and - zoom, 0 shows all. Where it is wanted, a drag
+// with Shift selects a range.
 #pragma once
 
 #include <QChartView>
@@ -12,6 +13,7 @@
 #include "ui/style/palette.h"
 
 QT_CHARTS_BEGIN_NAMESPACE
+class QAreaSeries;
 class QLineSeries;
 class QValueAxis;
 QT_CHARTS_END_NAMESPACE
@@ -25,6 +27,11 @@ struct ChartMark {
     bool severe = false;                          ///< drawn as a filled triangle, others as a small line
 };
 
+/// Of a band at a time: its two borders and the line between them.
+struct ChartBand {
+    double time = 0, low = 0, middle = 0, high = 0;
+};
+
 /// s between the ticks of an axis that shows `span` s > 0: 1, 2 or 5 times a power of ten, eight steps or
 /// fewer, so that a label is its tick's own time.
 double tick_interval(double span);
@@ -36,6 +43,12 @@ class TimeChart : public QtCharts::QChartView {
     void add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
                     std::shared_ptr<const MinMaxPyramid> samples);
     void add_limit(const QString& name, double value);
+    /// Behind the series; time rises. At most chart_point_limit points.
+    void add_band(const QString& name, QColor Palette::*colour, const std::vector<ChartBand>& band);
+    /// Shades the part of the time axis that is selected; to <= from: nothing is.
+    void set_selection(double from, double to);
+    /// A drag with Shift selects (range_selected).
+    void offer_selection(bool offered) { selects_ = offered; }
     void set_marks(std::vector<ChartMark> marks);
     /// s: all data is at least so long, whatever the series hold.
     void set_length(double length) { length_ = length; }
@@ -45,6 +58,7 @@ class TimeChart : public QtCharts::QChartView {
     void show_all();
     void show_range(double from, double to);
     void clear();
+    void set_y_title(const QString& title);
     /// The names of the series above the plot; the title of the time axis below it.
     void show_names(bool shown);
     void show_time_title(bool shown);
@@ -56,6 +70,8 @@ class TimeChart : public QtCharts::QChartView {
     void time_chosen(double time);
     /// The view was zoomed or moved here, by mouse or keys.
     void range_changed(double from, double to);
+    /// A range was selected here, from < to.
+    void range_selected(double from, double to);
 
   protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
@@ -77,6 +93,13 @@ class TimeChart : public QtCharts::QChartView {
         Qt::PenStyle pen = Qt::SolidLine;
         std::shared_ptr<const MinMaxPyramid> data;
     };
+    struct Band {
+        QtCharts::QAreaSeries* area = nullptr;
+        QtCharts::QLineSeries* middle = nullptr;
+        QColor Palette::*colour = &Palette::neutral;
+        double highest = 0, last = 0;
+    };
+    void draw_selection(QPainter& painter, const QRectF& area) const;
     /// As many as the plot's width can show, never more than chart_point_limit.
     std::size_t points_wanted() const;
     void refresh();
@@ -89,12 +112,14 @@ class TimeChart : public QtCharts::QChartView {
 
     QtCharts::QValueAxis *x_axis_, *y_axis_;
     std::vector<Series> series_;
+    std::vector<Band> bands_;
     std::vector<ChartMark> marks_;
     std::vector<std::pair<QString, double>> limits_;
     double first_ = 0, last_ = 1, cursor_ = -1, length_ = 0;
     QPoint pressed_at_;
     double pressed_from_ = 0, pressed_to_ = 1;
-    bool pressed_ = false, dragged_ = false;
+    double selected_from_ = 0, selected_to_ = 0;
+    bool pressed_ = false, dragged_ = false, selects_ = false, selecting_ = false;
 };
 
 }  // namespace fulcrum::ui

@@ -1,51 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curriculum: its tasks by stage with their pass rules, and what another rule would do. Rules that are
-// tried are written as the file of a new version; the curriculum in force is not changed here.
+// The curriculum: its tasks by stage with their pass rules, what another rule would do, and an editor for the
+// next version. What is edited is a draft, whose problems are shown where they are; it is saved as a file, or
+// published with a reason. The versions before it are not changed.
 #pragma once
 
-#include <map>
 #include <string>
+#include <vector>
 
-#include "assessment/learning/pass_rule.h"
+#include "assessment/curriculum/curriculum.h"
+#include "assessment/curriculum/curriculum_draft.h"
 #include "ui/page/context.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
-
-namespace fulcrum {
-struct Curriculum;
-}
+class QTabWidget;
 
 namespace fulcrum::ui {
 
 class PassRuleDesigner;
+class StagesForm;
+class TaskNeedsForm;
+class TaskRatingsForm;
 
 class CurriculumPage : public Page {
     Q_OBJECT
   public:
     explicit CurriculumPage(Context& context);
     void enter() override;
+    const Curriculum& draft() const { return draft_; }
+    const std::vector<CurriculumProblem>& problems() const { return problems_; }
 
   private:
-    QWidget* make_saving();
-    const Curriculum& curriculum() const;
-    std::string chosen() const;
-    void fill();
+    QWidget* make_tasks();
+    QWidget* make_task_card();
+    QWidget* make_problems();
+    QWidget* make_publishing();
+    QLayout* make_draft_row();
+    void connect_parts();
+    const Curriculum& in_force() const;
+    CurriculumTask* chosen();
+    std::size_t index_of_chosen() const;
+    void start_over();
+    void fill(int row);
     void write_line(int row);
     void show_task();
     void try_rule();
     void restore();
+    void add_task();
+    void remove_task();
+    void move_task(int by);
+    /// After every change: problems, lines of the list, what can be done.
     void look();
+    void show_problems();
+    void go_to_problem(int row);
+    bool is_changed() const;
+    void open_draft();
+    void read_draft(const QString& path);
     void save();
+    void publish();
 
-    std::map<std::string, PassRule> tried_;  ///< by task, those that differ from the rule in force
-    QLabel *title_, *task_name_, *facts_;
-    QListWidget* tasks_;  ///< user data: id of the task
+    Curriculum draft_;
+    std::vector<InstalledTask> installed_;
+    std::vector<ObserverForm> forms_;
+    std::vector<CurriculumProblem> problems_;
+    std::string based_on_;  ///< name of the version that the draft began with
+    QLabel *title_, *task_name_, *facts_, *no_problems_;
+    QListWidget *tasks_, *problem_list_;
+    QTabWidget* tabs_;
     PassRuleDesigner* designer_;
-    QPushButton *restore_, *save_;
-    QLineEdit* path_;
+    TaskNeedsForm* needs_;
+    TaskRatingsForm* ratings_;
+    StagesForm* stages_;
+    QComboBox* new_task_;
+    QPushButton *restore_, *add_, *remove_, *up_, *down_, *save_, *publish_, *discard_;
+    QLineEdit *path_, *reason_;
 };
 
 }  // namespace fulcrum::ui

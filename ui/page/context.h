@@ -66,6 +66,8 @@ class Context : public QObject {
     void interrupted_scored();
     /// `time_s` < 0: from the start.
     void debrief_wanted(const QString& attempt_id, double time_s);
+    /// This attempt next to another one.
+    void compare_wanted(const QString& attempt_id);
     /// The debrief without name and score, to rate the attempt blind.
     void rating_wanted(const QString& attempt_id);
     void progress_wanted(const QString& person_id, const QString& task_id);

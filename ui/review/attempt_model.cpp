@@ -138,7 +138,61 @@ void join(const std::vector<ChunkPart>& parts, AttemptModel& model) {
     model.duration = samples == 0 ? 0 : model.force[0]->last_x();
 }
 
+void take_scene(const Scene& scene, AttemptModel& model) {
+    model.tick = scene.tick_period();
+    model.scope_alone = scene.instruments.empty();
+    for (const TissueSpec& tissue : scene.tissues) {
+        model.tissues.push_back(tissue.label);
+        if (tissue.force_limit > 0) model.force_limits.emplace_back(tissue.label, tissue.force_limit);
+    }
+}
+
+void take_events(const std::vector<Event>& events, AttemptModel& model) {
+    double parted = -fibres_line_s;
+    for (const Event& event : events) {
+        if (event.kind == EventKind::phase_end) model.goals_done.push_back(event.detail);
+        if (event.kind == EventKind::fibres_parted) {
+            // They part bit by bit, many times a second: one line until they have held for a while.
+            const double last = std::exchange(parted, event.tick * model.tick);
+            if (parted - last < fibres_line_s) continue;
+        }
+        EventLine line{event.tick * model.tick, event, event_words(event, model.tissues),
+                       is_penalty(event.kind), is_critical(event.kind)};
+        if (!line.words.isEmpty()) model.events.push_back(std::move(line));
+    }
+}
+
+/// The columns of samples that are in memory.
+database::TraceOverview overview_of(const std::vector<TickSample>& samples) {
+    database::TraceOverview overview;
+    overview.tick.reserve(samples.size());
+    for (const TickSample& sample : samples) {
+        overview.tick.push_back(sample.tick);
+        for (std::size_t h = 0; h < hand_count; ++h) {
+            const HandSample& hand = sample.hand[h];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                overview.hand[h].tip[axis].push_back(static_cast<std::uint32_t>(hand.tip[axis]));
+                overview.hand[h].force[axis].push_back(static_cast<std::uint32_t>(hand.force[axis]));
+            }
+            overview.hand[h].flags.push_back(hand.flags);
+        }
+    }
+    return overview;
+}
+
 }  // namespace
+
+AttemptModel model_of_trace(database::AttemptSummary summary, std::optional<database::ScoreRow> score,
+                            std::shared_ptr<const database::Trace> trace, const std::optional<Scene>& scene) {
+    AttemptModel model;
+    model.summary = std::move(summary);
+    model.score = std::move(score);
+    if (scene) take_scene(*scene, model);
+    join({part_of(overview_of(trace->samples), model.tick)}, model);
+    take_events(trace->events, model);
+    model.trace = std::move(trace);
+    return model;
+}
 
 std::optional<AttemptModel> load_attempt(const database::Store& store, const database::Session& session,
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
@@ -149,14 +203,7 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     for (database::ScoreRow& score : attempts.scores(session, attempt_id))
         (score.in_force ? model.score : model.recomputed) = std::move(score);  // the newest comes last
     if (model.score) model.pathology = database::pathology_of(*model.score);
-    if (scene) {
-        model.tick = scene->tick_period();
-        model.scope_alone = scene->instruments.empty();
-        for (const TissueSpec& tissue : scene->tissues) {
-            model.tissues.push_back(tissue.label);
-            if (tissue.force_limit > 0) model.force_limits.emplace_back(tissue.label, tissue.force_limit);
-        }
-    }
+    if (scene) take_scene(*scene, model);
     if (progress && !progress(0.1, {})) return std::nullopt;
     std::vector<ChunkPart> parts;
     if (!model.summary.meta.keep_trace) {
@@ -170,18 +217,7 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
         });
     if (progress && !progress(0.7, {})) return std::nullopt;
     join(parts, model);
-    double parted = -fibres_line_s;
-    for (const Event& event : attempts.read_events(session, attempt_id)) {
-        if (event.kind == EventKind::phase_end) model.goals_done.push_back(event.detail);
-        if (event.kind == EventKind::fibres_parted) {
-            // They part bit by bit, many times a second: one line until they have held for a while.
-            const double last = std::exchange(parted, event.tick * model.tick);
-            if (parted - last < fibres_line_s) continue;
-        }
-        EventLine line{event.tick * model.tick, event, event_words(event, model.tissues),
-                       is_penalty(event.kind), is_critical(event.kind)};
-        if (!line.words.isEmpty()) model.events.push_back(std::move(line));
-    }
+    take_events(attempts.read_events(session, attempt_id), model);
     if (progress && !progress(1.0, {})) return std::nullopt;
     return model;
 }

@@ -61,6 +61,10 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
                                          const Progress& progress);
 
+/// The same of a trace that is in memory, with it. `summary` and `score`: of that attempt.
+AttemptModel model_of_trace(database::AttemptSummary summary, std::optional<database::ScoreRow> score,
+                            std::shared_ptr<const database::Trace> trace, const std::optional<Scene>& scene);
+
 /// Keeps points at least `spacing` m from the one kept before, then doubles the spacing until at most `limit`
 /// are left.
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit);

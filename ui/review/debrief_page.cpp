@@ -187,9 +187,13 @@ QWidget* DebriefPage::build_head() {
     card_layout(advice_card)->addWidget(advice_);
     layout->addWidget(advice_card);
     layout->addLayout(build_numbers());
+    compare_ = make_button(tr("Compare with another attempt"), "debrief_compare");
+    connect(compare_, &QPushButton::clicked, this,
+            [this] { emit context().compare_wanted(text(attempt_id_)); });
     product_ = make_label({});
     product_->setObjectName(QStringLiteral("product"));
     layout->addWidget(product_);
+    layout->addWidget(compare_, 0, Qt::AlignLeft);
     pathology_ = new PathologyCard;
     layout->addWidget(pathology_);
     return head;

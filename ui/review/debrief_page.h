@@ -89,7 +89,7 @@ class DebriefPage : public Page {
     QLabel *blind_title_, *title_, *verdict_, *about_, *notes_, *advice_, *product_;
     QLabel *number_[4], *number_title_[4], *number_why_[4];
     QPushButton* number_explain_[4];
-    QPushButton* back_;
+    QPushButton *back_, *compare_;
     QWidget* replay_block_;
     QLabel* no_trace_words_;
     QFrame* no_trace_;  ///< in its place where the trace was not kept

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10};
 constexpr double step_s = 0.02;
+constexpr int lowest_picture = 230;  // px, of one that is next to another
 
 /// What a goal's progress event counts: targets, metres run, seconds held.
 void show_progress(HudState& hud, double value) {
@@ -137,6 +138,13 @@ void ReplayPanel::set_speed(double factor) {
     for (int i = 0; i < speed_->count(); ++i) {
         if (std::abs(speed_->itemData(i).toDouble() - factor) < 1e-9) speed_->setCurrentIndex(i);
     }
+}
+
+void ReplayPanel::show_picture_alone() {
+    for (QWidget* control : std::initializer_list<QWidget*>{slider_, play_, back_, forward_, speed_, clock_})
+        control->hide();
+    view_->setMinimumHeight(lowest_picture);
+    alone_ = true;
 }
 
 void ReplayPanel::offer_practice(bool offered) {
@@ -257,7 +265,7 @@ void ReplayPanel::fill_hud() {
     }
     hud.display.elapsed_s = time_;
     hud.display.remaining_s = std::max(0.0, model_->duration - time_);
-    view_->set_hud(hud);
+    if (!alone_) view_->set_hud(hud);
     view_->set_targets(done, active, false);
 }
 

@@ -41,6 +41,8 @@ class ReplayPanel : public QWidget {
     void set_speed(double factor);
     void step(int steps);
 
+    /// The picture alone, smaller and without clock and forces: what steers it and says more is elsewhere.
+    void show_picture_alone();
     /// Offers practice from the moment shown.
     void offer_practice(bool offered);
 
@@ -65,7 +67,7 @@ class ReplayPanel : public QWidget {
     QTimer timer_;
     QElapsedTimer since_;
     double time_ = 0, factor_ = 1;
-    bool playing_ = false, loaded_ = false;
+    bool playing_ = false, loaded_ = false, alone_ = false;
 };
 
 }  // namespace fulcrum::ui

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "assessment/curriculum/curriculum.h"
+#include "assessment/forms/observer_form.h"
 #include "assessment/scoring/judged_limits.h"
 #include "database/records/tissues.h"
 #include "database/rows/attempt_records.h"
@@ -65,7 +66,14 @@ class TaskService {
     /// All tasks of assets/tasks, in curriculum order.
     virtual const std::vector<TaskDefinition>& tasks() const = 0;
     /// The curriculum that trainees follow.
+    /// It and its versions stay where they are while the program runs, also after a newer one was published.
     virtual const Curriculum& curriculum() const = 0;
+    /// Puts the next version in force (database/records/curriculum_publishing.h); curriculum() is it from
+    /// then on. Throws as publish_curriculum().
+    virtual void publish_curriculum(const database::Session& session, const std::string& text,
+                                    const std::string& reason) = 0;
+    /// The observer forms that are installed. Throws InputError.
+    virtual std::vector<ObserverForm> forms() const = 0;
     /// Throws InputError. Any thread.
     /// `variant` empty, here and below: the standard one.
     virtual Scene scene_for(const TaskDefinition& task, const std::string& variant = {}) const = 0;
@@ -122,6 +130,13 @@ class ScoringService {
                                                           const Progress& progress) = 0;
 };
 
+/// An expert's attempt for comparison: simulated, not stored.
+struct ExpertAttempt {
+    database::AttemptSummary summary;  ///< without an id
+    database::ScoreRow score;
+    std::shared_ptr<const database::Trace> trace;
+};
+
 /// Stored attempts played again.
 class ReplayService {
   public:
@@ -131,6 +146,15 @@ class ReplayService {
     virtual std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
                                                       const database::AttemptSummary& attempt,
                                                       std::shared_ptr<const database::Trace> trace) = 0;
+    /// The first of the synthetic experts of the provisional benchmark performs the task of this attempt in
+    /// its scene. The function that is returned does the work and may run on any thread; it is empty when
+    /// stopped. Throws as scene_of.
+    virtual std::function<std::optional<ExpertAttempt>(const Progress&)> expert_attempt(
+        const database::Session& session, const database::AttemptSummary& attempt) = 0;
+    /// The picture of such an attempt, as open_replay. `attempt`: the one it was made for.
+    virtual std::unique_ptr<ReplaySource> open_expert_replay(const database::Session& session,
+                                                             const database::AttemptSummary& attempt,
+                                                             const ExpertAttempt& expert) = 0;
     /// The scene as a stored attempt used it. Throws as open_replay, and StoreError, AccessDenied.
     virtual Scene scene_of(const database::Session& session,
                            const database::AttemptSummary& attempt) const = 0;

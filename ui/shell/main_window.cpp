@@ -11,6 +11,7 @@
 
 #include "database/records/people.h"
 #include "ui/language/error_text.h"
+#include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/first_start_page.h"
 #include "ui/shell/lock_page.h"
@@ -28,7 +29,6 @@
 #include "ui/trainee/progress_page.h"
 
 namespace fulcrum::ui {
-
 namespace {
 
 constexpr QSize preferred_size(1280, 800), smallest_size(960, 600);
@@ -67,7 +67,7 @@ TheatrePage* MainWindow::running_theatre() const {
 }
 
 MainWindow::MainWindow(ApplicationServices& services, QWidget* parent, int lock_ms, int close_ms)
-    : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms) {
+    : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms), schedules_(context_, this) {
     setObjectName(QStringLiteral("main_window"));
     setWindowTitle(tr("Fulcrum"));
     build();
@@ -117,21 +117,22 @@ void MainWindow::connect_context() {
                 if (theatre->demonstrate(plain(task_id), plain(variant))) show_page(theatre);
             });
     connect(&context_, &Context::take_over_wanted, this, [this](std::shared_ptr<const ReplayMoment> from) {
-        auto* theatre = page<TheatrePage>();
-        if (theatre->take_over(std::move(from))) show_page(theatre);
+        if (page<TheatrePage>()->take_over(std::move(from))) show_page(page<TheatrePage>());
     });
     connect(&context_, &Context::interrupted_scored, this, [this] {
         if (typeid(*current_page()) == typeid(HomePage)) current_page()->enter();
     });
     connect(&context_, &Context::debrief_wanted, this, [this](const QString& attempt_id, double time_s) {
-        auto* debrief = page<DebriefPage>();
-        debrief->open(plain(attempt_id), time_s);
-        show_page(debrief);
+        page<DebriefPage>()->open(plain(attempt_id), time_s);
+        show_page(page<DebriefPage>());
+    });
+    connect(&context_, &Context::compare_wanted, this, [this](const QString& attempt_id) {
+        page<ComparePage>()->open(plain(attempt_id));
+        show_page(page<ComparePage>());
     });
     connect(&context_, &Context::rating_wanted, this, [this](const QString& attempt_id) {
-        auto* debrief = page<DebriefPage>();
-        debrief->open_to_rate(plain(attempt_id));
-        show_page(debrief);
+        page<DebriefPage>()->open_to_rate(plain(attempt_id));
+        show_page(page<DebriefPage>());
     });
     connect(&context_, &Context::progress_wanted, this,
             [this](const QString& person_id, const QString& task_id) {

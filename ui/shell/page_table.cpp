@@ -13,6 +13,7 @@
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
 #include "ui/dashboards/limits_page.h"
+#include "ui/dashboards/schedules_page.h"
 #include "ui/dashboards/to_rate_page.h"
 #include "ui/shell/settings_page.h"
 #include "ui/trainee/home_page.h"
@@ -57,6 +58,7 @@ const std::vector<PageEntry>& page_table() {
         entry<StationPage> ("rail_station",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Station"),        {administrator}, station_only),
         entry<AuditPage>   ("rail_audit",    QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Audit log"),      {administrator}, station_only),
         entry<CohortsPage> ("rail_assign",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Assign cohorts"), {director}, station_only),
+        entry<SchedulesPage>("rail_schedules", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Reports"),      {director}, station_only),
         entry<TissuesPage> ("rail_tissues",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Tissue"),         {educator, director}, station_only),
         entry<SettingsPage>("rail_settings", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Settings"),       {trainee, educator, director, administrator}),
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/widgets.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -85,6 +86,15 @@ QPushButton* make_button(const QString& shown, const char* name, const char* rol
     button->setAutoDefault(false);
     if (role != nullptr) button->setProperty("role", role);
     return button;
+}
+
+QComboBox* make_narrow_choice(const char* name, const QString& accessible_name, int characters) {
+    auto* box = new QComboBox;
+    box->setObjectName(QLatin1String(name));
+    box->setAccessibleName(accessible_name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(characters);
+    return box;
 }
 
 QFrame* make_card(int spacing) {

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 #include <vector>
 
+class QComboBox;
+
 namespace fulcrum::ui {
 
 QLabel* make_label(const QString& shown, const char* role = nullptr);
@@ -32,6 +34,8 @@ inline constexpr int widest_line = 800;
 QString in_lines(const QString& shown, const QFontMetrics& metrics, int width);
 /// A button whose object name and accessible name are set; role "primary", "link", "card" or null.
 QPushButton* make_button(const QString& shown, const char* name, const char* role = nullptr);
+/// A choice that is as wide as so many characters at least, whatever its longest line; the rest ends in "…".
+QComboBox* make_narrow_choice(const char* name, const QString& accessible_name, int characters);
 /// A rounded frame with a vertical layout (reach it by card->layout()).
 QFrame* make_card(int spacing = 8);
 inline QVBoxLayout* card_layout(QFrame* card) {

@@ -57,5 +57,16 @@ TEST(Schedules, AreTheDirectorsAuditedAndRemembered) {
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
 }
 
+TEST(Schedules, AreLockedForOneRunAtATime) {
+    const Programme programme;
+    {
+        const ScheduleLock first(*programme.store);
+        EXPECT_TRUE(first.held());
+        const ScheduleLock second(*programme.store);
+        EXPECT_FALSE(second.held());
+    }
+    EXPECT_TRUE(ScheduleLock(*programme.store).held()) << "released";
+}
+
 }  // namespace
 }  // namespace fulcrum::database

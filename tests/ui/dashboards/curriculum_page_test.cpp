@@ -13,6 +13,8 @@
 
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
+#include "database/records/people.h"
+#include "database/store/accepted_assets.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/processor_time.h"
 #include "tests/ui/fake_services.h"
@@ -45,6 +47,16 @@ class CurriculumView : public ::testing::Test {
         QCoreApplication::processEvents();
         if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES")) return;
         window.grab().save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + name + ".png");
+    }
+    void be_educator() {
+        const database::People people(*services.store());
+        const database::Session administrator = people.sign_in("administrator", "correct horse battery");
+        const auto made = people.create(administrator, "ed", "Ed Educator", {database::Role::educator});
+        const database::Session once = people.sign_in("ed", made.one_time_password);
+        window.context().sign_out();
+        window.context().set_session(people.change_password(once, made.one_time_password, "a long password"));
+        click(window, "rail_curriculum");
+        tasks = find<QListWidget>(window, "curriculum_tasks");
     }
     void choose(const char* task) {
         for (int row = 0; row < tasks->count(); ++row) {
@@ -129,6 +141,129 @@ TEST_F(CurriculumView, CurvesFollowASliderAtOnce) {
     RecordProperty("milliseconds_a_step", std::to_string(each));
     EXPECT_LT(each, 100);
     EXPECT_NEAR(window.findChild<PassRuleDesigner*>()->tried().h, rule_of("A2").h + 1, 1e-9);
+}
+
+TEST_F(CurriculumView, ShowsEachProblemAtItsPlaceAndWhatBlocksCannotBePublished) {
+    auto* page = static_cast<CurriculumPage*>(window.current_page());
+    const auto blocks = [&](CurriculumField field, std::size_t index) {
+        return std::any_of(page->problems().begin(), page->problems().end(),
+                           [&](const CurriculumProblem& one) {
+                               return one.blocks && one.field == field && one.index == index;
+                           });
+    };
+    EXPECT_FALSE(std::any_of(page->problems().begin(), page->problems().end(),
+                             [](const CurriculumProblem& one) { return one.blocks; }))
+        << "the curriculum in force";
+    choose("A2");
+    choose_tab(window, "curriculum_tabs", "Prerequisites");
+    auto* after = find<QListWidget>(window, "task_after");
+    QListWidgetItem* a3 = nullptr;
+    for (int row = 0; row < after->count(); ++row)
+        if (after->item(row)->data(Qt::UserRole).toString() == "A3") a3 = after->item(row);
+    ASSERT_NE(a3, nullptr);
+    after->setCurrentItem(a3);
+    QTest::keyClick(after, Qt::Key_Space);  // A3 comes after A2: a cycle
+    EXPECT_TRUE(blocks(CurriculumField::after, 1));
+    EXPECT_TRUE(find<QLabel>(window, "needs_problems")->text().contains("A2 would unlock only after itself"));
+    EXPECT_TRUE(tasks->currentItem()->text().contains("✕ 1 problem"));
+    type(window, "curriculum_reason", "because");
+    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
+    keep("curriculum-problems-light");
+    window.set_theme(Theme::dark);
+    keep("curriculum-problems-dark");
+    window.set_theme(Theme::light);
+    // The problem in the list leads to its place.
+    choose("C4");
+    auto* list = find<QListWidget>(window, "curriculum_problems");
+    bring(*list);
+    for (int row = 0; row < list->count(); ++row) {
+        if (!list->item(row)->text().startsWith("A2, Prerequisites: ✕")) continue;
+        list->setCurrentRow(row);
+        QTest::keyClick(list, Qt::Key_Return);
+    }
+    EXPECT_EQ(tasks->currentItem()->data(Qt::UserRole).toString(), "A2");
+    EXPECT_EQ(find<QTabWidget>(window, "curriculum_tabs")->currentIndex(), 1);
+    auto* haptic = find<QAbstractButton>(window, "task_device_haptic");
+    for (const char* name : {"task_device_haptic", "task_device_tracked", "task_device_mouse-keyboard"}) {
+        auto* box = find<QAbstractButton>(window, name);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+    }
+    EXPECT_FALSE(haptic->isChecked());
+    EXPECT_TRUE(blocks(CurriculumField::devices, 1));
+    auto* controller = find<QAbstractButton>(window, "task_device_controller");
+    controller->setFocus();
+    QTest::keyClick(controller, Qt::Key_Space);
+    EXPECT_TRUE(find<QLabel>(window, "needs_problems")
+                    ->text()
+                    .contains("A2 has no benchmark for the class of devices controller"));
+    EXPECT_TRUE(blocks(CurriculumField::devices, 1)) << "no class is left that is judged";
+    click(window, "curriculum_discard");
+    EXPECT_FALSE(blocks(CurriculumField::after, 1));
+    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_discard")->isEnabled());
+}
+
+TEST_F(CurriculumView, StagesAndRatingsAreEditedWithTheKeyboard) {
+    auto* page = static_cast<CurriculumPage*>(window.current_page());
+    choose_tab(window, "curriculum_tabs", "Stages");
+    auto* stages = find<QTableWidget>(window, "stages_table");
+    stages->setFocus();
+    stages->setCurrentCell(0, 0);
+    QTest::keyClick(stages, Qt::Key_F2);
+    auto* editor = stages->viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->selectAll();
+    QTest::keyClicks(editor, "G");
+    QTest::keyClick(editor, Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return page->draft().stages[0].id == "G"; }, 5000));
+    type(window, "curriculum_title", "Rectal surgery");
+    EXPECT_EQ(page->draft().title, "Rectal surgery");
+    EXPECT_EQ(page->draft().find("A2")->stage, "G") << "a stage that is renamed keeps its tasks";
+    keep("curriculum-stages-light");
+    choose("C4");
+    choose_tab(window, "curriculum_tabs", "Ratings");
+    auto* wanted = find<QAbstractButton>(window, "ratings_wanted");
+    wanted->setFocus();
+    QTest::keyClick(wanted, Qt::Key_Space);
+    ASSERT_TRUE(page->draft().find("C4")->ratings.has_value());
+    keep("curriculum-ratings-light");
+    EXPECT_EQ(page->draft().find("C4")->ratings->lowest_mean, 3);
+    const int before = tasks->count();
+    choose("B2");
+    click(window, "task_remove");
+    EXPECT_EQ(tasks->count(), before - 1);
+    EXPECT_TRUE(find<QAbstractButton>(window, "task_add")->isEnabled());
+    EXPECT_TRUE(
+        std::any_of(page->problems().begin(), page->problems().end(), [](const CurriculumProblem& one) {
+            return one.field == CurriculumField::after && one.blocks;  // C4 opens after B2
+        }));
+}
+
+TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
+    choose("C4");
+    step("rule_passes", 1, Qt::Key_Left);
+    type(window, "curriculum_reason", "Three of five are enough");
+    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled()) << "a director looks";
+    be_educator();
+    choose("C4");
+    step("rule_passes", 1, Qt::Key_Left);
+    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled()) << "no reason yet";
+    type(window, "curriculum_reason", "Three of five are enough");
+    const std::string before = services.curriculum().name();
+    click(window, "curriculum_publish");
+    EXPECT_EQ(services.curriculum().name(), "rectal@3");
+    EXPECT_EQ(pass_rule_text(services.curriculum().find("C4")->rule), "of:3,5");
+    ASSERT_NE(services.curriculum().version_named(before), nullptr)
+        << "the one before is there for its people";
+    EXPECT_EQ(pass_rule_text(services.curriculum().version_named(before)->find("C4")->rule), "of:4,5");
+    const auto accepted = database::AcceptedAssets(*services.store()).list();
+    ASSERT_EQ(accepted.size(), 1U);
+    EXPECT_EQ(accepted[0].file.name, "curricula/rectal-3.json");
+    EXPECT_EQ(accepted[0].reason, "Three of five are enough");
+    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 3 is in force."));
+    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 4");
+    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
+    EXPECT_FALSE(tasks->item(6)->text().contains("tried"));
 }
 
 TEST_F(CurriculumView, WritesTheFileOfANewVersion) {

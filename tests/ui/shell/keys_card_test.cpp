@@ -8,7 +8,7 @@
 #include <QRadioButton>
 #include <QSettings>
 
-#include "tests/ui/screens.h"
+#include "tests/ui/settings_screens.h"
 #include "ui/language/language.h"
 #include "ui/style/appearance.h"
 #include "ui/theatre/mouse_keyboard_input.h"
@@ -17,20 +17,8 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-class KeysOnThePage : public Screens {
+class KeysOnThePage : public SettingsScreens {
   protected:
-    KeysOnThePage() { QSettings().clear(); }
-    ~KeysOnThePage() override {
-        window.reset();
-        QSettings().clear();
-        apply_text_size(*qApp, 100);
-        use_language(Language::english);
-    }
-    void open_page(Role role = Role::trainee) {
-        open({1280, 800});
-        sign_in(role);
-        go_to("rail_settings");
-    }
     QString shown_key(const char* name) { return find<QPushButton>(*window, name)->text(); }
     void change(const char* name, Qt::Key key) {
         auto* button = find<QPushButton>(*window, name);

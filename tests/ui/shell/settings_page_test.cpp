@@ -9,27 +9,15 @@
 #include <QRadioButton>
 #include <QSettings>
 
-#include "tests/ui/screens.h"
+#include "tests/ui/settings_screens.h"
 #include "ui/shell/page_table.h"
 #include "ui/style/appearance.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
 
-class Settings : public Screens {
+class Settings : public SettingsScreens {
   protected:
-    Settings() { QSettings().clear(); }
-    ~Settings() override {
-        window.reset();
-        QSettings().clear();
-        apply_text_size(*qApp, 100);
-        use_language(Language::english);
-    }
-    void open_page(Role role = Role::trainee) {
-        open({1280, 800});
-        sign_in(role);
-        go_to("rail_settings");
-    }
     QString focused() {
         const QWidget* widget = window->focusWidget();
         return widget != nullptr ? widget->objectName() : QString();

@@ -10,9 +10,9 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 
-#include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "tests/ui/fake_services.h"
+#include "tests/ui/four_people.h"
 #include "tests/ui/hands.h"
 #include "ui/language/language.h"
 #include "ui/shell/main_window.h"
@@ -29,20 +29,7 @@ class PersonalGoals : public ::testing::Test {
     PersonalGoals() {
         apply_theme(*qApp, Theme::light);
         services.open_store(false);
-        const database::People people(*services.store());
-        const database::Session alma =
-            people.create_programme("Surgery", "alma", "Alma Admin", "correct horse").administrator;
-        for (const auto& [role, login, name] : {std::tuple{Role::trainee, "tara", "Tara Trainee"},
-                                                std::tuple{Role::educator, "ed", "Ed Educator"},
-                                                std::tuple{Role::director, "dora", "Dora Director"}}) {
-            const auto made = people.create(alma, login, name, {role});
-            const database::Session once = people.sign_in(login, made.one_time_password);
-            sessions.emplace(role, people.change_password(once, made.one_time_password, "a long password"));
-        }
-        const database::Session& dora = sessions.at(Role::director);
-        const std::string cohort = people.create_cohort(dora, "Spring");
-        people.set_members(dora, cohort, {sessions.at(Role::trainee).person_id()});
-        people.set_educators(dora, cohort, {sessions.at(Role::educator).person_id()});
+        sessions = make_four_people(*services.store());
         window.resize(1024, 740);
         window.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));

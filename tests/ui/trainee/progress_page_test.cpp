@@ -13,12 +13,12 @@
 #include "assessment/scoring/benchmark.h"
 
 #include "database/records/certificates.h"
-#include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "database/records/standings.h"
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
+#include "tests/ui/four_people.h"
 #include "tests/ui/hands.h"
 #include "ui/charts/attempt_chart.h"
 #include "ui/shell/main_window.h"
@@ -34,20 +34,7 @@ class ProgressWithHistory : public ::testing::Test {
     ProgressWithHistory() {
         apply_theme(*qApp, Theme::light);
         services.open_store(false);
-        const database::People people(*services.store());
-        const database::Session alma =
-            people.create_programme("Surgery", "alma", "Alma Admin", "correct horse").administrator;
-        for (const auto& [role, login, name] : {std::tuple{Role::trainee, "tara", "Tara Trainee"},
-                                                std::tuple{Role::educator, "ed", "Ed Educator"},
-                                                std::tuple{Role::director, "dora", "Dora Director"}}) {
-            const auto made = people.create(alma, login, name, {role});
-            const database::Session once = people.sign_in(login, made.one_time_password);
-            sessions.emplace(role, people.change_password(once, made.one_time_password, "a long password"));
-        }
-        const database::Session& dora = sessions.at(Role::director);
-        const std::string cohort = people.create_cohort(dora, "Spring");
-        people.set_members(dora, cohort, {sessions.at(Role::trainee).person_id()});
-        people.set_educators(dora, cohort, {sessions.at(Role::educator).person_id()});
+        sessions = make_four_people(*services.store());
     }
     ~ProgressWithHistory() override { apply_theme(*qApp, Theme::light); }
 

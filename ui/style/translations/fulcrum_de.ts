@@ -1047,26 +1047,6 @@
         <translation>eine verwendete Version wird nie bearbeitet: Erhöhen Sie die Version der geänderten Datei</translation>
     </message>
     <message>
-        <source>curriculum %1</source>
-        <translation>Curriculum %1</translation>
-    </message>
-    <message>
-        <source>was not read from a file</source>
-        <translation>wurde nicht aus einer Datei gelesen</translation>
-    </message>
-    <message>
-        <source>choose an installed curriculum</source>
-        <translation>wählen Sie ein installiertes Curriculum</translation>
-    </message>
-    <message>
-        <source>has no task %1</source>
-        <translation>hat keine Aufgabe %1</translation>
-    </message>
-    <message>
-        <source>name one of its tasks</source>
-        <translation>nennen Sie eine seiner Aufgaben</translation>
-    </message>
-    <message>
         <source>is outside the scale of the item (is %1)</source>
         <translation>liegt außerhalb der Skala des Punktes (ist %1)</translation>
     </message>
@@ -5579,96 +5559,120 @@
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; has no attribute %2</source>
-        <translation>&lt;%1&gt; hat kein Attribut %2</translation>
+        <source>the title is missing or too long</source>
+        <translation>der Titel fehlt oder ist zu lang</translation>
     </message>
     <message>
-        <source>record it again with PerkTutor, or remove this element</source>
-        <translation>nehmen Sie es mit PerkTutor neu auf, oder entfernen Sie dieses Element</translation>
+        <source>give a title of 1 to 120 characters</source>
+        <translation>geben Sie einen Titel von 1 bis 120 Zeichen an</translation>
     </message>
     <message>
-        <source>the file ends within an element</source>
-        <translation>die Datei endet mitten in einem Element</translation>
+        <source>the curriculum has no task</source>
+        <translation>das Curriculum hat keine Aufgabe</translation>
     </message>
     <message>
-        <source>the recording was cut off: copy the file again</source>
-        <translation>die Aufzeichnung ist abgeschnitten: kopieren Sie die Datei noch einmal</translation>
+        <source>add one</source>
+        <translation>fügen Sie eine hinzu</translation>
     </message>
     <message>
-        <source>the attributes of &lt;%1&gt; cannot be read</source>
-        <translation>die Attribute von &lt;%1&gt; sind nicht lesbar</translation>
+        <source>the curriculum has no stage</source>
+        <translation>das Curriculum hat keine Stufe</translation>
     </message>
     <message>
-        <source>choose a recording that PerkTutor stored as XML</source>
-        <translation>wählen Sie eine Aufzeichnung, die PerkTutor als XML gespeichert hat</translation>
+        <source>the curriculum is too large</source>
+        <translation>das Curriculum ist zu groß</translation>
     </message>
     <message>
-        <source>attribute %1 has more than %2 bytes</source>
-        <translation>Attribut %1 hat mehr als %2 Bytes</translation>
+        <source>keep it to 12 stages and 60 tasks</source>
+        <translation>höchstens 12 Stufen und 60 Aufgaben sind möglich</translation>
     </message>
     <message>
-        <source>poses have a time already</source>
-        <translation>Posen haben schon eine Zeit</translation>
+        <source>the stage has no short name, or a long one</source>
+        <translation>die Stufe hat keinen oder einen zu langen Kurznamen</translation>
     </message>
     <message>
-        <source>does not name a device and an entry of its pose</source>
-        <translation>nennt kein Gerät mit einem Eintrag seiner Pose</translation>
+        <source>give a short name of 1 to 8 characters, such as A</source>
+        <translation>geben Sie einen Kurznamen von 1 bis 8 Zeichen an, zum Beispiel A</translation>
     </message>
     <message>
-        <source>write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x</source>
-        <translation>schreiben Sie GERÄT.x, .y oder .z, oder für eine Achse GERÄT.z_axis.x</translation>
+        <source>the title of stage %1 is missing or too long</source>
+        <translation>der Titel der Stufe %1 fehlt oder ist zu lang</translation>
     </message>
     <message>
-        <source>has no meaning for a recording of poses</source>
-        <translation>hat bei einer Aufzeichnung von Posen keine Bedeutung</translation>
+        <source>give a title of 1 to 60 characters</source>
+        <translation>geben Sie einen Titel von 1 bis 60 Zeichen an</translation>
     </message>
     <message>
-        <source>%1 is not a number: &quot;%2&quot;</source>
-        <translation>%1 ist keine Zahl: „%2“</translation>
+        <source>stage %1 has no task</source>
+        <translation>die Stufe %1 hat keine Aufgabe</translation>
     </message>
     <message>
-        <source>remove this element, or record again</source>
-        <translation>entfernen Sie dieses Element, oder nehmen Sie neu auf</translation>
+        <source>move a task to it, or remove it</source>
+        <translation>ordnen Sie ihr eine Aufgabe zu oder entfernen Sie sie</translation>
     </message>
     <message>
-        <source>the time is out of range</source>
-        <translation>die Zeit liegt außerhalb des Bereichs</translation>
+        <source>remove it, or have its file installed first</source>
+        <translation>entfernen Sie sie oder lassen Sie zuerst ihre Datei installieren</translation>
     </message>
     <message>
-        <source>transform has not 16 numbers by rows, the last four of them 0 0 0 1 (numbers: %1)</source>
-        <translation>transform hat nicht 16 Zahlen zeilenweise, die letzten vier davon 0 0 0 1 (Zahlen: %1)</translation>
+        <source>choose one of the stages, or add it</source>
+        <translation>wählen Sie eine der Stufen oder fügen Sie sie hinzu</translation>
     </message>
     <message>
-        <source>choose a recording of rigid tools that PerkTutor stored as XML</source>
-        <translation>wählen Sie eine Aufzeichnung starrer Werkzeuge, die PerkTutor als XML gespeichert hat</translation>
+        <source>asks for passes on %1 variants, but %2 has %3</source>
+        <translation>verlangt Bestehen an %1 Varianten, aber %2 hat %3</translation>
     </message>
     <message>
-        <source>more than %1 devices</source>
-        <translation>mehr als %1 Geräte</translation>
+        <source>ask for fewer, or the rule is never met</source>
+        <translation>verlangen Sie weniger, sonst wird die Regel nie erfüllt</translation>
     </message>
     <message>
-        <source>does not begin with &lt;TransformRecorderLog&gt;</source>
-        <translation>beginnt nicht mit &lt;TransformRecorderLog&gt;</translation>
+        <source>add it, or take it out of the prerequisites</source>
+        <translation>fügen Sie sie hinzu oder streichen Sie sie aus den Voraussetzungen</translation>
     </message>
     <message>
-        <source>DeviceName is empty, too long or not UTF-8</source>
-        <translation>DeviceName ist leer, zu lang oder kein UTF-8</translation>
+        <source>no class of devices is chosen</source>
+        <translation>es ist keine Geräteklasse gewählt</translation>
     </message>
     <message>
-        <source>name the device in 3D Slicer and record again</source>
-        <translation>benennen Sie das Gerät in 3D Slicer und nehmen Sie neu auf</translation>
+        <source>choose at least one, or no attempt counts</source>
+        <translation>wählen Sie mindestens eine, sonst zählt kein Versuch</translation>
     </message>
     <message>
-        <source>the file ends without &lt;/TransformRecorderLog&gt;</source>
-        <translation>die Datei endet ohne &lt;/TransformRecorderLog&gt;</translation>
+        <source>%1 has no benchmark for the class of devices %2</source>
+        <translation>für %1 gibt es keinen Benchmark mit der Geräteklasse %2</translation>
     </message>
     <message>
-        <source>there is no pose of the device %1</source>
-        <translation>es gibt keine Pose des Geräts %1</translation>
+        <source>gates based on the experts&apos; range are not judged with it until a set is installed</source>
+        <translation>Kriterien nach dem Bereich der Experten werden damit nicht beurteilt, bis ein Satz installiert ist</translation>
     </message>
     <message>
-        <source>name one of these in the mapping: %1</source>
-        <translation>nennen Sie eines davon in der Zuordnung: %1</translation>
+        <source>another version was published in the meantime: %1</source>
+        <translation>inzwischen wurde eine andere Version veröffentlicht: %1</translation>
+    </message>
+    <message>
+        <source>save your draft, start the program again and open the draft</source>
+        <translation>speichern Sie den Entwurf, starten Sie das Programm neu und öffnen Sie den Entwurf</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2)</source>
+        <translation>%1: kann nicht geschrieben werden (%2)</translation>
+    </message>
+    <message>
+        <source>save the draft; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
+        <translation>speichern Sie den Entwurf; die Administration legt die Datei dort ab, und eine Lehrperson nimmt sie mit `fulcrum assets accept` an</translation>
+    </message>
+    <message>
+        <source>make the store&apos;s folder writable and free some space on the disk</source>
+        <translation>machen Sie den Ordner des Datenspeichers beschreibbar und schaffen Sie Platz auf der Festplatte</translation>
+    </message>
+    <message>
+        <source>is another curriculum: %1</source>
+        <translation>ist ein anderes Curriculum: %1</translation>
+    </message>
+    <message>
+        <source>open a draft of %1</source>
+        <translation>öffnen Sie einen Entwurf von %1</translation>
     </message>
     <message>
         <source>The Inverse service of Haply ended or closed the connection. Start it again, and end other programs that use the device.</source>
@@ -5769,6 +5773,98 @@
     <message>
         <source>install the package libwebsockets17 again</source>
         <translation>installieren Sie das Paket libwebsockets17 neu</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; has no attribute %2</source>
+        <translation>&lt;%1&gt; hat kein Attribut %2</translation>
+    </message>
+    <message>
+        <source>record it again with PerkTutor, or remove this element</source>
+        <translation>nehmen Sie es mit PerkTutor neu auf, oder entfernen Sie dieses Element</translation>
+    </message>
+    <message>
+        <source>the file ends within an element</source>
+        <translation>die Datei endet mitten in einem Element</translation>
+    </message>
+    <message>
+        <source>the recording was cut off: copy the file again</source>
+        <translation>die Aufzeichnung ist abgeschnitten: kopieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>the attributes of &lt;%1&gt; cannot be read</source>
+        <translation>die Attribute von &lt;%1&gt; sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>choose a recording that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung, die PerkTutor als XML gespeichert hat</translation>
+    </message>
+    <message>
+        <source>attribute %1 has more than %2 bytes</source>
+        <translation>Attribut %1 hat mehr als %2 Bytes</translation>
+    </message>
+    <message>
+        <source>poses have a time already</source>
+        <translation>Posen haben schon eine Zeit</translation>
+    </message>
+    <message>
+        <source>does not name a device and an entry of its pose</source>
+        <translation>nennt kein Gerät mit einem Eintrag seiner Pose</translation>
+    </message>
+    <message>
+        <source>write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x</source>
+        <translation>schreiben Sie GERÄT.x, .y oder .z, oder für eine Achse GERÄT.z_axis.x</translation>
+    </message>
+    <message>
+        <source>has no meaning for a recording of poses</source>
+        <translation>hat bei einer Aufzeichnung von Posen keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: &quot;%2&quot;</source>
+        <translation>%1 ist keine Zahl: „%2“</translation>
+    </message>
+    <message>
+        <source>remove this element, or record again</source>
+        <translation>entfernen Sie dieses Element, oder nehmen Sie neu auf</translation>
+    </message>
+    <message>
+        <source>the time is out of range</source>
+        <translation>die Zeit liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>transform has not 16 numbers by rows, the last four of them 0 0 0 1 (numbers: %1)</source>
+        <translation>transform hat nicht 16 Zahlen zeilenweise, die letzten vier davon 0 0 0 1 (Zahlen: %1)</translation>
+    </message>
+    <message>
+        <source>choose a recording of rigid tools that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung starrer Werkzeuge, die PerkTutor als XML gespeichert hat</translation>
+    </message>
+    <message>
+        <source>more than %1 devices</source>
+        <translation>mehr als %1 Geräte</translation>
+    </message>
+    <message>
+        <source>does not begin with &lt;TransformRecorderLog&gt;</source>
+        <translation>beginnt nicht mit &lt;TransformRecorderLog&gt;</translation>
+    </message>
+    <message>
+        <source>DeviceName is empty, too long or not UTF-8</source>
+        <translation>DeviceName ist leer, zu lang oder kein UTF-8</translation>
+    </message>
+    <message>
+        <source>name the device in 3D Slicer and record again</source>
+        <translation>benennen Sie das Gerät in 3D Slicer und nehmen Sie neu auf</translation>
+    </message>
+    <message>
+        <source>the file ends without &lt;/TransformRecorderLog&gt;</source>
+        <translation>die Datei endet ohne &lt;/TransformRecorderLog&gt;</translation>
+    </message>
+    <message>
+        <source>there is no pose of the device %1</source>
+        <translation>es gibt keine Pose des Geräts %1</translation>
+    </message>
+    <message>
+        <source>name one of these in the mapping: %1</source>
+        <translation>nennen Sie eines davon in der Zuordnung: %1</translation>
     </message>
     <message>
         <source>%1: signed by the key %2, but the key %3 was announced</source>
@@ -9039,6 +9135,343 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ComparePage</name>
+    <message>
+        <source>Expert of the benchmark (simulated)</source>
+        <translation>Experte des Benchmarks (simuliert)</translation>
+    </message>
+    <message>
+        <source>duration %1</source>
+        <translation>Dauer %1</translation>
+    </message>
+    <message>
+        <source>← Back to the attempt</source>
+        <translation>← Zurück zum Versuch</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Moment of both attempts</source>
+        <translation>Zeitpunkt beider Versuche</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>◀ Step</source>
+        <translation>◀ Schritt</translation>
+    </message>
+    <message>
+        <source>Step ▶</source>
+        <translation>Schritt ▶</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Part of the attempt</source>
+        <translation>Abschnitt des Versuchs</translation>
+    </message>
+    <message>
+        <source>Begins here</source>
+        <translation>Beginnt hier</translation>
+    </message>
+    <message>
+        <source>Ends here</source>
+        <translation>Endet hier</translation>
+    </message>
+    <message>
+        <source>Whole attempt</source>
+        <translation>Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>Was gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Drag with Shift to choose a part.</source>
+        <translation>Mit Umschalt ziehen, um einen Abschnitt zu wählen.</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>rechte Hand</translation>
+    </message>
+    <message>
+        <source>Force and speed</source>
+        <translation>Kraft und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Messgrößen</translation>
+    </message>
+    <message>
+        <source>Compare: %1</source>
+        <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>Reading the attempt …</source>
+        <translation>Der Versuch wird gelesen …</translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Kein Bild: %1</translation>
+    </message>
+    <message>
+        <source>This attempt: %1</source>
+        <translation>Dieser Versuch: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare this attempt with.</source>
+        <translation>Es gibt nichts, womit dieser Versuch verglichen werden kann.</translation>
+    </message>
+    <message>
+        <source>Reading the other attempt …</source>
+        <translation>Der andere Versuch wird gelesen …</translation>
+    </message>
+    <message>
+        <source>An expert performs the task …</source>
+        <translation>Ein Experte führt die Aufgabe aus …</translation>
+    </message>
+    <message>
+        <source>Reading the attempts of the cohort …</source>
+        <translation>Die Versuche der Kohorte werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The other one: %1</source>
+        <translation>Der andere: %1</translation>
+    </message>
+    <message>
+        <source>Force of the left hand (N)</source>
+        <translation>Kraft der linken Hand (N)</translation>
+    </message>
+    <message>
+        <source>Speed of the left hand (mm/s)</source>
+        <translation>Geschwindigkeit der linken Hand (mm/s)</translation>
+    </message>
+    <message>
+        <source>Force of the right hand (N)</source>
+        <translation>Kraft der rechten Hand (N)</translation>
+    </message>
+    <message>
+        <source>Speed of the right hand (mm/s)</source>
+        <translation>Geschwindigkeit der rechten Hand (mm/s)</translation>
+    </message>
+    <message>
+        <source>left (N)</source>
+        <translation>links (N)</translation>
+    </message>
+    <message>
+        <source>left (mm/s)</source>
+        <translation>links (mm/s)</translation>
+    </message>
+    <message>
+        <source>right (N)</source>
+        <translation>rechts (N)</translation>
+    </message>
+    <message>
+        <source>right (mm/s)</source>
+        <translation>rechts (mm/s)</translation>
+    </message>
+    <message>
+        <source>cohort</source>
+        <translation>Kohorte</translation>
+    </message>
+    <message>
+        <source>the other one</source>
+        <translation>der andere</translation>
+    </message>
+    <message>
+        <source>this attempt</source>
+        <translation>dieser Versuch</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>Eigener Bereich</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>; the other one %1 to %2</source>
+        <translation>; der andere %1 bis %2</translation>
+    </message>
+    <message>
+        <source>; metrics of this attempt alone</source>
+        <translation>; nur Messgrößen dieses Versuchs</translation>
+    </message>
+    <message>
+        <source>; the other one %1 / %2</source>
+        <translation>; der andere %1 / %2</translation>
+    </message>
+    <message>
+        <source>Stopped. Choose again what to compare with.</source>
+        <translation>Abgebrochen. Wählen Sie erneut, womit verglichen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ComparisonTable</name>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>✓ better</source>
+        <translation>✓ besser</translation>
+    </message>
+    <message>
+        <source>✕ worse</source>
+        <translation>✕ schlechter</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>This attempt</source>
+        <translation>Dieser Versuch</translation>
+    </message>
+    <message>
+        <source>The other one</source>
+        <translation>Der andere</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>This attempt is</source>
+        <translation>Dieser Versuch ist</translation>
+    </message>
+    <message>
+        <source>Differences of the metrics</source>
+        <translation>Unterschiede der Messgrößen</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>in the middle half</source>
+        <translation>in der mittleren Hälfte</translation>
+    </message>
+    <message>
+        <source>Cohort: median (middle half)</source>
+        <translation>Kohorte: Median (mittlere Hälfte)</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ComparisonTexts</name>
+    <message>
+        <source>Own best: %1</source>
+        <translation>Eigener bester: %1</translation>
+    </message>
+    <message>
+        <source>Own last: %1</source>
+        <translation>Eigener letzter: %1</translation>
+    </message>
+    <message>
+        <source>An expert of the benchmark (simulated)</source>
+        <translation>Ein Experte des Benchmarks (simuliert)</translation>
+    </message>
+    <message>
+        <source>Cohort %1 as a band</source>
+        <translation>Kohorte %1 als Band</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded.</source>
+        <translation>Nichts wurde aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Different variants: %1 and %2. The scenes differ; the steps are put on each other.</source>
+        <translation>Verschiedene Varianten: %1 und %2. Die Szenen sind verschieden; die Schritte werden aufeinandergelegt.</translation>
+    </message>
+    <message>
+        <source>Different versions of the task: %1 and %2.</source>
+        <translation>Verschiedene Versionen der Aufgabe: %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Different devices: %1 and %2. Their values are not on one scale.</source>
+        <translation>Verschiedene Geräte: %1 und %2. Ihre Werte sind nicht direkt vergleichbar.</translation>
+    </message>
+    <message>
+        <source>This attempt: %1</source>
+        <translation>Dieser Versuch: %1</translation>
+    </message>
+    <message>
+        <source>The other one: %1</source>
+        <translation>Der andere: %1</translation>
+    </message>
+    <message>
+        <source>No step was completed in both: they are aligned from the first movement on.</source>
+        <translation>Kein Schritt wurde in beiden abgeschlossen: Sie sind ab der ersten Bewegung ausgerichtet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Aligned by the %n steps that were completed in both.</source>
+        <translation>
+            <numerusform>Ausgerichtet an %n Schritt, der in beiden abgeschlossen wurde.</numerusform>
+            <numerusform>Ausgerichtet an den %n Schritten, die in beiden abgeschlossen wurden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n other people have completed this task with this variant and class of device. A band needs at least 5.</source>
+        <translation>
+            <numerusform>%1: %n andere Person hat diese Aufgabe mit dieser Variante und Geräteklasse abgeschlossen. Ein Band braucht mindestens 5.</numerusform>
+            <numerusform>%1: %n andere Personen haben diese Aufgabe mit dieser Variante und Geräteklasse abgeschlossen. Ein Band braucht mindestens 5.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: the latest counting attempt of %n other people. Line: median; band: the middle half.</source>
+        <translation>
+            <numerusform>%1: der letzte zählende Versuch von %n anderen Person. Linie: Median; Band: die mittlere Hälfte.</numerusform>
+            <numerusform>%1: der letzte zählende Versuch von %n anderen Personen. Linie: Median; Band: die mittlere Hälfte.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The trace of %n of them was not kept here: only their metrics are compared.</source>
+        <translation>
+            <numerusform>Von %n Person wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
+            <numerusform>Von %n Personen wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::Context</name>
     <message>
         <source>Interrupted attempts could not be scored now. It is tried again at the next sign-in: %1</source>
@@ -9115,24 +9548,12 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::CurriculumPage</name>
     <message>
-        <source>When a trainee is proficient in a task follows from its pass rule. Choose a task, move the sliders, and see what another rule would do.</source>
-        <translation>Wann eine Aufgabe sicher beherrscht wird, folgt aus ihrer Bestehensregel. Wählen Sie eine Aufgabe, bewegen Sie die Regler und sehen Sie, was eine andere Regel bewirken würde.</translation>
-    </message>
-    <message>
         <source>Tasks of the curriculum</source>
         <translation>Aufgaben des Curriculums</translation>
     </message>
     <message>
         <source>Back to the rule in force</source>
         <translation>Zurück zur geltenden Regel</translation>
-    </message>
-    <message>
-        <source>New version</source>
-        <translation>Neue Version</translation>
-    </message>
-    <message>
-        <source>File of the new version</source>
-        <translation>Datei der neuen Version</translation>
     </message>
     <message>
         <source>Save</source>
@@ -9174,14 +9595,6 @@ Kennzahlen: %2</translation>
         <translation>Ersetzen</translation>
     </message>
     <message>
-        <source>Change the rule of a task first.</source>
-        <translation>Ändern Sie zuerst die Regel einer Aufgabe.</translation>
-    </message>
-    <message>
-        <source>Wrote %1. It takes effect once it is installed: the manual says how.</source>
-        <translation>%1 wurde geschrieben. Sie gilt, sobald sie installiert ist: Das Handbuch sagt, wie.</translation>
-    </message>
-    <message>
         <source>Exact for trainees who pass every attempt with the same chance. Learning, the two days and the variants and ratings that a rule may ask for are left out: they delay it further.</source>
         <translation>Genau für Trainierende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen, die zwei Tage sowie die Varianten und Beurteilungen, die eine Regel verlangen kann, sind nicht berücksichtigt: Sie verzögern es weiter.</translation>
     </message>
@@ -9191,6 +9604,153 @@ Kennzahlen: %2</translation>
             <numerusform>%n Beurteilung mit dem Bogen %1, Mittelwert mindestens %2</numerusform>
             <numerusform>%n Beurteilungen mit dem Bogen %1, Mittelwert mindestens %2</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Curriculum</source>
+        <translation>Curriculum</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Prerequisites</source>
+        <translation>Voraussetzungen</translation>
+    </message>
+    <message>
+        <source>Pass rule</source>
+        <translation>Bestehensregel</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Varianten</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation>Bewertungen</translation>
+    </message>
+    <message>
+        <source>When a trainee is proficient in a task follows from its pass rule. Choose a task, change what you like, and see what it would do. Nothing is in force before you publish it.</source>
+        <translation>Wann jemand eine Aufgabe beherrscht, folgt aus ihrer Bestehensregel. Wählen Sie eine Aufgabe, ändern Sie, was Sie möchten, und sehen Sie, was es bewirken würde. Nichts gilt, bevor Sie es veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>▲ Up</source>
+        <translation>▲ Auf</translation>
+    </message>
+    <message>
+        <source>▼ Down</source>
+        <translation>▼ Ab</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Task to be added</source>
+        <translation>Aufgabe, die hinzukommt</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Problems of the draft</source>
+        <translation>Probleme des Entwurfs</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>People who have begun stay on the version that they follow until an educator moves them; who begins afterwards follows the new one. The audit log keeps your name and reason.</source>
+        <translation>Wer begonnen hat, bleibt bei seiner Version, bis eine Lehrperson die Person umstellt; wer danach beginnt, folgt der neuen. Das Prüfprotokoll behält Ihren Namen und die Begründung.</translation>
+    </message>
+    <message>
+        <source>Reason for the new version</source>
+        <translation>Begründung der neuen Version</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Begründung</translation>
+    </message>
+    <message>
+        <source>Discard the draft</source>
+        <translation>Entwurf verwerfen</translation>
+    </message>
+    <message>
+        <source>Draft as a file</source>
+        <translation>Entwurf als Datei</translation>
+    </message>
+    <message>
+        <source>File of the draft</source>
+        <translation>Datei des Entwurfs</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>✕ %n problems</source>
+        <translation>
+            <numerusform>✕ %n Problem</numerusform>
+            <numerusform>✕ %n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Publish version %1</source>
+        <translation>Version %1 veröffentlichen</translation>
+    </message>
+    <message>
+        <source>An educator publishes, at a station.</source>
+        <translation>Eine Lehrperson veröffentlicht, an einer Station.</translation>
+    </message>
+    <message>
+        <source>Change something first.</source>
+        <translation>Ändern Sie zuerst etwas.</translation>
+    </message>
+    <message>
+        <source>Solve the problems marked with ✕ first.</source>
+        <translation>Lösen Sie zuerst die mit ✕ markierten Probleme.</translation>
+    </message>
+    <message>
+        <source>Give a reason.</source>
+        <translation>Geben Sie eine Begründung an.</translation>
+    </message>
+    <message>
+        <source>Draft of a curriculum</source>
+        <translation>Entwurf eines Curriculums</translation>
+    </message>
+    <message>
+        <source>Curricula (*.json)</source>
+        <translation>Curricula (*.json)</translation>
+    </message>
+    <message>
+        <source>Wrote %1. It is a draft: nothing has changed yet.</source>
+        <translation>%1 wurde geschrieben. Es ist ein Entwurf: Noch hat sich nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Version %1 is in force. People who have begun stay on theirs until you move them.</source>
+        <translation>Version %1 gilt. Wer begonnen hat, bleibt bei seiner, bis Sie die Person umstellen.</translation>
     </message>
 </context>
 <context>
@@ -9302,6 +9862,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Show name and score; my rating is then not blind</source>
         <translation>Name und Bewertung zeigen; meine Beurteilung ist dann nicht blind</translation>
+    </message>
+    <message>
+        <source>Compare with another attempt</source>
+        <translation>Mit einem anderen Versuch vergleichen</translation>
     </message>
 </context>
 <context>
@@ -12307,6 +12871,175 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ScheduleWatch</name>
+    <message>
+        <source>The scheduled report of %1 was not written: %2</source>
+        <translation>Der geplante Bericht von %1 wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>A scheduled report was written: %1</source>
+        <translation>Ein geplanter Bericht wurde geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::SchedulesPage</name>
+    <message>
+        <source>every day</source>
+        <translation>jeden Tag</translation>
+    </message>
+    <message>
+        <source>every week</source>
+        <translation>jede Woche</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>Scheduled reports</source>
+        <translation>Geplante Berichte</translation>
+    </message>
+    <message>
+        <source>A report of a cohort that this station writes to a folder once in each day or week (UTC). It is written while the window of a director is open, or by &quot;fulcrum schedule run&quot;.</source>
+        <translation>Ein Bericht einer Kohorte, den diese Station einmal am Tag oder in der Woche (UTC) in einen Ordner schreibt. Er wird geschrieben, während das Fenster einer Leitung offen ist, oder durch „fulcrum schedule run“.</translation>
+    </message>
+    <message>
+        <source>Nothing is scheduled.</source>
+        <translation>Nichts ist geplant.</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Kohorte</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>Wie oft</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Last written</source>
+        <translation>Zuletzt geschrieben</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Write what is due</source>
+        <translation>Fällige schreiben</translation>
+    </message>
+    <message>
+        <source>Write this one now</source>
+        <translation>Diesen jetzt schreiben</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Folder of the reports</source>
+        <translation>Ordner der Berichte</translation>
+    </message>
+    <message>
+        <source>Folder, such as /srv/reports</source>
+        <translation>Ordner, zum Beispiel /srv/reports</translation>
+    </message>
+    <message>
+        <source>Folder …</source>
+        <translation>Ordner …</translation>
+    </message>
+    <message>
+        <source>Files for research</source>
+        <translation>Dateien für die Forschung</translation>
+    </message>
+    <message>
+        <source>The programme&apos;s attempts without names, dates and exact values, as five CSV files with a dictionary. Nothing is shown of fewer than 5 people. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them.</source>
+        <translation>Die Versuche des Programms ohne Namen, Daten und genaue Werte, als fünf CSV-Dateien mit Datenverzeichnis. Von weniger als 5 Personen wird nichts gezeigt. Wer die Versuche einer Person gut kennt, kann sie vielleicht trotzdem erkennen: Geben Sie die Dateien an Forschende und veröffentlichen Sie sie nicht.</translation>
+    </message>
+    <message>
+        <source>Folder of the files for research</source>
+        <translation>Ordner der Dateien für die Forschung</translation>
+    </message>
+    <message>
+        <source>An existing folder</source>
+        <translation>Ein vorhandener Ordner</translation>
+    </message>
+    <message>
+        <source>Write the files</source>
+        <translation>Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>(the cohort is gone)</source>
+        <translation>(die Kohorte gibt es nicht mehr)</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>✕ failed: %1</source>
+        <translation>✕ misslungen: %1</translation>
+    </message>
+    <message>
+        <source>● due</source>
+        <translation>● fällig</translation>
+    </message>
+    <message>
+        <source>✓ written</source>
+        <translation>✓ geschrieben</translation>
+    </message>
+    <message>
+        <source>Make a cohort first, on the page Assign cohorts.</source>
+        <translation>Legen Sie zuerst eine Kohorte an, auf der Seite Kohorten zuordnen.</translation>
+    </message>
+    <message>
+        <source>Scheduled.</source>
+        <translation>Geplant.</translation>
+    </message>
+    <message>
+        <source>Another run is under way and writes what is due.</source>
+        <translation>Ein anderer Lauf ist im Gang und schreibt, was fällig ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files written.</source>
+        <translation>
+            <numerusform>%n Datei geschrieben.</numerusform>
+            <numerusform>%n Dateien geschrieben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Der Bericht wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder. Choose an existing one.</source>
+        <translation>%1 ist kein Ordner. Wählen Sie einen vorhandenen.</translation>
+    </message>
+    <message>
+        <source>%1 files written: %2 attempts of %3 people; %4 left out, of tasks with too few people.</source>
+        <translation>%1 Dateien geschrieben: %2 Versuche von %3 Personen; %4 weggelassen, von Aufgaben mit zu wenigen Personen.</translation>
+    </message>
+    <message>
+        <source>Writing the files …</source>
+        <translation>Die Dateien werden geschrieben …</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::SendingCard</name>
     <message>
         <source>Send attempts to other programs</source>
@@ -12516,6 +13249,45 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::StagesForm</name>
+    <message>
+        <source>Title of the curriculum</source>
+        <translation>Titel des Curriculums</translation>
+    </message>
+    <message>
+        <source>Stages, in the order in which they are learned</source>
+        <translation>Stufen, in der Reihenfolge des Lernens</translation>
+    </message>
+    <message>
+        <source>Short name</source>
+        <translation>Kurzname</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Add a stage</source>
+        <translation>Stufe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>▲ Up</source>
+        <translation>▲ Auf</translation>
+    </message>
+    <message>
+        <source>▼ Down</source>
+        <translation>▼ Ab</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::StandingCard</name>
     <message>
         <source>Decision</source>
@@ -12718,6 +13490,71 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Outcome: %1 · time limit %2</source>
         <translation>Ergebnis: %1 · Zeitlimit %2</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::TaskNeedsForm</name>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Passes on variants, at least</source>
+        <translation>Bestehen an Varianten, mindestens</translation>
+    </message>
+    <message>
+        <source>Devices whose attempts count</source>
+        <translation>Geräte, deren Versuche zählen</translation>
+    </message>
+    <message>
+        <source>Prerequisites: proficient in all of these first</source>
+        <translation>Voraussetzungen: zuerst alle diese beherrschen</translation>
+    </message>
+    <message>
+        <source>Prerequisites</source>
+        <translation>Voraussetzungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Installed: %n variants</source>
+        <translation>
+            <numerusform>Installiert: %n Variante</numerusform>
+            <numerusform>Installiert: %n Varianten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (not in the curriculum)</source>
+        <translation>%1 (nicht im Curriculum)</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::TaskRatingsForm</name>
+    <message>
+        <source>Ratings by observers are needed as well</source>
+        <translation>Bewertungen durch Beobachtende sind ebenfalls nötig</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Raters, at least</source>
+        <translation>Bewertende, mindestens</translation>
+    </message>
+    <message>
+        <source>Lowest mean, on the scale of the items</source>
+        <translation>Niedrigster Mittelwert, auf der Skala der Punkte</translation>
+    </message>
+    <message>
+        <source>Each item reaches this mean</source>
+        <translation>Jeder Punkt erreicht diesen Mittelwert</translation>
+    </message>
+    <message>
+        <source>Only blind ratings count</source>
+        <translation>Nur blinde Bewertungen zählen</translation>
+    </message>
+    <message>
+        <source>%1 (not installed)</source>
+        <translation>%1 (nicht installiert)</translation>
     </message>
 </context>
 <context>
@@ -13206,12 +14043,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Wählen Sie die Person, die es durchgeführt hat.</translation>
     </message>
     <message>
-        <source>Storing …</source>
-        <translation>Wird gespeichert …</translation>
-    </message>
-    <message>
         <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
         <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
+    </message>
+    <message>
+        <source>Storing …</source>
+        <translation>Wird gespeichert …</translation>
     </message>
 </context>
 <context>
@@ -14038,6 +14875,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Limits</source>
         <translation>Grenzwerte</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Berichte</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,45 @@
 <!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <TS version="2.1" language="en_GB" sourcelanguage="en">
 <context>
+    <name>fulcrum::ui::ComparisonTexts</name>
+    <message numerus="yes">
+        <source>Aligned by the %n steps that were completed in both.</source>
+        <translation>
+            <numerusform>Aligned by the %n step that was completed in both.</numerusform>
+            <numerusform>Aligned by the %n steps that were completed in both.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n other people have completed this task with this variant and class of device. A band needs at least 5.</source>
+        <translation>
+            <numerusform>%1: %n other person has completed this task with this variant and class of device. A band needs at least 5.</numerusform>
+            <numerusform>%1: %n other people have completed this task with this variant and class of device. A band needs at least 5.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: the latest counting attempt of %n other people. Line: median; band: the middle half.</source>
+        <translation>
+            <numerusform>%1: the latest counting attempt of %n other person. Line: median; band: the middle half.</numerusform>
+            <numerusform>%1: the latest counting attempt of %n other people. Line: median; band: the middle half.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The trace of %n of them was not kept here: only their metrics are compared.</source>
+        <translation>
+            <numerusform>The trace of %n of them was not kept here: only the metrics are compared.</numerusform>
+            <numerusform>The trace of %n of them was not kept here: only their metrics are compared.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::CurriculumPage</name>
+    <message numerus="yes">
+        <source>✕ %n problems</source>
+        <translation>
+            <numerusform>✕ %n problem</numerusform>
+            <numerusform>✕ %n problems</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>passes on %n variants</source>
         <translation>
@@ -78,12 +116,32 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::SchedulesPage</name>
+    <message numerus="yes">
+        <source>%n files written.</source>
+        <translation>
+            <numerusform>%n file written.</numerusform>
+            <numerusform>%n files written.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::SignInPage</name>
     <message numerus="yes">
         <source>Educators and the director see %n more trainee(s).</source>
         <translation>
             <numerusform>Educators and the director see %n more trainee.</numerusform>
             <numerusform>Educators and the director see %n more trainees.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::TaskNeedsForm</name>
+    <message numerus="yes">
+        <source>Installed: %n variants</source>
+        <translation>
+            <numerusform>Installed: %n variant</numerusform>
+            <numerusform>Installed: %n variants</numerusform>
         </translation>
     </message>
 </context>

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curriculum while it is edited: what is wrong with it and where, all at once, and its file. Pure.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/curriculum.h"
+#include "sim_core/numerics/sentence.h"
+
+namespace fulcrum {
+
+/// What a curriculum can know of an installed task.
+struct InstalledTask {
+    std::string id;
+    int variants = 1;
+    bool needs_limits = false;             ///< a gate is based on the experts' range
+    std::vector<DeviceClass> with_limits;  ///< classes that a benchmark set with experts is installed for
+};
+
+enum class CurriculumField : std::uint8_t {
+    title,   ///< of the curriculum
+    stages,  ///< `index`: of the stage
+    task,    ///< this and all below: `index` of the task; the task itself
+    stage,
+    after,
+    rule,
+    variants,
+    devices,
+    ratings
+};
+
+struct CurriculumProblem {
+    CurriculumField field = CurriculumField::title;
+    std::size_t index = 0;
+    Sentence problem, hint;
+    bool blocks = true;  ///< false: it can be published, but its author should know
+};
+
+/// In the order of the fields and of the tasks. Where nothing blocks, parse_curriculum() and check_ratings()
+/// accept the draft's text.
+std::vector<CurriculumProblem> check_draft(const Curriculum& draft, const std::vector<InstalledTask>& tasks,
+                                           const std::vector<ObserverForm>& forms);
+
+/// The draft as a file. Remarks at the top of the text that it was made from are kept.
+std::string curriculum_text(const Curriculum& draft);
+
+}  // namespace fulcrum

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A new version of the curriculum: who may, one at a time, all or nothing.
+#include "database/records/curriculum_publishing.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum_draft.h"
+#include "database/rows/crypto.h"
+#include "database/store/accepted_assets.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/database/programme_fixture.h"
+#include "tests/support/own_folder.h"
+
+namespace fulcrum::database {
+namespace {
+
+using test::error_kind;
+using test::Programme;
+namespace fs = std::filesystem;
+
+class CurriculumPublished : public ::testing::Test {
+  protected:
+    CurriculumPublished() {
+        for (const auto& file : fs::directory_iterator(asset_path("curricula")))
+            fs::copy_file(file.path(), folder / file.path().filename());
+        place = {folder.path().string(), task_ids(), load_forms(asset_path("forms"))};
+    }
+    /// The next version with another title.
+    std::string next(const std::string& title, int by = 1) {
+        Curriculum draft = load_versions(place.folder, "rectal", place.tasks);
+        draft.version += by;
+        draft.title = title;
+        return curriculum_text(draft);
+    }
+    std::string publish(const char* login, const std::string& text, const std::string& reason = "better") {
+        return publish_curriculum(*programme.store, programme.session(login), place, "rectal", text, reason);
+    }
+    Curriculum newest() { return load_versions(place.folder, "rectal", place.tasks); }
+
+    Programme programme;
+    fulcrum::test::OwnFolder folder;
+    CurriculumPublishing place;
+};
+
+TEST_F(CurriculumPublished, IsTheEducatorsAuditedAndInForce) {
+    for (const char* login : {"ann", "director", "administrator"})
+        EXPECT_THROW(publish(login, next("No")), AccessDenied) << login;
+    EXPECT_EQ(error_kind([&] { publish("educator", next("No"), " "); }), StoreErrorKind::bad_value);
+    EXPECT_EQ(error_kind([&] { publish("educator", next("No", 2)); }), StoreErrorKind::conflict);
+    EXPECT_THROW(publish("educator", "{}"), InputError);
+    EXPECT_EQ(newest().version, 2) << "nothing was written";
+    EXPECT_TRUE(AcceptedAssets(*programme.store).list().empty());
+    const std::string path = publish("educator", next("New title"), "A clearer title");
+    EXPECT_EQ(fs::path(path).filename(), "rectal-3.json");
+    EXPECT_EQ(newest().title, "New title");
+    ASSERT_EQ(newest().older.size(), 2U);
+    const auto accepted = AcceptedAssets(*programme.store).list();
+    ASSERT_EQ(accepted.size(), 1U);
+    EXPECT_EQ(accepted[0].reason, "A clearer title");
+    EXPECT_EQ(Audit(*programme.store).entries(programme.session("administrator")).front().operation,
+              "asset.accept");
+    EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+    publish("educator", next("Again"));
+    EXPECT_EQ(newest().version, 4);
+}
+
+TEST_F(CurriculumPublished, OfTwoAtOnceExactlyOne) {
+    const std::string texts[] = {next("First"), next("Second")};
+    std::atomic<int> done{0}, refused{0};
+    std::vector<std::thread> both;
+    for (const std::string& text : texts)
+        both.emplace_back([&] {
+            const Store own = Store::open(programme.store->path());
+            try {
+                publish_curriculum(own, programme.session("educator"), place, "rectal", text, "two at once");
+                ++done;
+            } catch (const StoreError& error) {
+                EXPECT_EQ(error.kind(), StoreErrorKind::conflict) << error.what();
+                ++refused;
+            }
+        });
+    for (std::thread& one : both) one.join();
+    EXPECT_EQ(done, 1);
+    EXPECT_EQ(refused, 1);
+    EXPECT_EQ(newest().version, 3);
+}
+
+TEST_F(CurriculumPublished, ATryThatWasCutOffCanBeRepeated) {
+    const std::string text = next("Cut off");
+    // Accepted, but killed before the file had its name.
+    AcceptedAssets(*programme.store)
+        .accept(programme.session("educator"), {"curricula/rectal-3.json", sha256_hex(text)}, "first try");
+    publish("educator", text);
+    EXPECT_EQ(newest().title, "Cut off");
+}
+
+TEST_F(CurriculumPublished, AFolderThatCannotBeWrittenIsSaidAndNothingIsAccepted) {
+    place.folder = asset_path("curricula");
+    const std::string text = next("Nowhere");
+    place.folder = (folder / "gone").string();
+    EXPECT_ANY_THROW(publish("educator", text));
+    EXPECT_TRUE(AcceptedAssets(*programme.store).list().empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::database

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt next to another one, an expert's and a cohort: aligned by steps, under one slider, with the
+// differences of the metrics, of the whole and of a part. With FULCRUM_PICTURES=FOLDER pictures are stored.
+#include "ui/review/compare_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QChart>
+#include <QComboBox>
+#include <QLabel>
+#include <QSlider>
+#include <cmath>
+
+#include "assessment/task/task.h"
+#include "database/records/people.h"
+#include "database/records/recorder.h"
+#include "database/scoring/range_metrics.h"
+#include "tests/support/support.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/files.h"
+#include "tests/ui/hands.h"
+#include "ui/charts/time_chart.h"
+#include "ui/review/debrief_page.h"
+#include "ui/review/replay_panel.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+using database::Role;
+using database::Session;
+
+/// What a recorded attempt of B2 is like: three steps, which take 2, 3 and 1 s times `pace`.
+struct ComparedRecord {
+    double pace = 1;
+    double force = 1;  // N, of the left hand
+    std::string variant = "standard";
+    bool keep_trace = true;
+    double points = 50;
+};
+
+class Comparing : public ::testing::Test {
+  protected:
+    Comparing() {
+        apply_theme(*qApp, Theme::light);
+        services.open_store(false);
+        const database::People people(*services.store());
+        const Session alma =
+            people.create_programme("Surgery", "alma", "Alma Admin", "correct horse").administrator;
+        const auto add = [&](const std::string& login, const std::string& name, Role role) {
+            const auto made = people.create(alma, login, name, {role});
+            sessions.emplace(login, people.change_password(people.sign_in(login, made.one_time_password),
+                                                           made.one_time_password, "a long password"));
+        };
+        add("tara", "Tara Trainee", Role::trainee);
+        add("ed", "Ed Educator", Role::educator);
+        add("dora", "Dora Director", Role::director);
+        std::vector<std::string> members{sessions.at("tara").person_id()};
+        for (int i = 0; i < 5; ++i) {
+            add("other" + std::to_string(i), "Other " + std::to_string(i), Role::trainee);
+            members.push_back(sessions.at("other" + std::to_string(i)).person_id());
+        }
+        const std::string cohort = people.create_cohort(sessions.at("dora"), "Spring");
+        people.set_members(sessions.at("dora"), cohort, members);
+        people.set_educators(sessions.at("dora"), cohort, {sessions.at("ed").person_id()});
+    }
+    ~Comparing() override {
+        window.reset();
+        apply_theme(*qApp, Theme::light);
+    }
+
+    std::string record(const std::string& login, const ComparedRecord& like) {
+        const Session& person = sessions.at(login);
+        database::AttemptMeta meta;
+        meta.person_id = person.person_id();
+        meta.task_id = "B2";
+        meta.mode = AttemptMode::assessed;
+        meta.device_class = DeviceClass::haptic;
+        meta.device = "test";
+        meta.variant = like.variant;
+        meta.fidelity = "standard";
+        meta.scene = "b2_plane.json";
+        meta.limits = "B2-operators@1";
+        meta.program_version = "0.1.0-test";
+        meta.keep_trace = like.keep_trace;
+        meta.started = 1'700'000'000'000 + 60'000 * recorded++;
+        database::Recorder recorder(services.store()->path(), person, meta, {});
+        const auto end = static_cast<std::uint32_t>(6000 * like.pace);
+        std::map<std::uint32_t, std::pair<EventKind, int>> events{
+            {1, {EventKind::first_movement, 0}},
+            {static_cast<std::uint32_t>(2000 * like.pace), {EventKind::phase_end, 0}},
+            {static_cast<std::uint32_t>(5000 * like.pace), {EventKind::phase_end, 1}},
+            {end - 1, {EventKind::phase_end, 2}},
+            {end, {EventKind::completed, 0}}};
+        for (std::uint32_t tick = 1; like.keep_trace && tick <= end; ++tick) {
+            recorder.append(RigSample());
+            TickSample sample;
+            sample.tick = tick;
+            const double x = 0.02 * std::sin(tick * 2e-3 / like.pace);
+            for (HandSample& hand : sample.hand) {
+                hand.tip[0] = static_cast<std::int32_t>(std::lround(x / sample_length_unit));
+                hand.flags = hand_inside | hand_in_view;
+            }
+            const bool second = tick > 2000 * like.pace && tick <= 5000 * like.pace;
+            sample.hand[0].force[2] =
+                static_cast<std::int32_t>(std::lround((second ? 2 : 1) * like.force / sample_force_unit));
+            recorder.append(sample);
+            if (const auto found = events.find(tick); found != events.end()) {
+                Event event;
+                event.tick = tick;
+                event.kind = found->second.first;
+                event.detail = found->second.second;
+                recorder.append(event);
+            }
+        }
+        database::AttemptResult result;
+        result.state = AttemptState::completed;
+        result.duration_s = result.wall_s = 6 * like.pace;
+        result.state_hash = "00ff";
+        database::ScoreRow score;
+        score.program_version = "0.1.0-test";
+        score.limits = "B2-operators@1";
+        database::MetricRow time;
+        time.id = "time";
+        time.value = 6 * like.pace;
+        time.unit = "s";
+        time.direction = Direction::lower;
+        score.metrics = {time};
+        score.passed = true;
+        score.points = like.points;
+        score.advice = Statement(StatementId::gates_met);
+        result.score = score;
+        recorder.finish(result);
+        return recorder.attempt_id();
+    }
+    ComparePage& open(const std::string& login, const std::string& id, QSize size = {1012, 726}) {
+        window = std::make_unique<MainWindow>(services);
+        window->resize(size);
+        window->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        window->start();
+        window->context().set_session(sessions.at(login));
+        emit window->context().debrief_wanted(text(id), -1);
+        auto* debrief = static_cast<DebriefPage*>(window->current_page());
+        EXPECT_TRUE(wait_for([&] { return debrief->is_ready(); }));
+        click(*window, "debrief_compare");
+        auto* page = static_cast<ComparePage*>(window->current_page());
+        EXPECT_EQ(page->objectName(), "compare_page");
+        EXPECT_TRUE(wait_for([&] { return page->is_ready(); }));
+        return *page;
+    }
+    void choose(ComparePage& page, const QString& begins) {
+        auto* box = find<QComboBox>(*window, "compare_with");
+        const int row = box->findText(begins, Qt::MatchStartsWith);
+        ASSERT_GE(row, 0) << begins.toStdString();
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Home);
+        for (int i = 0; i < row; ++i) QTest::keyClick(box, Qt::Key_Down);
+        ASSERT_EQ(box->currentIndex(), row);
+        ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    }
+    QString notes() { return find<QLabel>(*window, "compare_notes")->text(); }
+    /// The cells of the line of a metric.
+    QStringList line(const QString& metric, const QString& hand = {}) {
+        choose_tab(*window, "compare_tabs", "Metrics");
+        auto* table = find<QTableWidget>(*window, "comparison_table");
+        for (int row = 0; row < table->rowCount(); ++row) {
+            if (table->item(row, 0)->text() != metric || table->item(row, 1)->text() != hand) continue;
+            QStringList cells;
+            for (int column = 2; column < table->columnCount(); ++column)
+                cells << table->item(row, column)->text().replace(QChar(0x202F), QLatin1Char(' '));
+            return cells;
+        }
+        return {};
+    }
+    void keep(const QString& name) {
+        for (const Theme theme : {Theme::light, Theme::dark}) {
+            window->set_theme(theme);
+            QTest::qWait(qEnvironmentVariableIsEmpty("FULCRUM_PICTURES") ? 0 : 300);
+            keep_picture(*window, name + (theme == Theme::light ? "-light" : "-dark"));
+            if (!qEnvironmentVariableIsEmpty("FULCRUM_PICTURES"))
+                keep_body(*window, *window->current_page(),
+                          name + "-whole" + (theme == Theme::light ? "-light" : "-dark"));
+        }
+        window->set_theme(Theme::light);
+    }
+
+    FakeServices services;
+    std::map<std::string, Session> sessions;
+    std::unique_ptr<MainWindow> window;
+    int recorded = 0;
+};
+
+TEST_F(Comparing, TwoAttemptsMoveTogetherAlignedByTheirSteps) {
+    record("tara", {2, 1, "standard", true, 90});
+    const std::string own = record("tara", {});
+    ComparePage& page = open("tara", own);
+    ASSERT_NE(page.pair(), nullptr) << "the own best is shown at once";
+    EXPECT_TRUE(find<QComboBox>(*window, "compare_with")->currentText().startsWith("Own best"));
+    EXPECT_EQ(notes(), "Aligned by the 3 steps that were completed in both.");
+    auto* slider = find<QSlider>(*window, "compare_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    const double here = page.moment();
+    EXPECT_GT(here, 0.2);
+    auto* other = find<ReplayPanel>(*window, "compare_other_replay");
+    EXPECT_NEAR(other->time(), page.pair()->map.to_second(here), 1e-9);
+    EXPECT_NEAR(other->time(), 2 * here, 2e-3) << "it took twice as long";
+    click(*window, "compare_step_forward");
+    EXPECT_NEAR(page.moment(), here + 0.02, 1e-9);
+    EXPECT_NEAR(other->time(), 2 * (here + 0.02), 2e-3);
+    keep("compare-pair");
+    EXPECT_EQ(line("Time"), (QStringList{"6 s", "12 s", "-6 s (-50 %)", "✓ better"}));
+    keep("compare-metrics");
+    click(*window, "compare_back");
+    EXPECT_EQ(window->current_page()->objectName(), "debrief_page");
+}
+
+TEST_F(Comparing, APartHasTheMetricsOfBothByTheSameFunction) {
+    const std::string earlier = record("tara", {2, 1, "standard", true, 90});
+    const std::string own = record("tara", {1, 1.5});
+    ComparePage& page = open("tara", own);
+    auto* step = find<QComboBox>(*window, "compare_step");
+    step->setFocus();
+    QTest::keyClick(step, Qt::Key_Down);
+    QTest::keyClick(step, Qt::Key_Down);  // the second step: 2 to 5 s, in the other one 4 to 10 s
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_EQ(find<QLabel>(*window, "range_words")->text(),
+              "0:02.0 to 0:05.0; the other one 0:04.0 to 0:10.0");
+    EXPECT_NEAR(page.moment(), 2, 1e-3);
+    const QStringList force = line("Largest force", "left");
+    ASSERT_EQ(force.size(), 4);
+    EXPECT_EQ(force[0], "3 N");
+    EXPECT_EQ(force[1], "2 N");
+    const database::Trace trace = database::Attempts(*services.store()).read_trace(sessions.at("tara"), own);
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
+    const Scene scene = services.scene_for(task, "standard");
+    const auto part = metrics_of_range(scene, task, 7, trace, 2, 5);
+    const auto whole = metrics_of_range(scene, task, 7, trace, 0, 6);
+    const auto value = [](const std::vector<MetricResult>& of, const char* id, const char* hand) {
+        return find_result(of, id, hand, "")->value.value_or(-1);
+    };
+    EXPECT_NEAR(value(part, "time", ""), 3, 0.01);
+    EXPECT_NEAR(value(whole, "time", ""), 6, 0.3);
+    EXPECT_NEAR(value(part, "f_max", "left"), 3, 0.05);
+    EXPECT_LT(value(part, "path_len", "left"), 0.7 * value(whole, "path_len", "left"));
+
+    // A range of one's own, by mouse with Shift in a chart and by the buttons.
+    choose_tab(*window, "compare_tabs", "Force and speed");
+    auto* chart = find<TimeChart>(*window, "compare_left");
+    bring(*chart);
+    ASSERT_TRUE(wait_for([&] { return chart->chart()->plotArea().width() > 150; }));
+    const QRectF plot = chart->chart()->plotArea();
+    const QPoint from(static_cast<int>(plot.left() + plot.width() / 4), static_cast<int>(plot.center().y()));
+    QTest::mousePress(chart->viewport(), Qt::LeftButton, Qt::ShiftModifier, from);
+    QTest::mouseMove(chart->viewport(), from + QPoint(40, 0));
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(60, 0), Qt::NoButton, Qt::LeftButton,
+                     Qt::ShiftModifier);
+    QApplication::sendEvent(chart->viewport(), &move);
+    QTest::mouseRelease(chart->viewport(), Qt::LeftButton, Qt::ShiftModifier, from + QPoint(60, 0));
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_EQ(step->currentText(), "Own range");
+    keep("compare-range");
+    click(*window, "range_whole");
+    EXPECT_FALSE(sees(*window, "range_words"));
+    EXPECT_EQ(line("Time")[0], "6 s");
+    (void)earlier;
+}
+
+TEST_F(Comparing, SaysWhatCannotBeCompared) {
+    record("tara", {1, 1, "standard", false, 90});
+    record("tara", {1, 1, "deep", true, 20});
+    const std::string own = record("tara", {});
+    ComparePage& page = open("tara", own);
+    EXPECT_TRUE(notes().startsWith("The other one: The trace of this attempt was not kept"))
+        << notes().toStdString();
+    EXPECT_EQ(line("Time"), (QStringList{"6 s", "6 s", "0 s (0 %)", "–"}));
+    choose(page, "Own last");
+    EXPECT_TRUE(notes().startsWith("Different variants: standard and deep.")) << notes().toStdString();
+
+    // The attempt itself without a trace: no replay, the metrics alone.
+    const std::string bare = record("tara", {1, 1, "standard", false, 40});
+    ComparePage& again = open("tara", bare);
+    EXPECT_TRUE(notes().contains("This attempt: The trace of this attempt was not kept"));
+    EXPECT_FALSE(sees(*window, "compare_slider"));
+    EXPECT_FALSE(sees(*window, "compare_own_replay"));
+    EXPECT_EQ(line("Time")[0], "6 s");
+    EXPECT_FALSE(find<QAbstractButton>(*window, "range_begin")->isEnabled());
+    EXPECT_TRUE(again.is_ready());
+}
+
+TEST_F(Comparing, AnExpertIsSimulatedInTheBackgroundAndCanBeStopped) {
+    const std::string model = record("other0", {0.5, 0.5});
+    const std::string own = record("tara", {});
+    window = std::make_unique<MainWindow>(services);
+    window->resize(1012, 726);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->start();
+    window->context().set_session(sessions.at("tara"));
+    services.expert_waits = true;
+    // With no other attempt the expert is the first choice; this one never ends by itself.
+    emit window->context().compare_wanted(text(own));
+    auto* page = static_cast<ComparePage*>(window->current_page());
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "compare_slider") && sees(*window, "cancel_job"); }));
+    EXPECT_FALSE(page->is_ready());
+    auto* slider = find<QSlider>(*window, "compare_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    EXPECT_GT(page->moment(), 0.2) << "the window answers while the expert works";
+    click(*window, "cancel_job");
+    EXPECT_TRUE(page->is_ready());
+    EXPECT_EQ(page->pair(), nullptr);
+
+    ExpertAttempt expert;
+    expert.summary = database::Attempts(*services.store()).read(sessions.at("other0"), model);
+    expert.summary.meta.id.clear();
+    expert.summary.meta.device_class = DeviceClass::synthetic;
+    expert.score = *database::Attempts(*services.store()).score(sessions.at("other0"), model);
+    expert.trace = std::make_shared<const database::Trace>(
+        database::Attempts(*services.store()).read_trace(sessions.at("other0"), model));
+    services.expert = expert;
+    services.expert_waits = false;
+    emit window->context().compare_wanted(text(own));
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    ASSERT_NE(page->pair(), nullptr);
+    EXPECT_NEAR(page->pair()->map.to_second(2), 1, 1e-6);
+    EXPECT_TRUE(find<QLabel>(*window, "compare_other_words")->text().contains("Expert of the benchmark"));
+}
+
+TEST_F(Comparing, TheCohortIsABandOfFivePeopleOrMore) {
+    for (int i = 0; i < 4; ++i) record("other" + std::to_string(i), {1 + 0.1 * i, 1 + 0.1 * i});
+    const std::string own = record("tara", {});
+    {
+        ComparePage& page = open("ed", own);
+        choose(page, "Cohort Spring");
+        EXPECT_TRUE(notes().contains("A band needs at least 5")) << notes().toStdString();
+        ASSERT_NE(page.cohort(), nullptr);
+        EXPECT_TRUE(page.cohort()->force[0].empty());
+        EXPECT_TRUE(page.cohort()->metrics.empty()) << "nothing of fewer than five";
+    }
+    record("other4", {1.4, 1.4});
+    ComparePage& page = open("ed", own);
+    choose(page, "Cohort Spring");
+    ASSERT_NE(page.cohort(), nullptr);
+    EXPECT_EQ(page.cohort()->people, 5U);
+    const std::vector<BandPoint>& band = page.cohort()->force[0];
+    ASSERT_GT(band.size(), 300U);
+    // Forces of 1, 1.1 … 1.4 N in the first step, twice that in the second, whatever the pace.
+    const auto at = [&](double t) {
+        return std::find_if(band.begin(), band.end(), [&](const BandPoint& p) { return p.time >= t; })
+            ->spread;
+    };
+    EXPECT_NEAR(at(1.0).middle, 1.2, 1e-3);
+    EXPECT_NEAR(at(1.0).low, 1.1, 1e-3);
+    EXPECT_NEAR(at(1.0).high, 1.3, 1e-3);
+    EXPECT_NEAR(at(4.0).middle, 2.4, 1e-3);
+    EXPECT_FALSE(sees(*window, "compare_other_replay"));
+    EXPECT_EQ(line("Time")[1], "7.2 s (6.6 to 7.8)");
+    choose_tab(*window, "compare_tabs", "Force and speed");
+    keep("compare-cohort");
+
+    // A trainee compares with no one else.
+    ComparePage& theirs = open("tara", own);
+    for (const ComparisonChoice& one : theirs.choices())
+        EXPECT_NE(one.kind, ComparisonChoice::Kind::cohort) << one.title.toStdString();
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt compared with another one (own best or last, an expert's, any other of the person) or with a
+// cohort: both replays side by side under one slider, forces or speeds of both in one chart, the differences
+// of the metrics, all of the whole attempt, of a step, or of a range. The time shown is that of the own
+// attempt.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/page/context.h"
+#include "ui/review/comparison.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QTabWidget;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+class ComparisonTable;
+class JobBar;
+class ReplayPanel;
+class TimeChart;
+struct ComparedMetric;
+
+class ComparePage : public Page {
+    Q_OBJECT
+  public:
+    explicit ComparePage(Context& context);
+    /// Reads the attempt off the UI thread.
+    void open(const std::string& attempt_id);
+    void enter() override;
+    void leave() override;
+    /// What was chosen is shown, or said to be absent.
+    bool is_ready() const {
+        return own_ != nullptr && job_ == nullptr && range_job_ == nullptr && !begins_next_;
+    }
+    const std::vector<ComparisonChoice>& choices() const { return choices_; }
+    const ComparedPair* pair() const { return pair_ ? &*pair_ : nullptr; }
+    const CohortSide* cohort() const { return cohort_ ? &*cohort_ : nullptr; }
+    double moment() const;
+
+  private:
+    QWidget* build_sides();
+    QLayout* build_steering();
+    QLayout* build_range();
+    QWidget* build_tabs();
+    void connect_parts();
+    /// Runs `work` in the background in place of what runs; `done` on this thread.
+    void run(std::function<void(const database::Store&, const Progress&)> work, std::function<void()> done,
+             const QString& line);
+    void own_loaded();
+    void choose(int index);
+    void load_attempt(const std::string& id);
+    void load_expert();
+    void load_cohort(const std::string& id);
+    void other_loaded();
+    std::unique_ptr<ReplaySource> picture_of(const ComparedSide& side, QString& why);
+    void show_charts();
+    void fill_steps();
+    void choose_step(int index);
+    void select(double from, double to);
+    void show_range();
+    void show_metrics();
+    void measure_range();
+    void seek(double time);
+    void time_changed(double time);
+
+    std::string attempt_id_;
+    std::vector<ComparisonChoice> choices_;
+    std::shared_ptr<const ComparedSide> own_, other_;
+    std::shared_ptr<const ExpertAttempt> expert_;  ///< what `other_` was made of, where it is one
+    std::optional<ComparedPair> pair_;
+    std::optional<CohortSide> cohort_;
+    double from_ = 0, to_ = 0;  ///< s, the range; to_ <= from_: the whole attempt
+    BackgroundJob *job_ = nullptr, *range_job_ = nullptr;
+    bool begins_next_ = false;  ///< what is compared with is loaded as soon as the bar is free
+    JobBar* job_bar_;
+    QPushButton* back_;
+    QWidget* content_;
+    QLabel *title_, *notes_, *own_words_, *other_words_, *clock_, *range_words_;
+    QComboBox *with_, *speed_, *step_, *quantity_;
+    QWidget *sides_, *other_side_, *steering_;
+    ReplayPanel *own_replay_, *other_replay_;
+    QSlider* slider_;
+    QPushButton *play_, *begin_, *end_, *whole_;
+    QTabWidget* tabs_;
+    TimeChart* charts_[hand_count];
+    ComparisonTable* table_;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/comparison.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <set>
+
+#include "assessment/assets/assets.h"
+#include "database/records/people.h"
+#include "ui/language/error_text.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr std::size_t band_parts = 400;  // of an attempt's time
+
+struct ComparisonTexts {
+    Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::ComparisonTexts)
+};
+
+/// Short: it has to be readable in a line of large text.
+QString choice_text(const database::AttemptSummary& attempt, bool with_result) {
+    QStringList parts{local_time(attempt.meta.started)};
+    if (with_result)
+        parts << (attempt.points && attempt.passed ? points_text(*attempt.points)
+                                                   : verdict(attempt.passed, attempt.provisional));
+    if (!attempt.meta.variant.empty() && attempt.meta.variant != "standard")
+        parts << text(attempt.meta.variant);
+    return parts.join(QStringLiteral(", "));
+}
+
+bool is_comparable(const database::AttemptSummary& one, const database::AttemptSummary& own) {
+    return one.meta.id != own.meta.id && one.state != AttemptState::running &&
+           one.state != AttemptState::voided && !one.meta.origin;
+}
+
+}  // namespace
+
+std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
+                                                 const database::Session& session,
+                                                 const database::AttemptSummary& own) {
+    using Kind = ComparisonChoice::Kind;
+    std::vector<ComparisonChoice> choices;
+    database::AttemptFilter filter;
+    filter.person_id = own.meta.person_id;
+    filter.task_id = own.meta.task_id;
+    filter.include_voided = false;
+    std::vector<database::AttemptSummary> others = database::Attempts(store).list(session, filter);
+    others.erase(std::remove_if(others.begin(), others.end(),
+                                [&](const auto& one) { return !is_comparable(one, own); }),
+                 others.end());
+    const database::AttemptSummary* best = nullptr;
+    const database::AttemptSummary* last = nullptr;
+    for (const database::AttemptSummary& one : others) {  // newest first
+        const bool same_device = one.meta.device_class == own.meta.device_class;
+        if (same_device && one.passed.value_or(false) && one.points &&
+            (best == nullptr || *one.points > *best->points))
+            best = &one;
+        if (last == nullptr && one.meta.started < own.meta.started) last = &one;
+    }
+    if (best != nullptr)
+        choices.push_back({Kind::attempt, best->meta.id,
+                           ComparisonTexts::tr("Own best: %1").arg(choice_text(*best, false))});
+    if (last != nullptr)
+        choices.push_back({Kind::attempt, last->meta.id,
+                           ComparisonTexts::tr("Own last: %1").arg(choice_text(*last, false))});
+    if (!database::is_external_task(own.meta.task_id))
+        choices.push_back({Kind::expert, {}, ComparisonTexts::tr("An expert of the benchmark (simulated)")});
+    if (session.role() != database::Role::trainee) {
+        for (const database::Cohort& cohort : database::People(store).cohorts(session))
+            choices.push_back(
+                {Kind::cohort, cohort.id, ComparisonTexts::tr("Cohort %1 as a band").arg(text(cohort.name))});
+    }
+    for (const database::AttemptSummary& one : others)
+        if (&one != best && &one != last)
+            choices.push_back({Kind::attempt, one.meta.id, choice_text(one, true)});
+    return choices;
+}
+
+std::optional<ComparedSide> load_side(const database::Store& store, const database::Session& session,
+                                      const std::string& attempt_id, const std::optional<Scene>& scene,
+                                      const Progress& progress) {
+    const database::Attempts attempts(store);
+    database::AttemptSummary summary = attempts.read(session, attempt_id);
+    std::optional<database::ScoreRow> score = attempts.score(session, attempt_id);
+    if (progress && !progress(0.1, {})) return std::nullopt;
+    ComparedSide side;
+    side.scene = scene;
+    auto trace = std::make_shared<database::Trace>();
+    if (!summary.meta.keep_trace) {
+        side.why_no_trace = database::is_external_task(summary.meta.task_id)
+                                ? external_trace_text(summary.meta.device)
+                                : trace_not_kept_text();
+    } else {
+        try {
+            *trace = attempts.read_trace(session, attempt_id);
+        } catch (const database::StoreError& error) {
+            if (error.kind() != database::StoreErrorKind::not_found) throw;
+            side.why_no_trace = error_text(error);  // it is at the station that recorded it
+        }
+    }
+    if (progress && !progress(0.6, {})) return std::nullopt;
+    if (side.has_trace() && trace->samples.empty())
+        side.why_no_trace = ComparisonTexts::tr("Nothing was recorded.");
+    side.model = model_of_trace(std::move(summary), std::move(score), std::move(trace), scene);
+    side.moments = phase_moments(side.model.trace->events, side.model.tick, side.model.duration);
+    if (progress && !progress(0.9, {})) return std::nullopt;
+    return side;
+}
+
+ComparedSide expert_side(const ExpertAttempt& expert, const std::optional<Scene>& scene) {
+    ComparedSide side;
+    side.scene = scene;
+    if (expert.trace->samples.empty()) side.why_no_trace = ComparisonTexts::tr("Nothing was recorded.");
+    side.model = model_of_trace(expert.summary, expert.score, expert.trace, scene);
+    side.moments = phase_moments(expert.trace->events, side.model.tick, side.model.duration);
+    return side;
+}
+
+ComparedPair align(const ComparedSide& own, const ComparedSide& other) {
+    ComparedPair pair;
+    pair.map = PhaseMap(own.moments, other.moments);
+    const auto place = [&](double t) { return pair.map.to_first(t); };
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        pair.force[h] = std::make_shared<const MinMaxPyramid>(other.model.force[h]->moved(place));
+        pair.speed[h] = std::make_shared<const MinMaxPyramid>(other.model.speed[h]->moved(place));
+    }
+    return pair;
+}
+
+std::optional<CohortSide> load_cohort(const database::Store& store, const database::Session& session,
+                                      const std::string& cohort_id, const ComparedSide& own,
+                                      const Progress& progress) {
+    const database::Attempts attempts(store);
+    const database::AttemptMeta& meta = own.model.summary.meta;
+    CohortSide side;
+    if (const auto cohort = database::People(store).find_cohort(session, cohort_id))
+        side.name = text(cohort->name);
+    database::AttemptFilter filter;
+    filter.cohort_id = cohort_id;
+    filter.task_id = meta.task_id;
+    filter.include_voided = false;
+    filter.include_synthetic = store.is_demo();
+    filter.limit = 100000;
+    std::vector<std::string> chosen;
+    std::set<std::string> seen{meta.person_id};
+    for (const database::AttemptSummary& one : attempts.list(session, filter)) {  // newest first
+        if (!one.counting || one.state != AttemptState::completed || one.meta.variant != meta.variant ||
+            one.meta.device_class != meta.device_class || !seen.insert(one.meta.person_id).second)
+            continue;
+        chosen.push_back(one.meta.id);
+        if (!one.meta.keep_trace) ++side.without_trace;
+    }
+    side.people = chosen.size();
+    if (side.people < least_in_band) return side;
+    std::map<std::pair<std::string, std::string>, std::vector<double>> values;
+    std::array<std::vector<std::vector<float>>, hand_count> force, speed;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(chosen.size()), {}))
+            return std::nullopt;
+        if (const auto score = attempts.score(session, chosen[i]))
+            for (const database::MetricRow& row : score->metrics)
+                if (row.value && row.tissue.empty()) values[{row.id, row.hand}].push_back(*row.value);
+        if (!own.has_trace()) continue;
+        std::optional<AttemptModel> model;
+        std::vector<Event> events;
+        try {
+            model = load_attempt(store, session, chosen[i], own.scene, {});
+            if (!model->summary.meta.keep_trace || model->samples == 0) continue;
+            events = attempts.read_events(session, chosen[i]);
+        } catch (const database::StoreError& error) {
+            if (error.kind() != database::StoreErrorKind::not_found) throw;
+            ++side.without_trace;
+            continue;
+        }
+        const PhaseMap map(own.moments, phase_moments(events, model->tick, model->duration));
+        for (std::size_t h = 0; h < hand_count; ++h) {
+            const auto means = [&](const MinMaxPyramid& of) {
+                return aligned_means(map, own.model.duration, band_parts, of.x(), of.y());
+            };
+            force[h].push_back(means(*model->force[h]));
+            speed[h].push_back(means(*model->speed[h]));
+        }
+    }
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        side.force[h] = band_of(force[h], own.model.duration, least_in_band);
+        side.speed[h] = band_of(speed[h], own.model.duration, least_in_band);
+    }
+    for (auto& [key, of] : values)
+        if (of.size() >= least_in_band) side.metrics[key] = spread_of(std::move(of));
+    return side;
+}
+
+QStringList comparison_notes(const ComparedSide& own, const ComparedSide& other, const ComparedPair& pair) {
+    const database::AttemptMeta &a = own.model.summary.meta, &b = other.model.summary.meta;
+    QStringList notes;
+    if (a.variant != b.variant)
+        notes << ComparisonTexts::tr(
+                     "Different variants: %1 and %2. The scenes differ; the steps are put on each other.")
+                     .arg(text(a.variant), text(b.variant));
+    if (a.task_version != b.task_version)
+        notes << ComparisonTexts::tr("Different versions of the task: %1 and %2.")
+                     .arg(a.task_version)
+                     .arg(b.task_version);
+    if (b.device_class != DeviceClass::synthetic && a.device_class != b.device_class)
+        notes << ComparisonTexts::tr("Different devices: %1 and %2. Their values are not on one scale.")
+                     .arg(device_class_text(a.device_class), device_class_text(b.device_class));
+    if (!own.has_trace()) notes << ComparisonTexts::tr("This attempt: %1").arg(own.why_no_trace);
+    if (!other.has_trace()) notes << ComparisonTexts::tr("The other one: %1").arg(other.why_no_trace);
+    if (own.has_trace() && other.has_trace()) {
+        const auto steps = static_cast<int>(pair.map.common_goals().size());
+        notes << (steps == 0
+                      ? ComparisonTexts::tr(
+                            "No step was completed in both: they are aligned from the first movement on.")
+                      : ComparisonTexts::tr("Aligned by the %n steps that were completed in both.", nullptr,
+                                            steps));
+    }
+    return notes;
+}
+
+QStringList comparison_notes(const ComparedSide& own, const CohortSide& cohort) {
+    QStringList notes;
+    const auto people = static_cast<int>(cohort.people);
+    if (cohort.people < least_in_band) {
+        notes << ComparisonTexts::tr(
+                     "%1: %n other people have completed this task with this variant and class of device. A "
+                     "band needs at least 5.",
+                     nullptr, people)
+                     .arg(cohort.name);
+        return notes;
+    }
+    notes << ComparisonTexts::tr(
+                 "%1: the latest counting attempt of %n other people. Line: median; band: the middle half.",
+                 nullptr, people)
+                 .arg(cohort.name);
+    if (cohort.without_trace > 0)
+        notes << ComparisonTexts::tr(
+            "The trace of %n of them was not kept here: only their metrics are "
+            "compared.",
+            nullptr, static_cast<int>(cohort.without_trace));
+    if (!own.has_trace()) notes << ComparisonTexts::tr("This attempt: %1").arg(own.why_no_trace);
+    return notes;
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The metrics of two attempts, or of an attempt and a cohort, line by line with their difference.
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assessment/metrics/metric.h"
+#include "assessment/trace/phase_alignment.h"
+#include "database/rows/attempt_records.h"
+
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+/// A metric of one attempt, of all tissues together.
+struct ComparedMetric {
+    std::string id, hand, unit;
+    Direction direction = Direction::context;
+    std::optional<double> value;
+    Statement why_absent;
+};
+/// Those of `wanted` (ids; empty: all).
+std::vector<ComparedMetric> compared_metrics(const std::vector<database::MetricRow>& rows,
+                                             const std::vector<std::string>& wanted);
+std::vector<ComparedMetric> compared_metrics(const std::vector<MetricResult>& rows);
+
+using MetricSpreads = std::map<std::pair<std::string, std::string>, Spread>;
+
+class ComparisonTable : public QWidget {
+  public:
+    explicit ComparisonTable(QWidget* parent = nullptr);
+    /// Rows that both lack are left out.
+    void show_pair(const std::vector<ComparedMetric>& own, const std::vector<ComparedMetric>& other);
+    void show_cohort(const std::vector<ComparedMetric>& own, const MetricSpreads& cohort);
+    void show_own(const std::vector<ComparedMetric>& own);
+    void clear();
+
+  private:
+    int add_row(const ComparedMetric& metric);
+    QTableWidget* table_;
+};
+
+}  // namespace fulcrum::ui
