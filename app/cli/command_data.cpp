@@ -220,20 +220,24 @@ Command metrics_command() {
         "TRACE.csv",
         1,
         1,
-        "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input. With "
-        "its events it also gives gates, pathology and verdict.",
+        QT_TRANSLATE_NOOP("commands",
+                          "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads "
+                          "standard input. With its events it also gives gates, pathology and verdict."),
         {{"--mapping", "MAPPING.json",
-          "The trace is of another program: which of its columns is which, and in which unit. Examples are "
-          "in "
-          "assets/mappings."},
+          QT_TRANSLATE_NOOP("commands",
+                            "The trace is of another program: which of its columns is which, and in which "
+                            "unit. Examples are in assets/mappings.")},
          {"--task", "TASK",
-          "The task that the trace belongs to; metrics that depend on its targets need it."},
-         {"--events", "EVENTS.csv", "The attempt's events."},
-         {"--device-class", "CLASS", "The class of the device; its limits are used.", "haptic",
+          QT_TRANSLATE_NOOP(
+              "commands", "The task that the trace belongs to; metrics that depend on its targets need it.")},
+         {"--events", "EVENTS.csv", QT_TRANSLATE_NOOP("commands", "The attempt's events.")},
+         {"--device-class", "CLASS",
+          QT_TRANSLATE_NOOP("commands", "The class of the device; its limits are used."), "haptic",
           device_class_names()},
          variant_option(),
-         {"--fidelity", "LEVEL", "The fidelity of the simulation; its limits are used.", "the scene's own",
-          fidelity_names()},
+         {"--fidelity", "LEVEL",
+          QT_TRANSLATE_NOOP("commands", "The fidelity of the simulation; its limits are used."),
+          QT_TRANSLATE_NOOP("commands", "the scene's own"), fidelity_names()},
          json_option()},
         run_metrics};
 }
@@ -243,8 +247,9 @@ Command check_command() {
             "FILE...",
             1,
             10000,
-            "Checks scenes, tasks, curricula, benchmark sets, observer forms, mappings and traces; - reads "
-            "standard input.",
+            QT_TRANSLATE_NOOP("commands",
+                              "Checks scenes, tasks, curricula, benchmark sets, observer forms, mappings and "
+                              "traces; - reads standard input."),
             {json_option()},
             run_check};
 }

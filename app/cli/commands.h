@@ -49,6 +49,7 @@ std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& 
 
 /// What an error says, in one line and in the language in use.
 std::string line_of(const std::exception& error);
+std::string line_of(const Sentence& sentence);
 /// One JSON document on standard output.
 void print_json(const nlohmann::json& document);
 std::string store_path(const Arguments& arguments);

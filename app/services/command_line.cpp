@@ -41,10 +41,11 @@ int run(const Invocation& call) {
 
 int parse_and_run(const CommandTable& table, int& argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
+    const std::vector<std::string> words(argv + 1, argv + argc);
     std::optional<Invocation> call;
     std::exception_ptr refused;
     try {
-        call = table.parse(std::vector<std::string>(argv + 1, argv + argc));
+        call = table.parse(words);
     } catch (const std::exception&) {
         refused = std::current_exception();
     }
@@ -61,6 +62,7 @@ int parse_and_run(const CommandTable& table, int& argc, char** argv) {
         set_plain_formats();
         return guarded([&] {
             use_language_or(ui::Language::english);
+            if (call->command == nullptr) call = table.parse(words);  // its text, now in this language
             return run(*call);
         });
     }
