@@ -57,16 +57,15 @@ Trace read_trace(const Arguments& arguments, std::size_t& left_out) {
 /// What was not read, not joined, or replaced in the trace, on standard error.
 void print_notes(const nlohmann::json& document) {
     for (const auto& column : document["ignored_columns"])
-        std::cerr << "note: the column " << column.get<std::string>() << " is not known and was not read\n";
-    for (const auto& gap : document["gaps"])
-        std::cerr << "note: no samples from " << gap[0].dump() << " s to " << gap[1].dump()
-                  << " s; nothing is measured across this gap\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: the column %1 is not known and was not read"),
+                    column.get<std::string>()});
+    for (const auto& gap : document["gaps"]) print_gap(gap[0].dump(), gap[1].dump());
     if (document["samples_left_out"] != 0)
-        std::cerr << "note: " << document["samples_left_out"].dump()
-                  << " samples have a missing value and were left out\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: %1 samples have a missing value and were left out"),
+                    document["samples_left_out"].dump()});
     if (document["replaced_force_samples"] != 0)
-        std::cerr << "note: " << document["replaced_force_samples"].dump()
-                  << " force samples were spikes and were replaced\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: %1 force samples were spikes and were replaced"),
+                    document["replaced_force_samples"].dump()});
 }
 
 /// The verdict from a trace with its events.

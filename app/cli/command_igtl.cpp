@@ -125,9 +125,10 @@ int run_serve(const Arguments& arguments) {
                            {scene.trocar[0].has_value(), scene.trocar[1].has_value()});
     igtl::Server server(address);
     const EndsOnInterrupt ends;
-    std::cerr << "fulcrum: sends attempt " << id << " at "
-              << igtl::Address{address.host, server.port()}.text()
-              << " as soon as a program connects; Ctrl-C ends it\n";
+    print_note(
+        {QT_TRANSLATE_NOOP("commands",
+                           "fulcrum: sends attempt %1 at %2 as soon as a program connects; Ctrl-C ends it"),
+         id, igtl::Address{address.host, server.port()}.text()});
     while (server.clients() == 0 && igtl_stopped == 0) server.step(look_ms);
     Served served(server, trace, scene, rate, speed);
     if (igtl_stopped == 0) served.run();

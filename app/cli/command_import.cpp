@@ -95,10 +95,9 @@ void print_import(const nlohmann::json& document) {
               << ", " << document["source"].get<std::string>() << ": " << document["samples"].dump()
               << " samples, " << document["duration_s"].dump() << " s, " << measured << " metric values\n";
     for (const auto& column : document["ignored_columns"])
-        std::cerr << "note: the column " << column.get<std::string>() << " is not mapped and was not read\n";
-    for (const auto& gap : document["gaps"])
-        std::cerr << "note: no samples from " << gap[0].dump() << " s to " << gap[1].dump()
-                  << " s; nothing is measured across this gap\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: the column %1 is not mapped and was not read"),
+                    column.get<std::string>()});
+    for (const auto& gap : document["gaps"]) print_gap(gap[0].dump(), gap[1].dump());
     if (document["dry_run"] == true)
         std::cout << "dry run, nothing was stored\n";
     else

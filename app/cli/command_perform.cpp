@@ -232,7 +232,7 @@ int run_perform(const Arguments& arguments) {
     const std::vector<database::AssetFile> unknown = database::AcceptedAssets(store).unknown(meta.assets);
     if (meta.mode == AttemptMode::assessed && !unknown.empty()) {
         meta.mode = AttemptMode::practice;
-        std::cerr << "fulcrum: " << database::practice_only_words(unknown).words() << '\n';
+        std::cerr << "fulcrum: " << line_of(database::practice_only_words(unknown)) << '\n';
     }
     meta.person_id = person.id;
     meta.curriculum = database::Curricula(store).in_force(session, person.id, curriculum).name();

@@ -78,6 +78,16 @@ std::string line_of(const Sentence& sentence) {
     return line;
 }
 
+void print_note(const Sentence& line) {
+    std::cerr << line.words(help_words) << '\n';
+}
+
+void print_gap(const std::string& from, const std::string& to) {
+    print_note({QT_TRANSLATE_NOOP("commands",
+                                  "note: no samples from %1 s to %2 s; nothing is measured across this gap"),
+                from, to});
+}
+
 void print_json(const nlohmann::json& document) {
     std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }

@@ -130,9 +130,10 @@ int run_due(const Arguments& arguments) {
                 written.push_back(file);
             schedules.note(session, one.id, period, {});
         } catch (const std::exception& error) {
-            failed.push_back({{"id", one.id}, {"cohort", one.cohort_name}, {"problem", line_of(error)}});
+            const std::string english = sentence_of(error).words();  // what is stored and what programs read
+            failed.push_back({{"id", one.id}, {"cohort", one.cohort_name}, {"problem", english}});
             std::cerr << one.id << ": " << line_of(error) << '\n';
-            schedules.note(session, one.id, period, line_of(error));
+            schedules.note(session, one.id, period, english);
         }
     }
     if (arguments.has("--json")) {

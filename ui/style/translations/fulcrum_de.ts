@@ -1142,6 +1142,30 @@
         <source>VERSION</source>
         <translation>VERSION</translation>
     </message>
+    <message>
+        <source>note: the column %1 is not known and was not read</source>
+        <translation>Hinweis: Die Spalte %1 ist nicht bekannt und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>note: %1 samples have a missing value and were left out</source>
+        <translation>Hinweis: %1 Messwerten fehlte ein Wert; sie wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>note: %1 force samples were spikes and were replaced</source>
+        <translation>Hinweis: %1 Kraftmesswerte waren Ausreißer und wurden ersetzt</translation>
+    </message>
+    <message>
+        <source>fulcrum: sends attempt %1 at %2 as soon as a program connects; Ctrl-C ends it</source>
+        <translation>fulcrum: sendet Versuch %1 an %2, sobald sich ein Programm verbindet; Strg-C beendet das</translation>
+    </message>
+    <message>
+        <source>note: the column %1 is not mapped and was not read</source>
+        <translation>Hinweis: Die Spalte %1 ist nicht zugeordnet und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>note: no samples from %1 s to %2 s; nothing is measured across this gap</source>
+        <translation>Hinweis: keine Messwerte von %1 s bis %2 s; über diese Lücke hinweg wird nichts gemessen</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
