@@ -101,7 +101,7 @@ lab::Workload world_workload() {
         };
         prepared.bytes = bytes_of(bench->engine.world(), {"rod", "collision", "cage_and_surface"});
         prepared.error = [bench] {
-            return std::optional<double>(bench->engine.world().snapshot().solve_residual);
+            return std::optional<double>(bench->engine.world().snapshot().bowel.solve_residual);
         };
         prepared.error_unit = "relative rod residual of the last step";
         return prepared;

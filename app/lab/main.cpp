@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum-lab: runs the commands that `fulcrum lab` passes on.
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <iostream>
+#include <memory>
 
+#include "app/cli/command_line.h"
 #include "app/lab/allocation_counter.h"
 #include "app/lab/commands.h"
-#include "app/services/command_line.h"
 #include "sim_core/lab/bench.h"
 
 int main(int argc, char** argv) {
@@ -15,7 +16,10 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName("Fulcrum");
     QCoreApplication::setOrganizationName("Fulcrum");
     const app::CommandTable table = app::laboratory_table();
-    if (argc > 1) return app::run_command_line(table, argc, argv);
+    if (argc > 1)
+        return app::run_command_line(table, argc, argv, [](int& count, char** words) {
+            return std::make_unique<QGuiApplication>(count, words);
+        });
     std::cout << table.help();
     return 0;
 }

@@ -8,8 +8,8 @@
 #include <iostream>
 #include <random>
 
-#include "app/services/frame_store.h"
-#include "app/services/replay_moment.h"
+#include "app/live/frame_store.h"
+#include "app/live/replay_moment.h"
 #include "assessment/assets/assets.h"
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/ghost.h"
@@ -135,7 +135,7 @@ void seek_anywhere(const LoadedTask& loaded, const AttemptRecord& record, const 
     for (int i = 0; i < count; ++i) {
         const std::uint32_t tick = anywhere(random);
         const double begin = thread_seconds();
-        FrameStore::put(frames.before(tick), cursor);
+        frames.put(tick, cursor);
         cursor.run_to(tick);
         measured.times.push_back(seconds_since(begin));
         measured.identical = measured.identical && cursor.outcome().identical;
@@ -176,9 +176,8 @@ void take_over_anywhere(const LoadedTask& loaded, const std::shared_ptr<const At
         moment.seed = seed;
         moment.record = record;
         moment.tick = settled_tick(*record, anywhere(random));
-        if (const FrameStore::Frame frame = frames.before(moment.tick); frame.packed)
-            moment.frame = *frame.packed;
         const double begin = thread_seconds();
+        moment.frame = frames.state(moment.tick);
         AttemptEngine engine(loaded.scene, loaded.task, seed);
         moment.bring(engine, stop);
         engine.begin_here();
@@ -302,8 +301,9 @@ Measured measure_seeks(const std::vector<std::string>& tasks, double seconds, in
         "An attempt of the expert operator (seed 2001), continued with its own inputs backwards and "
         "forwards, was replayed once and left key frames; then each task was sought at " +
         std::to_string(seeks) +
-        " random moments from any other. A seek unpacks the key frame before the moment and simulates from "
-        "there. Times are processor time of the one thread that does it. \"Bit for bit\": every sample and "
+        " random moments from any other. A seek makes the state of the key frame before the moment from the "
+        "kept differences and simulates from there. Times are processor time of the one thread that does it. "
+        "\"Bit for bit\": every sample and "
         "every state hash on the way is that of the record. The "
         "limit of a seek is " +
         lab::short_number(1e3 * seek_limit_s, 3) + " ms; the slowest of all took " +

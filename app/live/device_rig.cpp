@@ -21,7 +21,9 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
       state_(state),
       command_(command),
       others_(std::move(others)),
-      motion_(use.motion) {
+      motion_(use.motion),
+      pedal_(use.pedal),
+      has_pedal_(use.pedal >= 0 && use.pedal < device_slots && facts.slot[use.pedal]) {
     const int slots[device_slots] = {use.left, use.right, use.scope};
     for (int i = 0; i < device_slots; ++i) {
         Driven& driven = driven_[i];
@@ -104,8 +106,19 @@ void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
         // The keys of the pedal and of the exchange work with every device.
         const unsigned keys = samples[i]->buttons & unsigned{button_energy | button_exchange};
         read_slot(driven_[i], i == scope_slot, *samples[i]);
-        samples[i]->buttons = static_cast<std::uint16_t>(samples[i]->buttons | keys);
+        const unsigned own = samples[i]->buttons & (pedal_ == -2 ? ~0U : ~unsigned{button_energy});
+        samples[i]->buttons = static_cast<std::uint16_t>(own | keys);
     }
+    if (has_pedal_) read_pedal(sample);
+}
+
+void DeviceRig::read_pedal(RigSample& sample) const noexcept {
+    DevicePose pose;
+    const bool pressed =
+        state_.pose[pedal_].read(pose) && pose.present != 0 && (pose.buttons & button_energy) != 0;
+    for (int h = 0; h < hand_count && pressed; ++h)
+        if (driven_[h].exists)
+            sample.hand[h].buttons = static_cast<std::uint16_t>(sample.hand[h].buttons | button_energy);
 }
 
 void DeviceRig::write_force(Hand hand, const Vector3& force) {

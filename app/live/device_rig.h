@@ -25,6 +25,9 @@ namespace fulcrum::app {
 struct SlotUse {
     int left = 0, right = 1, scope = scope_slot;  ///< slot of the device, or -1: the other rig moves it
     double motion = 1;                            ///< movement of an instrument over that of its device
+    /// Slot whose button is the pedal for both hands; -1: the other rig's keys alone; -2: each hand has the
+    /// button of its own slot.
+    int pedal = -2;
 };
 
 class DeviceRig : public Rig {
@@ -63,7 +66,10 @@ class DeviceRig : public Rig {
     const StatePage& state_;
     CommandPage& command_;
     std::shared_ptr<Rig> others_;
+    void read_pedal(RigSample& sample) const noexcept;
     double motion_;
+    int pedal_;
+    bool has_pedal_;
     Driven driven_[device_slots];  // left, right, scope
     std::optional<ForceOutput> force_[hand_count];
     ForceCommand sent_[hand_count];

@@ -7,14 +7,14 @@
 #include <mutex>
 #include <random>
 
+#include "app/cli/command_line.h"
 #include "app/cli/installed_curriculum.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
-#include "app/services/command_line.h"
+#include "app/live/replay_moment.h"
 #include "app/services/demo.h"
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
-#include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
 #include "app/services/sending.h"
 #include "assessment/assets/assets.h"
@@ -26,6 +26,7 @@
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
 #include "database/store/accepted_assets.h"
+#include "database/sync/station_erasure.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 #include "ui/shell/main_window.h"
@@ -58,6 +59,7 @@ class Services : public ui::ApplicationServices {
         store_.reset();
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
         database::Curricula(*opened).check(curriculum_);
+        if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum devices: what is connected, what is not and why; and a test of one device.
 #include <QCoreApplication>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -19,7 +21,7 @@ namespace fulcrum::app {
 namespace {
 
 constexpr double gentle_n = 0.3;
-constexpr const char* slot_names[device_slots] = {QT_TRANSLATE_NOOP("commands", "left"),
+constexpr const char* slot_words[device_slots] = {QT_TRANSLATE_NOOP("commands", "left"),
                                                   QT_TRANSLATE_NOOP("commands", "right"),
                                                   QT_TRANSLATE_NOOP("commands", "scope")};
 
@@ -70,11 +72,11 @@ nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) 
     for (int i = 0; i < device_slots; ++i) {
         if (!client.facts().slot[i]) continue;
         const DevicePose& pose = trial.newest[i];
-        document["poses"][slot_names[i]] = {{"present", pose.present != 0},
-                                            {"position_m", pose.position},
-                                            {"roll_rad", pose.roll},
-                                            {"jaw", pose.jaw},
-                                            {"buttons", pose.buttons}};
+        document["poses"][device_slot_names[i]] = {{"present", pose.present != 0},
+                                                   {"position_m", pose.position},
+                                                   {"roll_rad", pose.roll},
+                                                   {"jaw", pose.jaw},
+                                                   {"buttons", pose.buttons}};
     }
     return document;
 }
@@ -100,7 +102,7 @@ void print_trial(const DaemonClient& client, const DeviceTrial& trial) {
     for (int i = 0; i < device_slots; ++i) {
         if (!client.facts().slot[i]) continue;
         const DevicePose& pose = trial.newest[i];
-        const Sentence slot(slot_names[i]);
+        const Sentence slot(slot_words[i]);
         if (pose.present == 0)
             say({QT_TRANSLATE_NOOP("commands", "%1: does not answer"), slot});
         else
@@ -132,7 +134,39 @@ int test_controller(const Arguments& arguments, const std::string& named) {
     return trial.connected ? 0 : 1;
 }
 
+/// What is no device for this test is named before anything is opened.
+void require_testable(const std::string& specification) {
+    constexpr const char* testable[] = {"touch",       "force-dimension", "haply",  "controller",
+                                        "openigtlink", "space-mouse",     "virtual"};
+    const std::size_t colon = specification.find(':');
+    const std::string kind = specification.substr(0, colon);
+    if (kind == "mouse-keyboard" || kind == "two-mice")
+        throw UsageError("--test " + specification,
+                         QT_TRANSLATE_NOOP("errors", "needs a window: mice and keys are read there"),
+                         QT_TRANSLATE_NOOP("errors", "start fulcrum and try it on the page Settings"));
+    if (kind == "virtual" && (colon == std::string::npos || colon + 1 == specification.size()))
+        throw UsageError("--test " + specification, QT_TRANSLATE_NOOP("errors", "names no script"),
+                         QT_TRANSLATE_NOOP("errors", "write --test virtual:SCRIPT.json"));
+    std::string names;
+    for (const char* one : testable) {
+        if (kind == one) return;
+        names += (names.empty() ? "" : ", ") + std::string(one);
+    }
+    std::string small = kind;
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool capitals =
+        std::any_of(std::begin(testable), std::end(testable), [&](const char* one) { return small == one; });
+    if (capitals)
+        throw UsageError("--test " + specification,
+                         QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+                         {QT_TRANSLATE_NOOP("errors", "write it in small letters: --test %1"), small});
+    throw UsageError(
+        "--test " + specification, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+        {QT_TRANSLATE_NOOP("errors", "use one of %1; `fulcrum devices` lists what is connected"), names});
+}
+
 int test_device(const Arguments& arguments, const std::string& specification) {
+    require_testable(specification);
     if (specification == "controller" || specification.rfind("controller:", 0) == 0)
         return test_controller(arguments, specification);
     if (arguments.has("--rumble"))
@@ -186,9 +220,10 @@ Command devices_command() {
             "commands",
             "Lists the devices for the hands: what is connected, what is not, why and what to do."),
         {{"--test", "DEVICE",
-          QT_TRANSLATE_NOOP("commands",
-                            "Open this device (touch, force-dimension, controller, openigtlink:HOST:PORT, "
-                            "space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.")},
+          QT_TRANSLATE_NOOP(
+              "commands",
+              "Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, "
+              "space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.")},
          {"--seconds", "S", QT_TRANSLATE_NOOP("commands", "How long the test lasts: 1 to 3600."), "5"},
          {"--force", "",
           QT_TRANSLATE_NOOP("commands",

@@ -21,6 +21,7 @@ namespace fulcrum::app {
 namespace {
 
 constexpr const char* space_mouse_vendor = "256f";
+constexpr int haply_port = 10001, older_haply_port = 10000;
 
 std::string words_of(const UsbDevice& device) {
     return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +
@@ -121,6 +122,34 @@ ListedDevice tracked_instruments(const Machine& machine) {
             "fulcrum::device_list",
             "start PLUS, 3D Slicer or the tracker's program with an OpenIGTLink server; for one on another "
             "computer start Fulcrum with FULCRUM_DEVICE=openigtlink:HOST:PORT");
+    }
+    return listed;
+}
+
+ListedDevice listed_haply(const Machine& machine) {
+    ListedDevice listed{"haply",
+                        QT_TRANSLATE_NOOP("fulcrum::device_list", "Haply Inverse3, VerseGrip"),
+                        DeviceClass::haptic,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {}};
+    listed.state = DeviceState::absent;
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        no_daemon(listed, machine.daemon, errno);
+    } else if (is_listened_to(machine.sockets, haply_port) ||
+               is_listened_to(machine.sockets, older_haply_port)) {
+        // Which devices are connected is known to the service alone.
+        listed.state = DeviceState::usable;
+        listed.found.emplace_back("FULCRUM_DEVICE=haply");
+    } else {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                       "the Inverse service of Haply does not run: nothing listens at port "
+                                       "10001 of this computer");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "install the Inverse service from Haply and start it; connect the device and its power supply");
     }
     return listed;
 }
@@ -280,6 +309,7 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
     const std::vector<UsbDevice> connected = usb_devices(machine.usb);
     for (const VendorDriver& driver : vendor_drivers())
         listed.push_back(driven_by_library(driver, machine, connected));
+    listed.push_back(listed_haply(machine));
     listed.push_back(tracked_instruments(machine));
     listed.push_back(listed_space_mouse(machine, connected));
     return listed;

@@ -18,7 +18,7 @@ Devices::Devices(std::string specification) : specification_(std::move(specifica
 
 namespace {
 constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller",
-                     *tracked = "openigtlink", *space_mouse = "space-mouse";
+                     *tracked = "openigtlink", *space_mouse = "space-mouse", *haply = "haply";
 constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
@@ -73,25 +73,31 @@ void Devices::set_motion_scale(const std::string& kind, double scale) {
 
 ui::SlotChoice Devices::slot_choice(const std::string& kind) {
     const QStringList kept = QSettings().value(slot_key(kind)).toString().split(QLatin1Char(' '));
-    int parts[device_slots] = {0, 1, scope_slot};
-    for (int i = 0; i < device_slots && kept.size() == device_slots; ++i) {
+    int parts[device_slots] = {0, 1, scope_slot}, pedal = ui::pedal_of_each_hand;
+    const int count = kept.size();
+    if (count != device_slots && count != device_slots + 1) return {};
+    for (int i = 0; i < count; ++i) {
         bool is_number = false;
-        parts[i] = kept[i].toInt(&is_number);
-        const bool twice = parts[i] >= 0 && std::find(parts, parts + i, parts[i]) != parts + i;
-        if (!is_number || parts[i] < -1 || parts[i] >= device_slots || twice) return {};
+        const int part = kept[i].toInt(&is_number);
+        const bool of_pedal = i == device_slots;
+        const bool twice = !of_pedal && part >= 0 && std::find(parts, parts + i, part) != parts + i;
+        const int least = of_pedal ? ui::pedal_of_each_hand : -1;
+        if (!is_number || part < least || part >= device_slots || twice) return {};
+        (of_pedal ? pedal : parts[i]) = part;
     }
-    return {parts[0], parts[1], parts[2]};
+    return {parts[0], parts[1], parts[2], pedal};
 }
 
 void Devices::set_slot_choice(const std::string& kind, const ui::SlotChoice& choice) {
-    QSettings().setValue(slot_key(kind),
-                         QStringLiteral("%1 %2 %3").arg(choice.left).arg(choice.right).arg(choice.scope));
+    QSettings().setValue(
+        slot_key(kind),
+        QStringLiteral("%1 %2 %3 %4").arg(choice.left).arg(choice.right).arg(choice.scope).arg(choice.pedal));
 }
 
 std::string Devices::chosen() {
     const std::string kind = QSettings().value(QLatin1String(chosen_key)).toString().toStdString();
     const bool known = kind == two_mice || kind == controller || kind == tracked || kind == space_mouse ||
-                       vendor_driver(kind) != nullptr;
+                       kind == haply || vendor_driver(kind) != nullptr;
     return known ? kind : std::string();
 }
 
@@ -135,13 +141,12 @@ std::optional<ui::DeviceReadings> Devices::readings() {
         return now;
     }
     if (client_ == nullptr || client_->poll() != DaemonClient::Health::good) return std::nullopt;
-    constexpr const char* names[device_slots] = {"left", "right", "scope"};
     ui::DeviceReadings now;
     std::uint64_t count = 0;
     for (int i = 0; i < device_slots; ++i) {
         DevicePose pose;
         if (!client_->facts().slot[i] || !client_->state().pose[i].read(pose)) continue;
-        now.held.push_back({names[i], pose.present != 0,
+        now.held.push_back({device_slot_names[i], pose.present != 0,
                             Vector3(pose.position[0], pose.position[1], pose.position[2]), pose.jaw,
                             pose.buttons});
         count = std::max(count, pose.sequence);
@@ -195,7 +200,7 @@ std::shared_ptr<Rig> Devices::hands(const Scene& scene, std::shared_ptr<Rig> oth
     const ui::SlotChoice use = slot_choice(kind);
     return std::make_shared<DeviceRig>(
         client_, client_->state(), client_->command(), client_->facts(), scene, std::move(others),
-        SlotUse{use.left, use.right, use.scope, motion_scale(kind)}, force_scale(kind));
+        SlotUse{use.left, use.right, use.scope, motion_scale(kind), use.pedal}, force_scale(kind));
 }
 
 std::shared_ptr<GameController> Devices::game_controller() {

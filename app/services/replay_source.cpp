@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "app/services/frame_store.h"
-#include "app/services/replay_moment.h"
+#include "app/live/frame_store.h"
+#include "app/live/replay_moment.h"
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/replay_cursor.h"
 #include "sim_core/haptics/loop.h"
@@ -123,8 +123,7 @@ class Replay : public ui::ReplaySource {
         moment->record = record_;
         moment->start = request_.start;
         moment->tick = settled;
-        if (const FrameStore::Frame frame = frames_.before(settled); frame.packed)
-            moment->frame = *frame.packed;
+        moment->frame = frames_.state(settled);
         for (const Event& event : record_->events) {
             if (event.tick <= settled && event.kind == EventKind::phase_begin) moment->goal = event.detail;
         }
@@ -172,9 +171,8 @@ class Replay : public ui::ReplaySource {
             }
             return false;
         }
-        const FrameStore::Frame frame = frames_.before(wanted);
-        if (frame.packed && (viewer.cursor.tick() > wanted || viewer.cursor.tick() < frame.tick))
-            FrameStore::put(frame, viewer.cursor);
+        if (viewer.cursor.tick() > wanted || viewer.cursor.tick() < frames_.before(wanted))
+            frames_.put(wanted, viewer.cursor);
         const Clock::time_point begin = Clock::now();
         while (viewer.cursor.tick() < wanted && !viewer.cursor.at_end() && !stop_.load()) {
             viewer.cursor.run_to(std::min(wanted, viewer.cursor.tick() + slice_ticks));

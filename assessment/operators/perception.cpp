@@ -65,7 +65,8 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
     look.lens = world.camera.position;
     look.moving_tip = world.camera_targets.tip;
     look.moving_tip_velocity = world.camera_targets.tip_velocity;
-    std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
+    std::copy_n(world.bowel.nodes.begin(), std::min(look.nodes.size(), world.bowel.nodes.size()),
+                look.nodes.begin());
     std::copy_n(world.objects.objects.begin(), std::min(look.objects.size(), world.objects.objects.size()),
                 look.objects.begin());
     copy_within(world.sheet.line, look.line);
@@ -90,8 +91,8 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
         const std::size_t places = std::min(line_positions_.capacity(), world.sheet.line_positions.size());
         line_positions_.assign(world.sheet.line_positions.begin(),
                                world.sheet.line_positions.begin() + static_cast<std::ptrdiff_t>(places));
-        std::copy_n(world.node_arc_lengths.begin(),
-                    std::min(arc_lengths_.size(), world.node_arc_lengths.size()), arc_lengths_.begin());
+        std::copy_n(world.bowel.node_arc_lengths.begin(),
+                    std::min(arc_lengths_.size(), world.bowel.node_arc_lengths.size()), arc_lengths_.begin());
         const std::size_t targets = std::min(targets_.capacity(), world.targets.size());
         targets_.assign(world.targets.begin(), world.targets.begin() + static_cast<std::ptrdiff_t>(targets));
     }

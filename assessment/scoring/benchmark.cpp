@@ -9,6 +9,7 @@
 #include "assessment/metrics/registry.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/json_names.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
 
@@ -99,9 +100,9 @@ void check_level(const JsonDocument& document, const BenchmarkLevel& level, cons
 std::string benchmark_name(const BenchmarkKey& key) {
     const std::string device_class = row_of(device_classes, key.device_class).name;
     std::string name = key.task;
-    if (key.variant != "standard") name += "-" + key.variant;
+    if (key.variant != standard_variant) name += "-" + key.variant;
     if (key.device_class != DeviceClass::haptic) name += "-" + device_class;
-    if (key.fidelity != "standard") name += "-" + key.fidelity;
+    if (key.fidelity != standard_fidelity) name += "-" + key.fidelity;
     std::replace(name.begin(), name.end(), '/', '_');
     return name;
 }

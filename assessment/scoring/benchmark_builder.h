@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/scoring/score.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
 
@@ -18,7 +19,7 @@ struct BenchmarkAttempt {
 };
 
 struct BenchmarkRequest {
-    std::string variant_family = "standard", fidelity = "standard", source;
+    std::string variant_family = standard_variant, fidelity = standard_fidelity, source;
     DeviceClass device_class = DeviceClass::haptic;
     int version = 1;
     bool provisional = true;

@@ -19,7 +19,7 @@ struct LinePoint {
 LinePoint line_point(const std::vector<Vector3>& nodes, const std::vector<double>& arc_lengths,
                      double arc_length) noexcept;
 inline LinePoint line_point(const WorldSnapshot& world, double arc_length) noexcept {
-    return line_point(world.nodes, world.node_arc_lengths, arc_length);
+    return line_point(world.bowel.nodes, world.bowel.node_arc_lengths, arc_length);
 }
 
 }  // namespace fulcrum

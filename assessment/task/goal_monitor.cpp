@@ -65,11 +65,12 @@ GoalWatch::GoalWatch(const TaskDefinition& task, const Scene& scene)
 
 double GoalWatch::height(const WorldSnapshot& world, const GraspState& grasp) const noexcept {
     const std::size_t count =
-        std::min({world.nodes.size(), world.node_arc_lengths.size(), rest_heights.size()});
+        std::min({world.bowel.nodes.size(), world.bowel.node_arc_lengths.size(), rest_heights.size()});
     if (count < 2) return 0;
     std::size_t upper = 1;
-    while (upper + 1 < count && world.node_arc_lengths[upper] < grasp.arc_length) ++upper;
-    const double before = world.node_arc_lengths[upper - 1], after = world.node_arc_lengths[upper];
+    while (upper + 1 < count && world.bowel.node_arc_lengths[upper] < grasp.arc_length) ++upper;
+    const double before = world.bowel.node_arc_lengths[upper - 1],
+                 after = world.bowel.node_arc_lengths[upper];
     const double share =
         after > before ? std::clamp((grasp.arc_length - before) / (after - before), 0.0, 1.0) : 0.0;
     const double rest = rest_heights[upper - 1] + share * (rest_heights[upper] - rest_heights[upper - 1]);
@@ -114,8 +115,8 @@ void GoalMonitor::step(const WorldSnapshot& world, const std::array<HoldChange, 
     for (const HoldChange change : changes) grasped_ever_ = grasped_ever_ || change == HoldChange::grasped;
     if (!grasped_ever_) {  // the bowel may still be settling; its last state before the first contact is its
                            // rest
-        const std::size_t count = std::min(watch_->rest_heights.size(), world.nodes.size());
-        for (std::size_t i = 0; i < count; ++i) watch_->rest_heights[i] = world.nodes[i].z();
+        const std::size_t count = std::min(watch_->rest_heights.size(), world.bowel.nodes.size());
+        for (std::size_t i = 0; i < count; ++i) watch_->rest_heights[i] = world.bowel.nodes[i].z();
     }
     watch_->cut.look(world);
     if (done()) return;

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/scene/standard_names.h"
+
 namespace fulcrum {
 
 struct TaskDefinition;
 
-/// The variant in the scene that the task itself names. Every task has it.
-inline constexpr const char* standard_variant = "standard";
-
+/// Every task has the standard_variant, in the scene that the task itself names.
 struct TaskVariant {
     std::string id;     ///< "narrow", as in its scene (Scene::variant) and in attempts
     std::string title;  ///< on screens, "Narrow pelvis"

@@ -2,6 +2,7 @@
 #include "database/records/curricula.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
@@ -177,15 +178,40 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
 }
 
 std::map<std::string, int> Curricula::people() const {
-    std::map<std::string, int> result;
+    // Each row is one entry of a person; somebody who was entered twice has two, which belong to one person.
+    struct Decision {
+        std::int64_t moved = -1, begun = -1;  // time of the last move, of the first attempt; -1: none
+        std::string move, attempt, curriculum;
+    };
+    std::map<std::string, Decision> decisions;
     Query rows(store_.connection(),
-               "SELECT COALESCE((SELECT m.curriculum FROM curriculum_move m WHERE m.person_id = p.person_id "
-               "ORDER BY m.time DESC, m.id DESC LIMIT 1), (SELECT a.curriculum FROM attempt a WHERE "
-               "a.person_id = p.person_id AND " FULCRUM_OWN_TASK
-               " ORDER BY a.started, a.id LIMIT 1)) AS name, COUNT(*) FROM (SELECT "
-               "DISTINCT a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
-               " UNION SELECT person_id FROM curriculum_move) p GROUP BY name");
-    while (rows.next()) result[rows.text(0)] += static_cast<int>(rows.integer(1));
+               "SELECT " + owner_of("p.person_id") +
+                   ", m.time, m.id, m.curriculum, a.started, a.id, a.curriculum FROM (SELECT DISTINCT "
+                   "a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
+                   " UNION SELECT person_id FROM curriculum_move) p LEFT JOIN curriculum_move m ON m.id = "
+                   "(SELECT n.id FROM curriculum_move n WHERE n.person_id = p.person_id ORDER BY n.time "
+                   "DESC, n.id DESC LIMIT 1) LEFT JOIN attempt a ON a.id = (SELECT a.id FROM attempt a WHERE "
+                   "a.person_id = p.person_id AND " FULCRUM_OWN_TASK " ORDER BY a.started, a.id LIMIT 1)");
+    while (rows.next()) {
+        Decision& known = decisions[rows.text(0)];
+        if (!rows.is_null(1)) {
+            const std::int64_t moved = rows.integer(1);
+            const std::string id = rows.text(2);
+            if (std::tie(moved, id) <= std::tie(known.moved, known.move)) continue;
+            known.moved = moved;
+            known.move = id;
+            known.curriculum = rows.text(3);
+        } else if (!rows.is_null(4) && known.moved < 0) {
+            const std::int64_t begun = rows.integer(4);
+            const std::string id = rows.text(5);
+            if (known.begun >= 0 && std::tie(known.begun, known.attempt) <= std::tie(begun, id)) continue;
+            known.begun = begun;
+            known.attempt = id;
+            known.curriculum = rows.text(6);
+        }
+    }
+    std::map<std::string, int> result;
+    for (const auto& [person, decision] : decisions) ++result[decision.curriculum];
     return result;
 }
 

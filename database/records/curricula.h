@@ -54,7 +54,7 @@ class Curricula {
     /// StoreError.
     int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
              const std::string& to, const std::string& reason) const;
-    /// How many people with attempts follow each version.
+    /// How many people with attempts follow each version; somebody who was entered twice is one.
     std::map<std::string, int> people() const;
     /// Throws InputError where a version that somebody follows is not installed, or its file is not the one
     /// that attempts were made with.

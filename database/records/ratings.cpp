@@ -455,6 +455,20 @@ int Ratings::release(const Session& educator, const std::string& attempt_id) con
     return static_cast<int>(ids.size());
 }
 
+namespace {
+
+/// Those who were merged into another person, with that person.
+std::map<std::string, std::string> merged_people(Connection& connection) {
+    Query rows(
+        connection,
+        QString("SELECT person_id, owner_id FROM %1 same WHERE person_id <> owner_id").arg(person_owners));
+    std::map<std::string, std::string> owners;
+    while (rows.next()) owners[rows.text(0)] = rows.text(1);
+    return owners;
+}
+
+}  // namespace
+
 std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
     require_rater(store_, rater);
     Query rows(store_.connection(), QString(rating_columns) + join_owner("a.person_id", "w") +
@@ -466,13 +480,18 @@ std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
     bind_visible_people(rows, rater, Operation::rate);
     std::map<std::string, std::vector<RaterScore>> scores;
     std::map<std::string, FormAgreement> forms;
+    // Two accounts of one rater agree with nobody: of two forms on one attempt the newest is taken, as in
+    // rules.
+    const std::map<std::string, std::string> merged = merged_people(store_.connection());
     for (const RatingRow& row : read_ratings(store_.connection(), rows)) {
         FormAgreement& form = forms[row.form.name()];
         form.form = row.form.name();
         form.title = row.form.title;
         ++form.forms;
         if (const std::optional<double> share = form_share(row.form, row.answers))
-            scores[form.form].push_back({row.attempt_id, row.rater_id, *share});
+            scores[form.form].push_back(
+                {row.attempt_id, merged.count(row.rater_id) != 0 ? merged.at(row.rater_id) : row.rater_id,
+                 *share});
     }
     std::vector<FormAgreement> result;
     for (auto& [name, form] : forms) {

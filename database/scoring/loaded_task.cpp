@@ -9,6 +9,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/fidelity.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
 namespace {
@@ -73,7 +74,8 @@ LoadedTask load_site_task(const database::Store& store, const database::Session&
 
 LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
                          const database::AttemptSummary& summary) {
-    const std::string fidelity = summary.meta.fidelity == "standard" ? std::string() : summary.meta.fidelity;
+    const std::string fidelity =
+        summary.meta.fidelity == standard_fidelity ? std::string() : summary.meta.fidelity;
     const std::string text = attempts.scene_text(session, summary.meta.id);
     if (text.empty()) return load_task_and_scene({summary.meta.task_id, summary.meta.variant, fidelity});
     return load(read_task(summary.meta.task_id), summary.meta.scene, text,

@@ -11,12 +11,11 @@
 #include "database/rows/crypto.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
 
 namespace {
-
-const char* const usual = "standard";  // variant and fidelity
 
 std::string file_of(const BenchmarkKey& key) {
     return asset_path("benchmarks/" + benchmark_name(key) + ".json");
@@ -27,11 +26,13 @@ bool there_is(const BenchmarkKey& key) {
 
 /// Why a task with limits has none of this key; the nearest ones say what differs. Empty: it has none.
 Statement why_none(const BenchmarkKey& key, DeviceClass used) {
-    if (there_is({key.task, key.variant, key.device_class, usual}))
-        return {StatementId::fidelity_differs, {{"limits", std::string(usual)}, {"used", key.fidelity}}};
-    if (there_is({key.task, usual, key.device_class, usual}))
-        return {StatementId::variant_differs, {{"limits", std::string(usual)}, {"used", key.variant}}};
-    if (there_is({key.task, usual, DeviceClass::haptic, usual}))
+    if (there_is({key.task, key.variant, key.device_class, standard_fidelity}))
+        return {StatementId::fidelity_differs,
+                {{"limits", std::string(standard_fidelity)}, {"used", key.fidelity}}};
+    if (there_is({key.task, standard_variant, key.device_class, standard_fidelity}))
+        return {StatementId::variant_differs,
+                {{"limits", std::string(standard_variant)}, {"used", key.variant}}};
+    if (there_is({key.task, standard_variant, DeviceClass::haptic, standard_fidelity}))
         return {StatementId::device_class_differs,
                 {{"device", std::string(row_of(device_classes, used).name)}}};
     return {};

@@ -16,6 +16,7 @@
 
 #include "database/access/access.h"
 #include "database/rows/errors.h"
+#include "sim_core/numerics/name_table.h"
 
 namespace fulcrum::database {
 
@@ -42,13 +43,51 @@ struct StoreOptions {
         true;  ///< false: leave attempts that lost their program for the next start to list
 };
 
+/// What is checked. The last two: with `db check --against` and `--key` only.
+enum class CheckId : std::uint8_t {
+    integrity,
+    foreign_keys,
+    audit_chain,
+    signatures,
+    trace_checksums,
+    records,
+    score_digests,
+    scenes,
+    decisions,
+    permissions,  ///< of the file, not of what is in it
+    known_head,
+    known_key
+};
+struct CheckRow {
+    CheckId kind;
+    const char* name;  ///< in output; permanent
+};
+inline constexpr CheckRow store_checks[] = {
+    {CheckId::integrity, QT_TRANSLATE_NOOP("errors", "integrity")},
+    {CheckId::foreign_keys, QT_TRANSLATE_NOOP("errors", "foreign keys")},
+    {CheckId::audit_chain, QT_TRANSLATE_NOOP("errors", "audit chain")},
+    {CheckId::signatures, QT_TRANSLATE_NOOP("errors", "signatures")},
+    {CheckId::trace_checksums, QT_TRANSLATE_NOOP("errors", "trace checksums")},
+    {CheckId::records, QT_TRANSLATE_NOOP("errors", "records")},
+    {CheckId::score_digests, QT_TRANSLATE_NOOP("errors", "score digests")},
+    {CheckId::scenes, QT_TRANSLATE_NOOP("errors", "scenes")},
+    {CheckId::decisions, QT_TRANSLATE_NOOP("errors", "decisions")},
+    {CheckId::permissions, QT_TRANSLATE_NOOP("errors", "permissions")},
+    {CheckId::known_head, QT_TRANSLATE_NOOP("errors", "known head")},
+    {CheckId::known_key, QT_TRANSLATE_NOOP("errors", "known key")}};
+static_assert(in_order(store_checks));
+
 /// A finding of check(): ok == false names what is wrong and what to do.
 struct CheckItem {
-    std::string name;  ///< "integrity", "foreign keys", "audit chain", "signatures", "trace checksums",
-                       ///< "score digests", "scenes", "permissions"
+    explicit CheckItem(CheckId check = CheckId::integrity)
+        : id(check), name(row_of(store_checks, check).name) {}
+
+    CheckId id;
+    std::string name;  ///< for people; what decides is `id`
     bool ok = true;
     std::int64_t count = 0;          ///< things looked at
     std::vector<Sentence> problems;  ///< empty if ok; at most 20, then a line that says how many more
+    std::vector<Sentence> notes;     ///< to be known, without being wrong
 };
 struct CheckReport {
     bool ok = true;
@@ -134,8 +173,10 @@ class Store {
 
     Connection& connection() const noexcept;  ///< for the rooms of this floor
     /// Signs what this station writes; read, or made to sign from that row of its audit log on, when it is
-    /// first asked for. For the rooms of this floor. Throws StoreError (failed).
-    const StationKey& key(std::int64_t next_row) const;
+    /// first asked for, and again where the log `expects` another one (its public half; empty: none yet). For
+    /// the rooms of this floor. Throws StoreError (failed).
+    const StationKey& key(std::int64_t next_row, const std::vector<std::uint8_t>& expected) const;
+    void use_key(const StationKey& key) const;
 
   private:
     struct State;

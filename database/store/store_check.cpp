@@ -16,6 +16,7 @@
 #include "database/store/override_rows.h"
 #include "database/store/recording_lock.h"
 #include "database/store/score_rows.h"
+#include "database/store/signing_keys.h"
 #include "database/store/store_check.h"
 #include "database/store/store_state.h"
 
@@ -79,6 +80,13 @@ void check_scores(const Store& store, CheckItem& item) {
                     {QT_TRANSLATE_NOOP("errors", "%1: changed after it was written"), place});
         }
     }
+}
+
+void check_signatures(const Store& store, CheckItem& item) {
+    SignatureCheck check = verify_audit_signatures(store.connection(), store.station_id());
+    item.count = check.count;
+    item.problems = std::move(check.problems);
+    item.notes = std::move(check.notes);
 }
 
 void check_scenes(const Store& store, CheckItem& item) {
@@ -161,12 +169,11 @@ bool CheckWatch::report() {
 CheckReport check_store(const Store& store, const StoreProgress& progress) {
     CheckReport report;
     CheckWatch watch(store.connection(), progress);
-    const auto look = [&](double from, double to, const char* name,
+    const auto look = [&](double from, double to, CheckId id,
                           const std::function<void(CheckItem&)>& checker) {
         if (!report.complete) return;
-        watch.begin(from, to, name);
-        CheckItem item;
-        item.name = name;
+        CheckItem item(id);
+        watch.begin(from, to, item.name.c_str());
         try {
             if (!watch.stopped()) checker(item);
         } catch (const StoreError& error) {
@@ -184,40 +191,30 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
         report.ok = report.ok && item.ok;
         report.items.push_back(std::move(item));
     };
-    look(0, 0.25, QT_TRANSLATE_NOOP("errors", "integrity"),
-         [&](CheckItem& item) { check_integrity(store, item); });
-    look(0.25, 0.3, QT_TRANSLATE_NOOP("errors", "foreign keys"),
-         [&](CheckItem& item) { check_foreign_keys(store, item); });
-    look(0.3, 0.4, QT_TRANSLATE_NOOP("errors", "audit chain"), [&](CheckItem& item) {
+    look(0, 0.25, CheckId::integrity, [&](CheckItem& item) { check_integrity(store, item); });
+    look(0.25, 0.3, CheckId::foreign_keys, [&](CheckItem& item) { check_foreign_keys(store, item); });
+    look(0.3, 0.4, CheckId::audit_chain, [&](CheckItem& item) {
         const Audit audit(store);
         item.count = audit.count();
         item.problems = audit.verify();
     });
     // An older store has not got all of it; opening it for writing brings it up to date.
-    constexpr int with_attempts = 2, with_pathology = 5, with_scenes = 6, with_decisions = 7,
-                  with_signatures = 14;
+    constexpr int with_attempts = 2, with_pathology = 5, with_scenes = 6, with_decisions = 7;
     const int schema = store.found_schema();
-    if (schema >= with_signatures)
-        look(0.4, 0.4, QT_TRANSLATE_NOOP("errors", "signatures"),
-             [&](CheckItem& item) { item.problems = Audit(store).verify_signatures(item.count); });
+    if (schema >= schema_with_signatures)
+        look(0.4, 0.4, CheckId::signatures, [&](CheckItem& item) { check_signatures(store, item); });
     if (schema >= with_attempts)
-        look(0.4, 0.8, QT_TRANSLATE_NOOP("errors", "trace checksums"),
-             [&](CheckItem& item) { check_traces(store, item, watch); });
+        look(0.4, 0.8, CheckId::trace_checksums, [&](CheckItem& item) { check_traces(store, item, watch); });
     // The digests are over columns up to the newest schema; after a migration they are compared as well.
     if (schema == Store::schema_version())
-        look(0.8, 0.9, QT_TRANSLATE_NOOP("errors", "records"),
-             [&](CheckItem& item) { check_records(store, item, watch); });
+        look(0.8, 0.9, CheckId::records, [&](CheckItem& item) { check_records(store, item, watch); });
     if (schema >= with_pathology)
-        look(0.9, 1, QT_TRANSLATE_NOOP("errors", "score digests"),
-             [&](CheckItem& item) { check_scores(store, item); });
+        look(0.9, 1, CheckId::score_digests, [&](CheckItem& item) { check_scores(store, item); });
     if (schema >= with_scenes)
-        look(1, 1, QT_TRANSLATE_NOOP("errors", "scenes"),
-             [&](CheckItem& item) { check_scenes(store, item); });
+        look(1, 1, CheckId::scenes, [&](CheckItem& item) { check_scenes(store, item); });
     if (schema >= with_decisions)
-        look(1, 1, QT_TRANSLATE_NOOP("errors", "decisions"),
-             [&](CheckItem& item) { check_overrides(store, item); });
-    look(1, 1, QT_TRANSLATE_NOOP("errors", "permissions"),
-         [&](CheckItem& item) { check_permissions(store, item); });
+        look(1, 1, CheckId::decisions, [&](CheckItem& item) { check_overrides(store, item); });
+    look(1, 1, CheckId::permissions, [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }
 

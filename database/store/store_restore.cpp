@@ -134,7 +134,7 @@ void require_known_schema(Connection& connection) {
 void require_sound(const Store& store, const std::string& what) {
     const CheckReport report = store.check(store.station_session());
     for (const CheckItem& item : report.items) {
-        if (item.ok || item.name == "permissions") continue;
+        if (item.ok || item.id == CheckId::permissions) continue;
         throw StoreError(
             StoreErrorKind::corrupt, {"%1: %2: %3", what, item.name, item.problems.front()},
             QT_TRANSLATE_NOOP(

@@ -134,6 +134,19 @@ struct TargetModel {
 };
 
 struct LocalModel {
+    /// For a new step: nothing is near until the parts of the world say what is.
+    void begin(std::uint32_t world_step, std::uint32_t last_tick) noexcept {
+        step = world_step;
+        tick = last_tick;
+        mode = LocalMode::none;
+        sheet = SheetContactModel();
+        target_count = 0;
+    }
+    /// Read from bytes: the layered wall is the one that this world has; null: none.
+    void point_to(const LayeredWall* wall) noexcept {
+        if (patch.contact.wall != nullptr) patch.contact.wall = wall;
+    }
+
     std::uint32_t step = 0;  ///< world step that produced it
     std::uint32_t tick = 0;  ///< tick of the poses that it is valid for; age = now - tick
     std::uint32_t topology_version =

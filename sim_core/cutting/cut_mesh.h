@@ -149,6 +149,11 @@ class CutMesh {
     const CutState& state() const { return state_; }
     /// State of a mesh made with the same arguments.
     void restore(const CutState& state) { state_ = state; }
+    /// The same state, in place.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(state_);
+    }
     /// Hash of everything that a cut changes.
     std::uint64_t digest() const;
     std::uint64_t bytes() const;

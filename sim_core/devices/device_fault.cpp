@@ -65,6 +65,27 @@ const char* words_of(DeviceFault fault) {
             return QT_TRANSLATE_NOOP("errors",
                                      "spacenavd, which reads the SpaceMouse, ended or sends something else. "
                                      "Start it again: `sudo systemctl restart spacenavd`.");
+        case DeviceFault::haply_ended:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The Inverse service of Haply ended or closed the connection. Start it "
+                                     "again, and end other programs that use the device.");
+        case DeviceFault::haply_silent:
+            return QT_TRANSLATE_NOOP(
+                "errors",
+                "The Inverse service of Haply does not answer. Restart it, and check the "
+                "cable of the device.");
+        case DeviceFault::haply_message:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The Inverse service of Haply sends readings that cannot be used. "
+                                     "Restart it, and install its newest version.");
+        case DeviceFault::no_power:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The device has no power supply, so it renders no force. Connect its "
+                                     "power supply.");
+        case DeviceFault::safety_brake:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "The safety brake of the device has triggered. Let go of the handle for "
+                                     "three seconds, then resume; move it more slowly.");
     }
     return "";
 }

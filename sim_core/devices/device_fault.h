@@ -22,7 +22,12 @@ enum class DeviceFault : std::uint32_t {
     wrong_checksum,     ///< its messages have wrong checksums
     not_a_pose,         ///< its poses are not numbers, or not a rotation and a place
     no_poses,           ///< it sends no poses of a tool
-    spacenavd           ///< the program that reads a SpaceMouse ended, or sends something else
+    spacenavd,          ///< the program that reads a SpaceMouse ended, or sends something else
+    haply_ended,        ///< the service of Haply ended or closed the connection
+    haply_silent,       ///< it does not answer
+    haply_message,      ///< what it sends cannot be used
+    no_power,           ///< the device has no power supply, so it renders no force
+    safety_brake        ///< the device braked itself within the last seconds
 };
 
 struct FaultReport {
@@ -38,7 +43,8 @@ const char* words_of(DeviceFault fault);
 constexpr bool needs_opening(DeviceFault fault) {
     return fault == DeviceFault::no_answer || fault == DeviceFault::servo_stopped ||
            fault == DeviceFault::driver || fault == DeviceFault::connection_ended ||
-           fault == DeviceFault::not_openigtlink || fault == DeviceFault::spacenavd;
+           fault == DeviceFault::not_openigtlink || fault == DeviceFault::spacenavd ||
+           fault == DeviceFault::haply_ended || fault == DeviceFault::haply_silent;
 }
 
 }  // namespace fulcrum

@@ -19,6 +19,8 @@ namespace fulcrum {
 
 inline constexpr int device_slots = 3;  ///< left hand, right hand, scope
 inline constexpr int scope_slot = 2;
+/// In files and on the command line; permanent.
+inline constexpr const char* device_slot_names[device_slots] = {"left", "right", "scope"};
 
 /// The newest reading of one slot.
 struct DevicePose {

@@ -14,7 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* slot_names[device_slots] = {"left", "right", "scope"};
 constexpr double furthest = 1;  // m from the device's origin
 constexpr std::size_t most_points = 2'000'000;
 constexpr std::size_t longest_file = 256U << 20U;
@@ -65,7 +64,7 @@ class ScriptReader {
                 QT_TRANSLATE_NOOP("errors", "correct it"));
         if (root_.contains("recording")) read_recording(next_to_script(root_.at("recording")), script);
         for (int i = 0; i < device_slots; ++i) {
-            if (root_.contains(slot_names[i])) read_slot(i, script);
+            if (root_.contains(device_slot_names[i])) read_slot(i, script);
             script.slots[i].path.repeat = repeat.get<bool>();
         }
         if (!script.facts.slot[0] && !script.facts.slot[1] && !script.facts.slot[2])
@@ -115,8 +114,8 @@ class ScriptReader {
     }
 
     void read_slot(int slot, DeviceScript& script) const {
-        const std::string place = std::string("/") + slot_names[slot];
-        const json& object = root_.at(slot_names[slot]);
+        const std::string place = std::string("/") + device_slot_names[slot];
+        const json& object = root_.at(device_slot_names[slot]);
         known(object, place, {"path", "hand"});
         DeviceScript::Slot& made = script.slots[slot];
         if (object.contains("path")) {
@@ -240,7 +239,7 @@ void read_recording(const std::string& path, DeviceScript& script) {
                              QT_TRANSLATE_NOOP("errors", "correct the row"));
         int slot = -1;
         for (int i = 0; i < device_slots; ++i) {
-            if (cells[1] == slot_names[i]) slot = i;
+            if (cells[1] == device_slot_names[i]) slot = i;
         }
         if (slot < 0)
             throw InputError(path, place, {QT_TRANSLATE_NOOP("errors", "slot '%1' is not known"), cells[1]},

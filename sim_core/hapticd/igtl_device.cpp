@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/hapticd/tool_axes.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::hapticd {
@@ -28,15 +29,6 @@ std::int64_t silence_of(std::int64_t interval) noexcept {
     return std::clamp(3 * interval, least_silence, largest_silence);
 }
 
-/// "-z": the direction.
-std::optional<Vector3> direction_of(std::string_view word) {
-    if (word.size() != 2 || (word[0] != '+' && word[0] != '-') || word[1] < 'x' || word[1] > 'z')
-        return std::nullopt;
-    Vector3 direction = Vector3::Zero();
-    direction[word[1] - 'x'] = word[0] == '+' ? 1 : -1;
-    return direction;
-}
-
 [[noreturn]] void refuse_word(const std::string& word) {
     throw InputError(
         "openigtlink", "", {QT_TRANSLATE_NOOP("errors", "'%1' is not known"), word},
@@ -49,9 +41,8 @@ void take_word(IgtlSpecification& wanted, const std::string& word) {
     const std::size_t equals = word.find('=');
     const std::string key = word.substr(0, equals);
     const std::string value = equals == std::string::npos ? std::string() : word.substr(equals + 1);
-    constexpr const char* slot_keys[device_slots] = {"left", "right", "scope"};
     for (std::size_t i = 0; i < device_slots; ++i) {
-        if (key != slot_keys[i]) continue;
+        if (key != device_slot_names[i]) continue;
         if (value.empty() || value.size() > igtl::device_size) refuse_word(word);
         wanted.tool[i] = value;
         wanted.named[i] = true;
@@ -66,13 +57,10 @@ void take_word(IgtlSpecification& wanted, const std::string& word) {
         const auto direction = direction_of(value);
         if (!direction) refuse_word(word);
         wanted.shaft = *direction;
-    } else if (key == "axes" && value.size() == 6) {
-        for (int row = 0; row < 3; ++row) {
-            const auto direction =
-                direction_of(std::string_view(value).substr(static_cast<std::size_t>(2 * row), 2));
-            if (!direction) refuse_word(word);
-            wanted.axes.row(row) = direction->transpose();
-        }
+    } else if (key == "axes") {
+        const auto axes = axes_of(value);
+        if (!axes) refuse_word(word);
+        wanted.axes = *axes;
         if (wanted.axes.determinant() < 0.5)
             throw InputError("openigtlink", "",
                              {QT_TRANSLATE_NOOP("errors", "%1 is not a right-handed frame"), word},
@@ -112,12 +100,7 @@ TrackedHandle handle_of(const igtl::Pose& pose, const IgtlSpecification& specifi
     TrackedHandle handle;
     const Vector3 axis = specification.axes * (pose.rotation * specification.shaft);
     handle.position = specification.axes * pose.place - specification.length * axis;
-    // Roll against the frame that leans from "into the screen" to the shaft's direction without a turn.
-    const Vector3 across = std::abs(specification.shaft.x()) > 0.5 ? Vector3::UnitY() : Vector3::UnitX();
-    const Vector3 side = specification.axes * (pose.rotation * across);
-    const Quaternion lean = Quaternion::FromTwoVectors(-Vector3::UnitZ(), axis);
-    const Vector3 x = lean * Vector3::UnitX(), y = axis.cross(x);
-    handle.roll = std::atan2(side.dot(y), side.dot(x));
+    handle.roll = roll_of(specification.axes * pose.rotation, specification.shaft);
     return handle;
 }
 

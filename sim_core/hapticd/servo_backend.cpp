@@ -19,7 +19,7 @@ void ServoBackend::read(std::int64_t now, DevicePose (&poses)[device_slots]) noe
         const bool got = reading_[h].read(newest_[h]);
         if (got && newest_[h].sequence != before) new_at_[h] = now;
         auto fault = static_cast<DeviceFault>(newest_[h].fault);
-        if (now - new_at_[h] > servo_silence) fault = DeviceFault::servo_stopped;
+        if (now - new_at_[h] > servo_silence) fault = silent_;
         pose.sequence = newest_[h].sequence;
         for (int axis = 0; axis < 3; ++axis) pose.position[axis] = newest_[h].position[axis];
         pose.roll = newest_[h].roll;

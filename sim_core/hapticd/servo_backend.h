@@ -39,9 +39,9 @@ class FaultMemory {
   private:
     static std::int64_t time_of(DeviceFault fault) noexcept {
         constexpr std::int64_t ms = 1'000'000;
-        return fault == DeviceFault::warm_motors      ? 3000 * ms
-               : fault == DeviceFault::too_much_force ? 1000 * ms
-                                                      : 200 * ms;
+        return fault == DeviceFault::warm_motors || fault == DeviceFault::safety_brake ? 3000 * ms
+               : fault == DeviceFault::too_much_force                                  ? 1000 * ms
+                                                                                       : 200 * ms;
     }
     DeviceFault fault_ = DeviceFault::none;
     std::int64_t until_ = 0;
@@ -67,6 +67,8 @@ class ServoBackend : public Backend {
     void wait_for_servo() const noexcept;
 
     DeviceFacts facts_;  ///< set by open()
+    /// What is wrong where no new reading comes.
+    DeviceFault silent_ = DeviceFault::servo_stopped;
 
   private:
     struct Wanted {

@@ -5,6 +5,9 @@
 // layout are part of them. They say their own layout (a hash over the sizes of all that was written, in
 // order), and reading checks it.
 //
+// Tables have room for all that an attempt may still cut; what was never used is the same entry over and over
+// at their end. It is written once, so that a state has the size of what is used. Every bit comes back.
+//
 // What can be written: types that own nothing (trivially destructible, no virtual functions), vectors,
 // arrays and optionals of what can be written, and types with a member template
 // `void fields(Visit&& visit)` that calls visit(a, b, ...) once with every member that is state. A pointer in
@@ -13,6 +16,7 @@
 // Any thread, one at a time. Not for the real-time path: writing allocates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,8 +39,10 @@ class StateArchiveError : public WordedError {
 
 class StateArchive {
   public:
-    /// Appends to `bytes`.
-    explicit StateArchive(std::vector<std::uint8_t>& bytes) : out_(&bytes) {}
+    /// Appends to `bytes`. `starts`, if given, gets the place in it at which the entries of each vector
+    /// begin: two states of one scene are compared from there, however much of a table is used.
+    explicit StateArchive(std::vector<std::uint8_t>& bytes, std::vector<std::uint32_t>* starts = nullptr)
+        : out_(&bytes), starts_(starts) {}
     /// Reads `size` bytes at `bytes`, which must outlive it.
     StateArchive(const std::uint8_t* bytes, std::size_t size) : in_(bytes), left_(size) {}
 
@@ -89,8 +95,66 @@ class StateArchive {
     }
     template <typename Entry>
     void transfer(std::vector<Entry>& member) {
-        member.resize(room(member.size(), owns_nothing<Entry> ? sizeof(Entry) : 1));
-        entries(member.data(), member.size());
+        if constexpr (owns_nothing<Entry> && !has_fields<Entry>::value) {
+            table(member);
+        } else {
+            member.resize(room(member.size(), 1));
+            entries(member.data(), member.size());
+        }
+    }
+    /// Its entries up to where only the last one repeats.
+    template <typename Entry>
+    void table(std::vector<Entry>& member) {
+        constexpr std::size_t each = sizeof(Entry);
+        note(each);
+        std::uint64_t count = member.size();
+        raw(&count, sizeof count);
+        if (reads() && count > most_bytes / each) throw too_short();
+        const auto size = static_cast<std::size_t>(count);
+        const std::size_t used = room(reads() ? 0 : used_of(bytes_of(member), size, each), each);
+        if (used > size || (used == 0 && size > 0)) throw too_short();
+        if (starts_ != nullptr) starts_->push_back(static_cast<std::uint32_t>(out_->size()));
+        if (reads()) member.resize(size);
+        if (used == 0) return;
+        if (!reads()) {
+            raw(static_cast<void*>(member.data()), used * each);
+            return;
+        }
+        // Most of the end is as it was: to look is faster than to write.
+        const std::size_t repeats = used_of(bytes_of(member), size, each);
+        raw(static_cast<void*>(member.data()), used * each);
+        const std::uint8_t* last = bytes_of(member) + (used - 1) * each;
+        const bool same =
+            repeats < size && std::memcmp(bytes_of(member) + (size - 1) * each, last, each) == 0;
+        fill(static_cast<void*>(member.data()), used, same ? std::max(used, repeats) : size, each);
+    }
+    template <typename Entry>
+    static const std::uint8_t* bytes_of(const std::vector<Entry>& member) {
+        return reinterpret_cast<const std::uint8_t*>(member.data());
+    }
+    /// Entries up to the first of those at the end that are all the same, and that one.
+    static std::size_t used_of(const std::uint8_t* data, std::size_t count, std::size_t each) {
+        std::size_t used = count;
+        constexpr std::size_t stretch = 4096;
+        const std::size_t at_once = std::max<std::size_t>(1, stretch / each);
+        while (used > at_once + 1) {
+            const std::uint8_t* from = data + (used - 1 - at_once) * each;
+            if (std::memcmp(from, from + each, at_once * each) != 0) break;
+            used -= at_once;
+        }
+        while (used > 1 && std::memcmp(data + (used - 2) * each, data + (used - 1) * each, each) == 0) --used;
+        return used;
+    }
+    /// Entries `from` .. `to` - 1 become as the one before them.
+    static void fill(void* data, std::size_t from, std::size_t to, std::size_t each) {
+        auto* first = static_cast<std::uint8_t*>(data) + (from - 1) * each;
+        std::size_t done = 1;
+        const std::size_t all = to - from + 1;
+        while (done < all) {
+            const std::size_t more = std::min(done, all - done);
+            std::memcpy(first + done * each, first, more * each);
+            done += more;
+        }
     }
     template <typename Value>
     void transfer(std::optional<Value>& member) {
@@ -139,10 +203,13 @@ class StateArchive {
                                                    "this scene in this version of the program"));
     }
 
+    static constexpr std::size_t most_bytes = 256U << 20U;  ///< of one vector
+
     std::vector<std::uint8_t>* out_ = nullptr;
+    std::vector<std::uint32_t>* starts_ = nullptr;
     const std::uint8_t* in_ = nullptr;
     std::size_t left_ = 0;
-    std::uint64_t layout_ = 0xCBF29CE484222325ULL;
+    std::uint64_t layout_ = 0xCBF29CE484222325ULL ^ 2;  ///< 2: tables up to where they are used
 };
 
 }  // namespace fulcrum

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "sim_core/scene/scene.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
 
 enum class FidelityLevel : std::uint8_t { fast, standard, fine };
 inline constexpr NameRow<FidelityLevel> fidelity_levels[] = {
     {FidelityLevel::fast, "fast", QT_TRANSLATE_NOOP("fulcrum::fidelity", "fast")},
-    {FidelityLevel::standard, "standard", QT_TRANSLATE_NOOP("fulcrum::fidelity", "standard")},
+    {FidelityLevel::standard, standard_fidelity, QT_TRANSLATE_NOOP("fulcrum::fidelity", "standard")},
     {FidelityLevel::fine, "fine", QT_TRANSLATE_NOOP("fulcrum::fidelity", "fine")}};
 static_assert(in_order(fidelity_levels));
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim_core/numerics/functions.h"
+#include "sim_core/scene/json_names.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
@@ -25,7 +26,7 @@ ObjectsSpec read_objects_spec(const JsonDocument& document, const nlohmann::json
     copy(node, "jitter", objects.jitter);
     copy(node, "peg_radius", objects.peg_radius);
     copy(node, "peg_height", objects.peg_height);
-    copy(node, "from", objects.from);
+    copy_named(document, node, "/objects", "from", hand_names, objects.from);
     copy(node, "tissue", objects.tissue);
     copy(node, "tray_tissue", objects.tray_tissue);
 

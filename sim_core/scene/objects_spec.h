@@ -26,9 +26,9 @@ struct ObjectsSpec {
     double jitter = 0.002;                   ///< m, largest displacement of a peg
     double peg_radius = 0.0015;              ///< m
     double peg_height = 0.014;               ///< m
-    std::string from = "left";         ///< side on which the rings lie: "left" (+x of the patient) or "right"
-    std::string tissue = "object";     ///< label of the rings
-    std::string tray_tissue = "tray";  ///< label of tray and pegs
+    Hand from = Hand::left;                  ///< side on which the rings lie; left: +x of the patient
+    std::string tissue = "object";           ///< label of the rings
+    std::string tray_tissue = "tray";        ///< label of tray and pegs
 };
 
 }  // namespace fulcrum

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim_core/numerics/owned_bytes.h"
 #include "sim_core/world/part/stopwatch.h"
 #include "sim_core/world/registry.h"
 
@@ -136,11 +137,7 @@ void World::fill_models(const TickOutput& last) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         if (!has_instrument_[hand]) continue;
         LocalModel& model = models_.hand[hand];
-        model.step = steps_;
-        model.tick = last.sample.tick;
-        model.mode = LocalMode::none;
-        model.sheet = SheetContactModel();
-        model.target_count = 0;
+        model.begin(steps_, last.sample.tick);
         for (const std::unique_ptr<Part>& part : parts_) part->publish_model(hand, last, model);
         model.cavity_seed =
             wall_ != nullptr ? wall_->closest(last.contact[hand].tool.tip, 0.05).triangle : -1;
@@ -163,16 +160,10 @@ void World::fill_snapshot(const TickOutput& last) noexcept {
     }
 }
 
-/// The bowel is drawn with its dents: an instrument is lifted out only as far as it is deeper than the dent.
 void World::show_lift(std::size_t hand, TouchList touches) noexcept {
     for (std::int32_t i = 0; i < touches.count; ++i) {
         Touch& touch = touches.touch[static_cast<std::size_t>(i)];
-        if (touch.vertex < 0) continue;
-        for (std::int32_t d = 0; d < snapshot_.dent_count; ++d) {
-            const DentVertex& dent = snapshot_.dents[static_cast<std::size_t>(d)];
-            if (dent.vertex == touch.vertex)
-                touch.depth = std::max(0.0, touch.depth + touch.normal.dot(dent.displacement));
-        }
+        for (const std::unique_ptr<Part>& part : parts_) part->show_touch(touch);
     }
     snapshot_.lift[hand] = lift_out(touches);
 }
@@ -240,14 +231,11 @@ void World::transfer(StateArchive& archive) {
 }
 
 void World::point_to_wall(LocalModels& models) const noexcept {
-    for (LocalModel& model : models.hand) {
-        TissueContact& contact = model.patch.contact;
-        if (contact.wall == nullptr) continue;
-        contact.wall = nullptr;
-        for (const std::unique_ptr<Part>& part : parts_) {
-            if (part->layered_wall() != nullptr) contact.wall = part->layered_wall();
-        }
+    const LayeredWall* wall = nullptr;
+    for (const std::unique_ptr<Part>& part : parts_) {
+        if (part->layered_wall() != nullptr) wall = part->layered_wall();
     }
+    for (LocalModel& model : models.hand) model.point_to(wall);
 }
 
 void World::measure(bool on) {
@@ -259,9 +247,7 @@ std::vector<PartCost> World::costs() const {
     std::vector<PartCost> costs;
     for (const Solved& solved : solving_) solved.part->add_costs(solved.us, costs);
     costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});
-    costs.push_back({"snapshot", snapshot_us_,
-                     sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) +
-                         snapshot_.nodes.capacity() * sizeof(Vector3)});
+    costs.push_back({"snapshot", snapshot_us_, sizeof(WorldSnapshot) + owned_bytes(snapshot_)});
     return costs;
 }
 

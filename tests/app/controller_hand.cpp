@@ -16,10 +16,6 @@ constexpr double near_goal = 0.6e-3, planned_ahead = 6e-3;  // m of the handle
 constexpr double closing_s = 0.15;
 constexpr int button_ms = 120;
 
-Vector3 place_of(const DeviceSample& sample) {
-    return device_length_unit * Vector3(sample.handle[0], sample.handle[1], sample.handle[2]);
-}
-
 /// How far a stick has to be pushed for a share of the fastest speed.
 double push_for(double speed) {
     double low = 0, high = 1;
@@ -52,15 +48,16 @@ bool ControllerHand::work_until(const std::function<bool()>& done, int milliseco
 }
 
 void ControllerHand::let_go() {
-    for (auto& axis : pad_.axis) axis = 0;
-    pad_.buttons = 0;
+    for (int axis = 0; axis < 6; ++axis) set_axis(axis, 0);
+    buttons_ = 0;
+    pad_.set_buttons(0);
     pad_button_ = -1;
     along_[0] = along_[1] = false;
 }
 
 double ControllerHand::error(int hand) const {
     if (theatre_.session()->scene().instrument(static_cast<Hand>(hand)) == nullptr || tick_ == 0) return 0;
-    return (place_of(wish_.hand[hand]) - theatre_.input()->targets().hand[hand].handle).norm();
+    return (handle_of(wish_.hand[hand]) - theatre_.input()->targets().hand[hand].handle).norm();
 }
 
 void ControllerHand::think() {
@@ -77,28 +74,35 @@ void ControllerHand::think() {
 
 void ControllerHand::set_axis(int axis, double share) {
     const auto value = static_cast<std::int32_t>(std::lround(32767 * std::clamp(share, -1.0, 1.0)));
-    if (pad_.axis[axis].exchange(value) != value) ++changes_;
+    if (axis_[axis] == value) return;
+    axis_[axis] = value;
+    pad_.set_axis(axis, value);
+    ++changes_;
 }
 
 void ControllerHand::set_button(int button, bool held) {
-    const std::uint32_t bit = 1U << static_cast<unsigned>(button), before = pad_.buttons;
-    pad_.buttons = held ? before | bit : before & ~bit;
-    if (pad_.buttons != before) ++changes_;
+    const std::uint32_t bit = 1U << static_cast<unsigned>(button), before = buttons_;
+    buttons_ = held ? before | bit : before & ~bit;
+    if (buttons_ == before) return;
+    pad_.set_buttons(buttons_);
+    ++changes_;
 }
 
 void ControllerHand::push(int h) {
     const InstrumentSpec& spec = *theatre_.session()->scene().instrument(static_cast<Hand>(h));
     const DeviceSample& wish = wish_.hand[h];
     const double opening = spec.jaw_opening;
-    if (opening > 0) {
+    const int trigger = controllers::axis_left_trigger + h;
+    if (holds_blade(*theatre_.session(), h)) {
+        set_axis(trigger, wants_closed(*theatre_.session(), wish_, h) ? 1 : 0);
+    } else if (opening > 0) {
         const double grip = device_force_unit * wish.grip, open = device_angle_unit * wish.jaw / opening;
-        set_axis(controllers::axis_left_trigger + h,
-                 grip > 0 ? trigger_closed + 0.01 + (0.99 - trigger_closed) * grip / spec.grip_force
-                          : 0.95 * trigger_closed * (1 - open));
+        set_axis(trigger, grip > 0 ? trigger_closed + 0.01 + (0.99 - trigger_closed) * grip / spec.grip_force
+                                   : 0.95 * trigger_closed * (1 - open));
     }
     set_button(h == 0 ? controllers::button_west : controllers::button_east,
                (wish.buttons & button_energy) != 0);
-    const Vector3 is = theatre_.input()->targets().hand[h].handle, wanted = place_of(wish);
+    const Vector3 is = theatre_.input()->targets().hand[h].handle, wanted = handle_of(wish);
     const double deeper = is.norm() - wanted.norm();
     const Vector3 step = wanted * (is.norm() / wanted.norm()) - is;
     const double here = along_[h] ? std::abs(deeper) : step.norm(),
@@ -121,34 +125,19 @@ void ControllerHand::push(int h) {
         set_axis(y, moves ? -std::copysign(push_for(speed(std::abs(deeper))), deeper) : 0);
         return;
     }
-    // Across the shaft: the movement on the screen that brings the handle there.
-    const Matrix3 to_trocar = make_trocar(spec.trocar).rotation.transpose() *
-                              theatre_.session()->snapshot().camera.orientation.toRotationMatrix();
-    const Vector3 along = is.normalized();
-    const auto across = [&](const Vector3& v) { return Vector3(v - along * along.dot(v)); };
-    const Vector3 right = across(to_trocar.col(0)), up = across(to_trocar.col(1)), there_to = across(step);
-    const double a = right.dot(right) + 1e-3, b = right.dot(up), c = up.dot(up) + 1e-3;
-    const double r = right.dot(there_to), u = up.dot(there_to), determinant = a * c - b * b;
-    const double to_right = (c * r - b * u) / determinant, to_up = (a * u - b * r) / determinant;
-    const double size = std::hypot(to_right, to_up);
+    const Eigen::Vector2d across = movement_on_screen(*theatre_.session(), spec.trocar, is, wanted);
+    const double size = across.norm();
     const double pushed = size > 0.5 * near_goal ? push_for(speed(size)) / size : 0;
-    set_axis(x, pushed * to_right);
-    set_axis(y, -pushed * to_up);
+    set_axis(x, pushed * across.x());
+    set_axis(y, -pushed * across.y());
 }
 
 /// The direction pad turns the scope.
 void ControllerHand::scope() {
-    const Scene& scene = theatre_.session()->scene();
-    if (!scene.camera || wish_.camera.handle[2] == 0) return;
-    const Vector3 off = place_of(wish_.camera) - theatre_.input()->targets().camera.handle;
-    const Vector3 seen = theatre_.session()->snapshot().camera.orientation.inverse() *
-                         (make_trocar(scene.camera->trocar).rotation * off);
-    int wanted = -1;
-    if (std::max(std::abs(seen.x()), std::abs(seen.y())) > (pad_button_ >= 0 ? 0.006 : 0.016)) {
-        wanted = std::abs(seen.x()) > std::abs(seen.y())
-                     ? (seen.x() > 0 ? controllers::button_pad_left : controllers::button_pad_right)
-                     : (seen.y() > 0 ? controllers::button_pad_down : controllers::button_pad_up);
-    }
+    constexpr int pad_buttons[] = {-1, controllers::button_pad_left, controllers::button_pad_right,
+                                   controllers::button_pad_up, controllers::button_pad_down};
+    const int wanted = pad_buttons[static_cast<int>(
+        wanted_look(*theatre_.session(), theatre_.input()->targets(), wish_, pad_button_ >= 0))];
     if (wanted == pad_button_) return;
     if (pad_button_ >= 0) set_button(pad_button_, false);
     if (wanted >= 0) set_button(wanted, true);

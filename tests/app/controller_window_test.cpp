@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window with a game controller, whose library is a fake that the test scripts. With
-// FULCRUM_WHOLE_CONTROLLER a synthetic expert completes A2 and B1 by sticks and triggers (minutes).
+// The window with a game controller, whose library is a fake that the test scripts. Whole tasks:
+// hands_at_work_test.cpp.
 #include <gtest/gtest.h>
 
 #include <QProcess>
@@ -181,32 +181,26 @@ TEST_F(ControllerWindow, OneThatCannotBeOpenedSaysWhyAndNothingBegins) {
 }
 
 TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
-    const bool whole = qEnvironmentVariableIsSet("FULCRUM_WHOLE_CONTROLLER");
     create_programme_and_trainee();
     for (const char* task : {"A2", "B1"}) {
         start(task, false);
         const auto mind = make_operator(OperatorLevel::expert, theatre().session()->task(),
                                         theatre().session()->scene(), 7);
-        ControllerHand hand(theatre(), *mind, pad());
+        FakePad face(pad());
+        ControllerHand hand(theatre(), *mind, face);
         std::int64_t begun = std::numeric_limits<std::int64_t>::max(), rumbled = 0;
         const bool a2 = *task == 'A';
         const auto done = [&] {
             begun = std::min(begun,
                              monotonic_ns() - std::int64_t{1'000'000} * theatre().session()->health().ticks);
             if (rumbled == 0 && pad().slow > 0U) rumbled = pad().rumble_time;
-            if (whole) return false;
             return rumbled != 0 && (!a2 || theatre().session()->display().goal_progress > 0.05);
         };
-        ASSERT_TRUE(hand.work_until(done, whole ? 660000 : 240000)) << task;
+        ASSERT_TRUE(hand.work_until(done, 240000)) << task;
         EXPECT_GT(hand.changes(), 50);
-        if (whole) {
-            wait_for_debrief();
-            keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
-        } else {
-            keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
-            abandon();
-        }
-        expect_stored(whole ? AttemptState::completed : AttemptState::abandoned);
+        keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
+        abandon();
+        expect_stored(AttemptState::abandoned);
         // From the first tick with a force to the motor.
         const database::Attempts attempts(*services.store());
         const database::Trace trace =

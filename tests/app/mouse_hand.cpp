@@ -8,6 +8,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "tests/app/hand_wishes.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_view.h"
 
@@ -17,10 +18,6 @@ namespace {
 constexpr double metres_per_pixel = 0.35e-3,
                  metres_per_wheel_unit = 4e-3 / 120;  // of the handle, as in the help
 constexpr double near_enough = 0.6e-3;                // m of the handle
-
-Vector3 handle_of(const DeviceSample& sample) {
-    return device_length_unit * Vector3(sample.handle[0], sample.handle[1], sample.handle[2]);
-}
 
 class PointingMind : public ObservingRig {
   public:
@@ -143,17 +140,11 @@ void MouseHand::buttons() {
 }
 
 void MouseHand::jaws() {
-    const InstrumentSpec* specs[] = {theatre_.session()->scene().instrument(Hand::left),
-                                     theatre_.session()->scene().instrument(Hand::right)};
+    const Scene& scene = theatre_.session()->scene();
     for (int h = 0; h < hand_count; ++h) {
-        if (specs[h] == nullptr || (!type_of(specs[h]->kind).jaws && !specs[h]->cuts())) continue;
-        // A blade cuts while its button is held: the window uses one button for jaws and blade.
-        const auto& field = theatre_.session()->snapshot().field;
-        const bool blade = field.empty() ? specs[h]->cuts()
-                                         : field[0].tools[h].kind == InstrumentKind::scissors ||
-                                               field[0].tools[h].kind == InstrumentKind::hook;
-        const bool closed = blade ? (wish_.hand[h].buttons & button_primary) != 0
-                                  : device_angle_unit * wish_.hand[h].jaw < 0.3 * specs[h]->jaw_opening;
+        const InstrumentSpec* const spec = scene.instrument(static_cast<Hand>(h));
+        if (spec == nullptr || (!type_of(spec->kind).jaws && !spec->cuts())) continue;
+        const bool closed = wants_closed(*theatre_.session(), wish_, h);
         if (closed == theatre_.input()->jaws_closed(static_cast<Hand>(h))) continue;
         QTest::keyClick(theatre_.view(), h == 0 ? Qt::Key_X : Qt::Key_M);
         ++events_;
@@ -167,17 +158,9 @@ void MouseHand::scope() {
         turn_scope();
         return;
     }
-    const Vector3 error = handle_of(wish_.camera) - theatre_.input()->targets().camera.handle;
-    const Vector3 seen = theatre_.session()->snapshot().camera.orientation.inverse() *
-                         (make_trocar(scene.camera->trocar).rotation * error);
-    // The arrow keys turn the view: the scope's handle moves the opposite way.
-    int key = 0;
-    const double least = scope_key_ != 0 ? 0.006 : 0.016;
-    if (std::max(std::abs(seen.x()), std::abs(seen.y())) > least) {
-        key = std::abs(seen.x()) > std::abs(seen.y()) ? (seen.x() > 0 ? Qt::Key_Left : Qt::Key_Right)
-                                                      : (seen.y() > 0 ? Qt::Key_Down : Qt::Key_Up);
-    }
-    hold_key(scope_key_, key);
+    constexpr int keys[] = {0, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};
+    const Look look = wanted_look(*theatre_.session(), theatre_.input()->targets(), wish_, scope_key_ != 0);
+    hold_key(scope_key_, keys[static_cast<int>(look)]);
 }
 
 void MouseHand::hold_key(int& held, int key) {
@@ -243,17 +226,9 @@ void MouseHand::bring(const DeviceReading& handle, const Vector3& wish, const Tr
         turn_wheel(*view, units);
         ++events_;
     }
-    // Across the shaft: the mouse movement, as seen through the scope, that brings the handle there.
-    const Matrix3 to_trocar = make_trocar(trocar).rotation.transpose() *
-                              theatre_.session()->snapshot().camera.orientation.toRotationMatrix();
-    const Vector3 along = is.normalized();
-    const auto across = [&](const Vector3& v) { return Vector3(v - along * along.dot(v)); };
-    const Vector3 right = across(to_trocar.col(0)), up = across(to_trocar.col(1)),
-                  step = across(wish.normalized() * is.norm() - is);
-    const double a = right.dot(right) + 1e-3, b = right.dot(up), c = up.dot(up) + 1e-3;
-    const double r = right.dot(step), u = up.dot(step), determinant = a * c - b * b;
-    const QPoint pixels(static_cast<int>(std::lround((c * r - b * u) / determinant / metres_per_pixel)),
-                        -static_cast<int>(std::lround((a * u - b * r) / determinant / metres_per_pixel)));
+    const Eigen::Vector2d across = movement_on_screen(*theatre_.session(), trocar, is, wish);
+    const QPoint pixels(static_cast<int>(std::lround(across.x() / metres_per_pixel)),
+                        -static_cast<int>(std::lround(across.y() / metres_per_pixel)));
     if (pixels.isNull()) return;
     const QPoint limited(std::clamp(pixels.x(), -220, 220), std::clamp(pixels.y(), -180, 180));
     QTest::mouseMove(view, view->mapFromGlobal(QCursor::pos()) + limited);

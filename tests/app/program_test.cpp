@@ -52,23 +52,66 @@ class Program : public ::testing::Test {
 #if defined(__x86_64__)
 // The C library can be set to report fewer instructions than the processor has.
 TEST_F(Program, EndsWithOneLineOnAProcessorWithoutItsInstructions) {
-    for (const char* missing : {"AVX2", "FMA", "BMI2"}) {
+    const std::string own = program_path();
+    const std::vector<std::pair<std::string, const char*>> programs = {
+        {own, "AVX2"}, {own, "FMA"}, {own, "BMI2"}, {own + "-lab", "AVX2"}, {own + "-hapticd", "AVX2"}};
+    for (const auto& [program, missing] : programs) {
         QProcess process;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("GLIBC_TUNABLES"),
                            QStringLiteral("glibc.cpu.hwcaps=-%1").arg(QLatin1String(missing)));
         process.setProcessEnvironment(environment);
-        process.start(program_path(), {"tissues", "--json"});
-        ASSERT_TRUE(process.waitForFinished());
-        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
-        EXPECT_EQ(process.exitCode(), 2);
-        EXPECT_EQ(process.readAllStandardOutput().size(), 0);
+        process.start(QString::fromStdString(program), {"tissues", "--json"});
+        ASSERT_TRUE(process.waitForFinished()) << program;
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit) << program;
+        EXPECT_EQ(process.exitCode(), 2) << program;
+        EXPECT_EQ(process.readAllStandardOutput().size(), 0) << program;
         const std::string errors = process.readAllStandardError().toStdString();
         EXPECT_NE(errors.find(std::string("no ") + missing + " instructions"), std::string::npos) << errors;
         EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
     }
 }
 #endif
+
+TEST_F(Program, EndsWithOneLineWhereNoDisplayCanBeOpened) {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "FULCRUM_LANGUAGE"})
+        environment.remove(QLatin1String(name));
+    const auto refused = [&](const QStringList& words, const std::string& text) {
+        const Outcome outcome = run(words, environment);
+        EXPECT_EQ(outcome.status, 2) << outcome.errors;
+        EXPECT_EQ(outcome.output, "");
+        EXPECT_EQ(outcome.errors.rfind("fulcrum: ", 0), 0U) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(text), std::string::npos) << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    };
+    refused({}, "no display can be opened");
+    refused({"--db", path("window.db")}, "start fulcrum on a desktop");
+    EXPECT_FALSE(QFile::exists(path("window.db")));
+    environment.insert("DISPLAY", ":6789");
+    refused({}, ":6789");
+    refused({"report", "--person", "x", "--db", path("none.db"), "-o", path("x.pdf")},
+            "unset DISPLAY and WAYLAND_DISPLAY");
+    environment.insert("FULCRUM_LANGUAGE", "de");
+    refused({}, "kein Bildschirm");
+}
+
+// Nor charts: only the program with the window has them. OpenGL comes with Qt GUI, with which the laboratory
+// draws the figures of its experiments.
+TEST_F(Program, TheLaboratoryLinksNoWidgets) {
+    for (const std::string name : {"-lab", "-hapticd"}) {
+        QProcess process;
+        process.start("ldd", {QString::fromStdString(program_path() + name)});
+        ASSERT_TRUE(process.waitForFinished());
+        const std::string libraries = process.readAllStandardOutput().toStdString();
+        ASSERT_NE(libraries.find("libstdc++"), std::string::npos) << libraries;
+        EXPECT_EQ(libraries.find("Qt5Widgets"), std::string::npos) << libraries;
+        EXPECT_EQ(libraries.find("Qt5Charts"), std::string::npos) << libraries;
+        if (name == "-hapticd") {
+            EXPECT_EQ(libraries.find("libQt5"), std::string::npos) << libraries;
+        }
+    }
+}
 
 TEST_F(Program, PerformsStoresAndReplaysA2) {
     const Outcome performed =

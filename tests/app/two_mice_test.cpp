@@ -32,6 +32,8 @@ bool read_until(TwoMice& mice, MouseMotion (&sum)[2], const std::function<bool()
                 sum[h].down += before.down;
                 sum[h].notches += before.notches;
                 sum[h].turned_notches += before.turned_notches;
+                sum[h].held_right += before.held_right;
+                sum[h].held_down += before.held_down;
             }
             return holds();
         },
@@ -49,6 +51,7 @@ TEST(TwoMiceOfTheServer, EachIsReadByItself) {
     hands.button(0, 1, true);
     hands.button(1, 3, true);
     hands.wheel(1, -3);
+    hands.move(1, 2, -6);
     hands.button(1, 3, false);
     hands.button(1, 2, true);
     ASSERT_TRUE(read_until(*mice, sum, [&] { return sum[1].middle_button && sum[0].left_button; }));
@@ -59,6 +62,8 @@ TEST(TwoMiceOfTheServer, EachIsReadByItself) {
     EXPECT_EQ(sum[1].down, 5);
     EXPECT_EQ(sum[1].notches, 2);
     EXPECT_EQ(sum[1].turned_notches, -3);
+    EXPECT_EQ(sum[1].held_right, 2);
+    EXPECT_EQ(sum[1].held_down, -6);
     EXPECT_FALSE(sum[1].left_button);
     mice->swap();
     sum[0] = sum[1] = {};
@@ -114,6 +119,17 @@ TEST_F(TwoMiceWindow, EachMouseMovesItsHandAtTheSameTimeAndAnUnpluggedOnePauses)
     const double in_before = targets().hand[0].handle.norm();
     hands.wheel(0, 2);
     ASSERT_TRUE(wait_for([&] { return targets().hand[0].handle.norm() < in_before - 7e-3; })) << "8 mm in";
+    const ui::HandTargets in_now = targets();
+    hands.button(0, 3, true);
+    hands.move(0, 1, 10);
+    ASSERT_TRUE(wait_for([&] {
+        return targets().hand[0].handle.norm() > in_now.hand[0].handle.norm() + 3e-3;
+    })) << "3.5 mm out";
+    hands.move(0, 50, 3);
+    ASSERT_TRUE(wait_for([&] { return targets().hand[0].roll > in_now.hand[0].roll + 0.3; })) << "turned";
+    hands.button(0, 3, false);
+    EXPECT_LT(targets().hand[0].handle.normalized().cross(in_now.hand[0].handle.normalized()).norm(), 1e-9)
+        << "the handle does not move across";
     hands.button(1, 1, true);
     ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw == 0; }));
     EXPECT_GT(targets().hand[0].jaw, 0) << "the other hand's jaws stay open";

@@ -151,7 +151,7 @@ TEST(Sentences, StandardExceptionsAreForErrorsOfTheProgram) {
         {"sim_core/hapticd/overseer.cpp", "words of the operating system"},
         {"sim_core/numerics/files.cpp", "words of the operating system"},
         {"sim_core/numerics/output_file.cpp", "words of the operating system"},
-        {"ui/style/linguist_file.cpp", "the translations are part of the program"},
+        {"ui/language/linguist_file.cpp", "the translations are part of the program"},
     };
     static const std::regex thrown(R"(\bthrow std::(\w+)\()");
     for (const std::string& floor : floors) {

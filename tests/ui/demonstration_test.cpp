@@ -72,11 +72,14 @@ TEST_F(Demonstration, AttemptByMouseIsNotCalledSimulatedAndNamesAreMarkedOnce) {
     const QString notes = window.findChild<QLabel*>("debrief_notes")->text();
     EXPECT_FALSE(notes.contains("simulated operator")) << notes.toStdString();
     click(window, "rail_attempts");
+    int tables = 0;
     for (QTableWidget* table : window.findChildren<QTableWidget*>("attempts_table")) {
         if (!table->isVisible()) continue;
+        ++tables;
         ASSERT_GT(table->rowCount(), 0);
         EXPECT_EQ(table->item(0, 0)->text().count("(synthetic)"), 1);
     }
+    EXPECT_EQ(tables, 1);
 }
 
 }  // namespace

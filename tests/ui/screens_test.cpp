@@ -11,7 +11,9 @@
 #include "database/records/people.h"
 #include "tests/ui/screens.h"
 #include "ui/shell/page_table.h"
+#include "ui/shell/picture_card.h"
 #include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/renderer/scene_renderer.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
@@ -39,13 +41,20 @@ TEST_F(Screens, AttemptBeginsWithTheHandThatTheFirstGoalAsksFor) {
     settle();
 }
 
-TEST_F(Screens, StationSaysHowThePictureIsDrawn) {
+TEST_F(Screens, SettingsShowHowThePictureIsDrawnAndWhy) {
     open({1012, 726});
-    sign_in(Role::administrator);
-    go_to("rail_station");
+    sign_in(Role::trainee);
+    go_to("rail_settings");
     const QString shown = window->findChild<QLabel*>("picture_quality")->text();
     for (const char* part : {"Drawn by: ", "Resolution: ", "Anti-aliasing: "})
         EXPECT_TRUE(shown.contains(part)) << part << shown.toStdString();
+    PictureQuality quality;
+    quality.software = true;
+    quality.smoothing = Smoothing::edges;
+    EXPECT_TRUE(PictureCard::picture_text(quality).contains("because OpenGL offers no graphics card here"));
+    EXPECT_TRUE(PictureCard::picture_text(quality).contains("would take too long on a processor"));
+    quality.software = false;
+    EXPECT_TRUE(PictureCard::picture_text(quality).contains("Resolution: that of the window. If a picture"));
 }
 
 TEST_F(Screens, FirstStartFitsASmallDisplay) {

@@ -11,7 +11,7 @@
 #include <QStyleOption>
 
 #include "tests/ui/screens.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui::window_test {

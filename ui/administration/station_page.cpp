@@ -3,16 +3,15 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <cmath>
-#include <stdexcept>
+#include <QLineEdit>
 
+#include "database/store/signing_keys.h"
+#include "ui/language/language.h"
 #include "ui/page/background_job.h"
-#include "ui/style/language.h"
+#include "ui/page/error_text.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
-#include "ui/theatre/renderer/drawing_pace.h"
-#include "ui/theatre/renderer/offscreen.h"
-#include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {
 
@@ -29,7 +28,7 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     layout->addWidget(bar_);
     layout->addWidget(build_backup());
     layout->addWidget(build_check());
-    layout->addWidget(build_picture());
+    layout->addWidget(build_key());
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -70,55 +69,69 @@ QFrame* StationPage::build_check() {
     return card;
 }
 
-QFrame* StationPage::build_picture() {
-    QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Picture"), "heading"));
-    picture_ = make_label({});
-    picture_->setObjectName(QStringLiteral("picture_quality"));
-    card_layout(card)->addWidget(picture_);
-    return card;
+QFrame* StationPage::build_key() {
+    key_card_ = make_card(8);
+    card_layout(key_card_)->addWidget(make_label(tr("Key"), "heading"));
+    card_layout(key_card_)->addWidget(make_label(
+        tr("The station signs its audit log with a key, and reports print its name. Change the key when its "
+           "file may have been copied, or when somebody who could read it leaves. The old key announces "
+           "the new one; what it signed stays valid."),
+        "muted"));
+    keys_ = make_table({tr("Key"), tr("From"), tr("Until"), tr("How it began")}, "station_keys");
+    card_layout(key_card_)->addWidget(keys_);
+    key_reason_ = new QLineEdit;
+    key_reason_->setObjectName(QStringLiteral("key_reason"));
+    key_reason_->setPlaceholderText(tr("Why the key is changed"));
+    key_reason_->setAccessibleName(tr("Why the key is changed"));
+    change_key_ = make_button(tr("Change the key"), "change_key");
+    connect(key_reason_, &QLineEdit::textChanged, this,
+            [this] { change_key_->setEnabled(!key_reason_->text().trimmed().isEmpty()); });
+    connect(change_key_, &QPushButton::clicked, this, &StationPage::change_key);
+    card_layout(key_card_)->addWidget(key_reason_);
+    card_layout(key_card_)->addWidget(change_key_, 0, Qt::AlignLeft);
+    return key_card_;
 }
 
-QString StationPage::picture_text(const PictureQuality& quality) {
-    const auto percent = [](double share) { return std::lround(100 * share); };
-    QStringList lines;
-    lines << tr("Drawn by: %1").arg(quality.device);
-    if (quality.software) {
-        lines << tr("The processor draws the picture, because OpenGL offers no graphics card here.");
-        lines
-            << tr("Resolution: %1 % of the window's, %2 % inside the pelvis, so that a picture takes less "
-                  "than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again "
-                  "when there is time.")
-                   .arg(percent(quality.share))
-                   .arg(percent(quality.share_in_hollow))
-                   .arg(decimal(DrawingPace::goal_ms, 0))
-                   .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
-    } else {
-        lines << tr("Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to "
-                    "as little as %2 %; it rises again when there is time.")
-                     .arg(decimal(DrawingPace::goal_ms, 0))
-                     .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
+void StationPage::show_keys() {
+    key_card_->setVisible(context().allowed(database::Operation::rotate_key));
+    key_reason_->clear();
+    change_key_->setEnabled(false);
+    keys_->setRowCount(0);
+    if (!key_card_->isVisibleTo(this)) return;
+    const database::Store& store = context().store();
+    const std::vector<database::SigningKey> keys =
+        database::signing_keys(store.connection(), store.station_id());
+    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {  // the newest first
+        const bool in_use = key == keys.rbegin(), first = key + 1 == keys.rend();
+        const int row = keys_->rowCount();
+        keys_->insertRow(row);
+        keys_->setItem(row, 0, make_cell(text(key->fingerprint.substr(0, 16))));
+        keys_->item(row, 0)->setToolTip(text(key->fingerprint));
+        keys_->setItem(row, 1, make_cell(date_text(key->from)));
+        keys_->setItem(row, 2, make_cell(in_use ? tr("in use") : date_text(key->until)));
+        keys_->setItem(row, 3,
+                       make_cell(first            ? tr("the first")
+                                 : key->announced ? tr("✓ announced by the key before it")
+                                                  : tr("✕ not announced by the key before it")));
     }
-    lines << (quality.smoothing == Smoothing::multisample
-                  ? tr("Anti-aliasing: 4 samples per pixel.")
-                  : tr("Anti-aliasing: edges of instruments and targets, after drawing. Several samples per "
-                       "pixel would take too long on a processor."));
-    return lines.join(QLatin1Char('\n'));
+    fit_columns(keys_);
+    fit_rows(keys_);
 }
 
-void StationPage::show_picture() {
+void StationPage::change_key() {
     try {
-        OffscreenStage stage;
-        stage.make_current();
-        picture_->setText(picture_text(picture_quality()));
-    } catch (const std::runtime_error& why) {
-        picture_->setText(
-            tr("The scene cannot be drawn on this machine: %1").arg(QString::fromUtf8(why.what())));
+        const database::SigningKey key = database::rotate_station_key(context().store(), context().session(),
+                                                                      plain(key_reason_->text().trimmed()));
+        show_keys();
+        context().say(tr("The station signs with the key %1 from now on. Keep a copy of its file.")
+                          .arg(text(key.fingerprint.substr(0, 16))));
+    } catch (const std::exception& error) {
+        context().complain(error_text(error));
     }
 }
 
 void StationPage::enter() {
-    show_picture();
+    show_keys();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     check_->setVisible(context().allowed(database::Operation::check_store));
@@ -179,6 +192,7 @@ void StationPage::show_report(const database::CheckReport& report) {
         items_->insertRow(row);
         QStringList problems;
         for (const Sentence& problem : item.problems) problems << sentence_text(problem);
+        for (const Sentence& note : item.notes) problems << sentence_text(note);
         items_->setItem(row, 0, make_cell(sentence_text(item.name.c_str())));
         items_->setItem(row, 1, make_cell(item.ok ? tr("✓ intact") : tr("✕ damaged")));
         items_->setItem(row, 2, make_cell(QString::number(item.count), Qt::AlignRight | Qt::AlignVCenter));

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop; and what its picture is drawn with.
+// stop; the key with which it signs.
 #pragma once
 
 #include "database/store/store.h"
 #include "ui/page/context.h"
 
+class QFrame;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -14,7 +16,6 @@ namespace fulcrum::ui {
 
 class BackgroundJob;
 class JobBar;
-struct PictureQuality;
 
 class StationPage : public Page {
     Q_OBJECT
@@ -24,22 +25,23 @@ class StationPage : public Page {
     void leave() override;
     void check();
     void back_up_to(const QString& path);
-    /// What the picture is drawn with, how fine, and why.
-    static QString picture_text(const PictureQuality& quality);
 
   private:
     QFrame* build_check();
     QFrame* build_backup();
-    QFrame* build_picture();
-    void show_picture();
+    QFrame* build_key();
+    void show_keys();
+    void change_key();
     void ask_backup();
     void show_report(const database::CheckReport& report);
     void start(BackgroundJob* job, const QString& line);
     void ended();
 
-    QLabel *place_, *verdict_, *picture_;
-    QTableWidget* items_;
-    QPushButton *check_, *backup_;
+    QLabel *place_, *verdict_;
+    QTableWidget *items_, *keys_;
+    QFrame* key_card_;
+    QLineEdit* key_reason_;
+    QPushButton *check_, *backup_, *change_key_;
     JobBar* bar_;
     BackgroundJob* job_ = nullptr;
 };

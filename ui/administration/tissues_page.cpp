@@ -8,7 +8,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -11,7 +11,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 

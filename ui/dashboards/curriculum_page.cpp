@@ -12,7 +12,7 @@
 #include "assessment/curriculum/next_version.h"
 #include "sim_core/numerics/output_file.h"
 #include "ui/dashboards/pass_rule_designer.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -12,6 +12,7 @@
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "sim_core/scene/standard_names.h"
 #include "ui/dashboards/limits_chart.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
@@ -167,8 +168,8 @@ void LimitsPage::choose_task() {
     if (task() != nullptr) context().guarded([&] { in_force_ = sets_in_force(task()->id); });
     for (const BenchmarkSet& set : in_force_) {
         QStringList parts{device_class_text(set.device_class)};
-        if (set.variant_family != "standard") parts << text(set.variant_family);
-        if (set.fidelity != "standard") parts << text(set.fidelity);
+        if (set.variant_family != standard_variant) parts << text(set.variant_family);
+        if (set.fidelity != standard_fidelity) parts << text(set.fidelity);
         keys_->addItem(parts.join(QStringLiteral(" · ")));
     }
     for (int row = 0; row < keys_->count(); ++row)

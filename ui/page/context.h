@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "database/access/access.h"
+#include "ui/language/language.h"
 #include "ui/services/application_services.h"
-#include "ui/style/language.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {

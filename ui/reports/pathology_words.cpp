@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "ui/language/language.h"
 #include "ui/reports/report_texts.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "assessment/learning/rater_agreement.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/language.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/report_texts.h"
-#include "ui/style/language.h"
 
 namespace fulcrum::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "database/rows/trace_codec.h"
+#include "ui/language/language.h"
 #include "ui/review/event_words.h"
 #include "ui/style/flow_row.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_view.h"

@@ -77,12 +77,17 @@ struct ForceTestState {
     double progress = 0;       ///< 0 to 1
 };
 
+/// What gives energy, besides the key of the pedal.
+inline constexpr int pedal_of_each_hand = -2;  ///< the button of the part that moves the hand
+inline constexpr int pedal_keys_only = -1;
+
 /// Which part of a device moves what; -1: mouse and keyboard.
 struct SlotChoice {
     int left = 0, right = 1, scope = 2;
+    int pedal = pedal_of_each_hand;  ///< or the part whose button is the pedal for both hands
 };
 inline bool operator==(const SlotChoice& a, const SlotChoice& b) {
-    return a.left == b.left && a.right == b.right && a.scope == b.scope;
+    return a.left == b.left && a.right == b.right && a.scope == b.scope && a.pedal == b.pedal;
 }
 
 /// Movement of an instrument over that of its device.

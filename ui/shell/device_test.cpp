@@ -137,6 +137,37 @@ QWidget* DeviceTest::build_settings() {
         connect(slot_[i], QOverload<int>::of(&QComboBox::activated), this, [this, i] { change_slots(i); });
     }
     column->addWidget(slots_row_);
+    pedal_row_ = build_pedal();
+    column->addWidget(pedal_row_);
+    return holder;
+}
+
+QWidget* DeviceTest::build_pedal() {
+    auto* holder = new QWidget;
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    const QString title = tr("Pedal (energy, suction)");
+    pedal_ = make_list("slot_pedal", title);
+    pedal_->addItem(tr("button of each hand"), pedal_of_each_hand);
+    const QString parts[] = {tr("button of the left device"), tr("button of the right device"),
+                             tr("button of the third device")};
+    for (int part = 0; part < 3; ++part) pedal_->addItem(parts[part], part);
+    pedal_->addItem(tr("key or foot switch only"), pedal_keys_only);
+    auto* flow_holder = new QWidget;
+    auto* flow = new FlowRow(flow_holder);
+    flow->add(titled(title, pedal_));
+    column->addWidget(flow_holder);
+    column->addWidget(make_label(
+        tr("The button of one device is the pedal for both hands. The key of the pedal works with every "
+           "choice; give it to a foot switch that types a key under Mouse and keys for the hands."),
+        "muted"));
+    connect(pedal_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+        DeviceService& devices = context_.services();
+        const std::string kind = devices.device_in_use().kind;
+        SlotChoice now = devices.slot_choice(kind);
+        now.pedal = pedal_->itemData(index).toInt();
+        devices.set_slot_choice(kind, now);
+    });
     return holder;
 }
 
@@ -150,7 +181,7 @@ void DeviceTest::change_slots(int changed) {
     now[changed] = slot_[changed]->currentData().toInt();
     for (int i = 0; i < 3; ++i)
         if (i != changed && now[i] == now[changed] && now[i] >= 0) now[i] = had[changed];
-    devices.set_slot_choice(kind, {now[0], now[1], now[2]});
+    devices.set_slot_choice(kind, {now[0], now[1], now[2], before.pedal});
     show_settings();
 }
 
@@ -176,6 +207,7 @@ void DeviceTest::show_settings() {
     const SlotChoice slots_now = devices.slot_choice(used.kind);
     const int now[] = {slots_now.left, slots_now.right, slots_now.scope};
     for (int i = 0; i < 3; ++i) slot_[i]->setCurrentIndex(slot_[i]->findData(now[i]));
+    pedal_->setCurrentIndex(pedal_->findData(slots_now.pedal));
 }
 
 void DeviceTest::show_readings(const DeviceReadings* readings, bool trouble) {
@@ -185,6 +217,7 @@ void DeviceTest::show_readings(const DeviceReadings* readings, bool trouble) {
     open_->setVisible(!open && !used.kind.empty());
     tried_->setVisible(open);
     slots_row_->setVisible(open && readings->held.size() >= 2);
+    pedal_row_->setVisible(open && !readings->held.empty());
     if (open && !was_open_) {
         frame_->begin_again();
         show_settings();

@@ -35,13 +35,14 @@ class DeviceTest : public QWidget {
     QWidget* build_try();
     QWidget* build_settings();
     void show_force();
+    QWidget* build_pedal();
     void change_slots(int changed);
     Context& context_;
     QPushButton *open_, *force_, *stop_, *again_, *shake_;
     QLabel *marks_, *force_line_, *motion_note_, *away_note_;
-    QWidget *tried_, *slots_row_;
+    QWidget *tried_, *slots_row_, *pedal_row_;
     FrameCheck* frame_;
-    QComboBox *motion_, *slot_[3];
+    QComboBox *motion_, *slot_[3], *pedal_;
     QCheckBox* rumble_;
     bool was_open_ = false, forced_ = false, gives_force_ = false;
 };

@@ -5,9 +5,9 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "ui/language/language.h"
 #include "ui/page/background_job.h"
 #include "ui/shell/device_test.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -3,7 +3,7 @@
 
 #include <QCheckBox>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

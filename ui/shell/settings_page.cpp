@@ -7,6 +7,7 @@
 
 #include "ui/shell/devices_card.h"
 #include "ui/shell/keys_card.h"
+#include "ui/shell/picture_card.h"
 #include "ui/shell/sending_card.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
@@ -47,6 +48,7 @@ SettingsPage::SettingsPage(Context& context)
                    "muted"));
     layout->addWidget(build_appearance());
     layout->addWidget(build_language());
+    layout->addWidget(new PictureCard);
     layout->addWidget(new KeysCard(context));
     layout->addWidget(new DevicesCard(context));
     layout->addWidget(new SendingCard(context));

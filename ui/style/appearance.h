@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sim_core/numerics/name_table.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {

@@ -11,7 +11,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "sim_core/telemetry/event_names.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::ui {
 namespace {

@@ -68,15 +68,17 @@ QStringList controller_lines(bool scope_alone) {
 }
 
 QStringList two_mice_lines(const KeyMap& keys) {
-    return QStringList{HelpWords::tr("Each mouse\tmoves the handle of its hand; the tip goes the other way"),
-                       HelpWords::tr("Left button\tcloses the jaws of that hand while held"),
-                       HelpWords::tr("Wheel\tin and out"),
-                       HelpWords::tr("Right button + wheel\tturns the shaft"),
-                       HelpWords::tr("Middle button\tpedal of that hand (energy, suction)"),
-                       HelpWords::tr("Side button\tnext instrument of that hand"),
-                       line(keys.words(H::other_hand), HelpWords::tr("the mice change hands")),
-                       line(groups(keys, {{H::left_jaws}, {H::right_jaws}}),
-                            HelpWords::tr("jaws of the left, right hand stay closed, or open again"))} +
+    return QStringList{
+               HelpWords::tr("Each mouse\tmoves the handle of its hand; the tip goes the other way"),
+               HelpWords::tr("Left button\tcloses the jaws of that hand while held"),
+               HelpWords::tr("Wheel\tin and out"),
+               HelpWords::tr("Right button + mouse\tin and out by little (up, down) · turns the shaft "
+                             "(left, right)"),
+               HelpWords::tr("Middle button\tpedal of that hand (energy, suction)"),
+               HelpWords::tr("Side button\tnext instrument of that hand"),
+               line(keys.words(H::other_hand), HelpWords::tr("the mice change hands")),
+               line(groups(keys, {{H::left_jaws}, {H::right_jaws}}),
+                    HelpWords::tr("jaws of the left, right hand stay closed, or open again"))} +
            scope_lines(keys) + QStringList{pause_line()};
 }
 

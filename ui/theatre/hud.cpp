@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim_core/scene/scene.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 

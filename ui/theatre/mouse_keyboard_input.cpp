@@ -144,6 +144,13 @@ void MouseKeyboardInput::move_hand(Hand hand, const QPointF& pixels, double notc
     if (turned_notches != 0) tried_.set(3);
 }
 
+void MouseKeyboardInput::push_hand(Hand hand, const QPointF& pixels) {
+    if (std::abs(pixels.y()) >= std::abs(pixels.x()))
+        move_hand(hand, {}, -sensitivity_ * pixels.y() * metres_per_pixel / metres_per_notch, 0);
+    else
+        move_hand(hand, {}, 0, pixels.x() * radians_per_pixel / radians_per_notch);
+}
+
 void MouseKeyboardInput::set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange) {
     Axis& axis = hand_[static_cast<std::size_t>(hand)];
     axis.jaws = jaws;

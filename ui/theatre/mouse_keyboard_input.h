@@ -94,6 +94,9 @@ class MouseKeyboardInput {
     /// Movement of the handle for that of a mouse or stick, over the usual one.
     void set_sensitivity(double scale) { sensitivity_ = scale; }
     void move_hand(Hand hand, const QPointF& pixels, double notches, double turned_notches);
+    /// While the right button of that hand's mouse is held: away from the person is in, sideways turns the
+    /// shaft; the larger of both counts.
+    void push_hand(Hand hand, const QPointF& pixels);
     void set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange);
     /// What a game controller asked for since the last call.
     void move_by_controller(const ControllerMotion& motion);

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {

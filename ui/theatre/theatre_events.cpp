@@ -129,8 +129,9 @@ void TheatrePage::read_mice() {
         const auto hand = static_cast<Hand>(h);
         input_->move_hand(hand, QPointF(motion[h].right, motion[h].down), motion[h].notches,
                           motion[h].turned_notches);
+        input_->push_hand(hand, QPointF(motion[h].held_right, motion[h].held_down));
         input_->set_hand_buttons(hand, motion[h].left_button, motion[h].middle_button, motion[h].side_button);
-        if (motion[h].right != 0 || motion[h].down != 0) context().note_input();
+        if (motion[h].right != 0 || motion[h].down != 0 || motion[h].held_down != 0) context().note_input();
     }
 }
 

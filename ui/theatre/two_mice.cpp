@@ -66,7 +66,10 @@ class ServersMice : public TwoMice {
         std::swap(right_held_[0], right_held_[1]);
     }
     void read(MouseMotion (&motion)[2]) override {
-        for (MouseMotion& one : state_) one.right = one.down = one.notches = one.turned_notches = 0;
+        for (MouseMotion& one : state_) {
+            one.right = one.down = one.notches = one.turned_notches = 0;
+            one.held_right = one.held_down = 0;
+        }
         while (XPending(display_.get()) > 0) {
             XEvent event;
             XNextEvent(display_.get(), &event);
@@ -111,9 +114,11 @@ class ServersMice : public TwoMice {
         MouseMotion& motion = state_[h];
         if (event.evtype == XI_RawMotion) {
             const double* value = event.raw_values;
+            double& right = right_held_[h] ? motion.held_right : motion.right;
+            double& down = right_held_[h] ? motion.held_down : motion.down;
             for (int axis = 0; axis < 8 * event.valuators.mask_len; ++axis) {
                 if (!XIMaskIsSet(event.valuators.mask, axis)) continue;
-                if (axis < 2 && std::isfinite(*value)) (axis == 0 ? motion.right : motion.down) += *value;
+                if (axis < 2 && std::isfinite(*value)) (axis == 0 ? right : down) += *value;
                 ++value;
             }
             return;

@@ -18,9 +18,10 @@ struct MouseDevice {
 
 /// What one mouse did since the last call.
 struct MouseMotion {
-    double right = 0, down = 0;  ///< counts of the mouse
-    double notches = 0;          ///< of the wheel, away from the person positive
-    double turned_notches = 0;   ///< of the wheel while the right button was held
+    double right = 0, down = 0;            ///< counts of the mouse
+    double notches = 0;                    ///< of the wheel, away from the person positive
+    double turned_notches = 0;             ///< of the wheel while the right button was held
+    double held_right = 0, held_down = 0;  ///< counts while the right button was held: not in right and down
     bool left_button = false, middle_button = false, side_button = false;  ///< held now
     bool connected = true;
 };

@@ -43,13 +43,13 @@ class PalpationTracker : public GoalTracker {
     /// The point of the centre line nearest to the tip lies between from_m and to_m.
     bool on_stretch(const HandSample& hand, const WorldSnapshot& world) const noexcept {
         const Vector3 tip = sample_length_unit * Vector3(hand.tip[0], hand.tip[1], hand.tip[2]);
-        const std::size_t count = std::min(world.nodes.size(), world.node_arc_lengths.size());
+        const std::size_t count = std::min(world.bowel.nodes.size(), world.bowel.node_arc_lengths.size());
         double nearest = std::numeric_limits<double>::max(), place = -1;
         for (std::size_t i = 0; i < count; ++i) {
-            const double away = (world.nodes[i] - tip).squaredNorm();
+            const double away = (world.bowel.nodes[i] - tip).squaredNorm();
             if (away >= nearest) continue;
             nearest = away;
-            place = world.node_arc_lengths[i];
+            place = world.bowel.node_arc_lengths[i];
         }
         return place >= goal_.from_m && place <= goal_.to_m;
     }

@@ -92,6 +92,8 @@ class Part {
     virtual void publish_model(int /*hand*/, const TickOutput& /*last*/, LocalModel& /*model*/) noexcept {}
     virtual void size_snapshot(WorldSnapshot& /*snapshot*/) const {}
     virtual void fill_snapshot(WorldSnapshot& /*snapshot*/) const noexcept {}
+    /// Reduces a touch of this part to the depth that shows, where the part is drawn deeper than it is felt.
+    virtual void show_touch(Touch& /*touch*/) const noexcept {}
     /// Surface that instruments feel as a wall, if the part is one.
     virtual const CavityModel* wall() const noexcept { return nullptr; }
     /// Layers that local models point to, if the part has them.

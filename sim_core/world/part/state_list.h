@@ -54,15 +54,19 @@ class StateList {
     template <typename Get, typename Set, typename Enter, typename Bytes>
     StateList& hashed_through(Get&& get, Set&& set, Enter&& enter, Bytes&& bytes) {
         using Value = std::decay_t<decltype(get())>;
-        if (hash_ != nullptr) enter(*hash_);
-        if (save_ != nullptr) save_->emplace_back(std::in_place_type<Value>, get());
-        if (restore_ != nullptr) set(std::any_cast<const Value&>(restore_->at(next_++)));
+        through(get, set, enter, bytes);
         if (archive_ != nullptr) {
             Value value = get();
             (*archive_)(value);
             if (archive_->reads()) set(value);
         }
-        if (bytes_ != nullptr) *bytes_ += static_cast<std::size_t>(bytes());
+        return *this;
+    }
+    /// As above, where `owner` has fields(): its bytes are written and read in place, without a copy.
+    template <typename Get, typename Set, typename Enter, typename Bytes, typename Owner>
+    StateList& hashed_through(Get&& get, Set&& set, Enter&& enter, Bytes&& bytes, Owner& owner) {
+        through(get, set, enter, bytes);
+        if (archive_ != nullptr) (*archive_)(owner);
         return *this;
     }
     /// What enters the hash at this place of members that are listed elsewhere.
@@ -73,6 +77,14 @@ class StateList {
     }
 
   private:
+    template <typename Get, typename Set, typename Enter, typename Bytes>
+    void through(Get&& get, Set&& set, Enter&& enter, Bytes&& bytes) {
+        using Value = std::decay_t<decltype(get())>;
+        if (hash_ != nullptr) enter(*hash_);
+        if (save_ != nullptr) save_->emplace_back(std::in_place_type<Value>, get());
+        if (restore_ != nullptr) set(std::any_cast<const Value&>(restore_->at(next_++)));
+        if (bytes_ != nullptr) *bytes_ += static_cast<std::size_t>(bytes());
+    }
     template <typename Member, typename Enter>
     StateList& visit(Member& member, Enter&& enter) {
         if (hash_ != nullptr) enter(*hash_);

@@ -144,6 +144,17 @@ TEST_F(CommandLine, ChecksAndBacksUpTheStoreAsTheTableSays) {
     }
 }
 
+TEST_F(CommandLine, ChangesTheStationsKeyAsTheTableSays) {
+    for (const Role role : all_roles) {
+        const std::string name = std::string("rotate_key as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "rotate-key", "--reason", "planned"}, role, name),
+                  expected_allowed(Operation::rotate_key, role, {}))
+            << name;
+    }
+    EXPECT_TRUE(allowed({"db", "keys"}, Role::station, "keys"));
+    EXPECT_TRUE(allowed({"db", "check"}, Role::station, "check"));
+}
+
 TEST_F(CommandLine, ShowsTheAuditLogAsTheTableSays) {
     for (const Role role : all_roles) {
         const std::string name = std::string("view_audit as ") + role_name(role);

@@ -19,7 +19,7 @@
 #include "app/services/program.h"
 #include "tests/support/own_folder.h"
 #include "tests/support/support.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::app {
 namespace {

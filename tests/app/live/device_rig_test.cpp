@@ -150,6 +150,32 @@ TEST(DeviceRig, PartsOfTheDeviceMoveWhatTheyAreAssignedTo) {
     EXPECT_FALSE(at.rig->has_force(Hand::left)) << "the right part renders none";
 }
 
+TEST(DeviceRig, ThePedalIsTheButtonThatAPersonChose) {
+    OnPages at;
+    const auto pedals = [&at](int pedal) {
+        SlotUse use;
+        use.right = -1;  // mouse and keyboard
+        use.pedal = pedal;
+        at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                             at.others, use, 1);
+        at.publish();
+        at.read();
+        const auto pressed = [&at](int hand) { return (at.sample.hand[hand].buttons & button_energy) != 0; };
+        return std::pair(pressed(0), pressed(1));
+    };
+    at.pose[0].buttons = button_energy;
+    at.pose[1].buttons = 0;
+    EXPECT_EQ(pedals(-2), std::pair(true, false)) << "each hand has its own";
+    EXPECT_EQ(pedals(-1), std::pair(false, false)) << "keys only";
+    EXPECT_EQ(pedals(0), std::pair(true, true)) << "one pedal for both hands";
+    EXPECT_EQ(pedals(1), std::pair(false, false)) << "the button of the left part is none";
+    at.pose[1].buttons = button_energy;
+    EXPECT_EQ(pedals(1), std::pair(true, true));
+    at.pose[1].present = 0;
+    EXPECT_EQ(pedals(1), std::pair(false, false)) << "it does not answer";
+    EXPECT_EQ(pedals(2), std::pair(false, false)) << "the device has no third part";
+}
+
 TEST(DeviceRig, ADeviceThatSendsNothingNewDidNotAnswer) {
     OnPages at;
     at.read();

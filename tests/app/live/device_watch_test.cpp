@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::app {

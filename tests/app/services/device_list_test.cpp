@@ -169,5 +169,22 @@ TEST(DeviceList, ATrackersServerOnThisComputerIsFoundWithoutConnecting) {
     EXPECT_EQ(row(list_devices(machine), "openigtlink").state, DeviceState::absent);
 }
 
+TEST(DeviceList, TheServiceOfHaplyIsFoundAtEitherOfItsPorts) {
+    const fulcrum::test::OwnFolder usb, net;
+    Machine machine = machine_with(usb.path(), "/bin/true");
+    machine.sockets = net.path().string();
+    const auto listed = [&] { return row(list_devices(machine), "haply"); };
+    EXPECT_EQ(listed().state, DeviceState::absent);
+    EXPECT_NE(listed().why.find("does not run"), std::string::npos);
+    EXPECT_NE(listed().what_to_do.find("install the Inverse service from Haply"), std::string::npos);
+    for (const char* port : {"2711", "2710"}) {  // 10001, 10000
+        std::ofstream(net.path() / "tcp") << "   0: 0100007F:" << port << " 00000000:0000 0A 0:0\n";
+        EXPECT_EQ(listed().state, DeviceState::usable) << port;
+        EXPECT_EQ(listed().found, std::vector<std::string>{"FULCRUM_DEVICE=haply"});
+    }
+    machine.daemon = "/nowhere/fulcrum-hapticd";
+    EXPECT_EQ(listed().state, DeviceState::absent);
+}
+
 }  // namespace
 }  // namespace fulcrum::app::program_test

@@ -42,6 +42,8 @@ TEST(ForceScale, OfTheMovementAndAssignmentsAreKeptAndNeverOutOfRange) {
     EXPECT_EQ(Devices::slot_choice("touch"), usual);
     Devices::set_slot_choice("touch", {1, 0, -1});
     EXPECT_EQ(Devices::slot_choice("touch"), (ui::SlotChoice{1, 0, -1}));
+    Devices::set_slot_choice("touch", {1, 0, -1, 2});
+    EXPECT_EQ(Devices::slot_choice("touch"), (ui::SlotChoice{1, 0, -1, 2}));
     Devices::set_slot_choice("touch", {-1, -1, -1});
     EXPECT_EQ(Devices::slot_choice("touch"), (ui::SlotChoice{-1, -1, -1}));
     for (const char* damaged : {"1 1 2", "0 1", "0 1 3", "a b c", "-2 0 1", "0 1 2 3"}) {

@@ -79,7 +79,7 @@ struct Stage {
     Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine{scene, task, 1};
     Vector3 trocar = scene.instrument(Hand::left)->trocar.position;
-    const std::vector<RingFrame>& rings = engine.initial_snapshot().rings;
+    const std::vector<RingFrame>& rings = engine.initial_snapshot().bowel.rings;
     std::size_t nearest = 0;
 
     Stage() {

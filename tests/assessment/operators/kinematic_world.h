@@ -93,9 +93,9 @@ class KinematicWorld : public EventSink {
             const double along = (s - row * bight) / bight;
             rest_.emplace_back((row % 2 == 0 ? 1 : -1) * (0.09 - 0.18 * along),
                                0.03 + 0.042 * (row + 0.3 * along), -0.025);
-            world_.node_arc_lengths.push_back(s);
+            world_.bowel.node_arc_lengths.push_back(s);
         }
-        world_.nodes = rest_;
+        world_.bowel.nodes = rest_;
     }
 
     TickSample make_sample(const RigSample& input) {
@@ -115,7 +115,7 @@ class KinematicWorld : public EventSink {
             unsigned flags = tool_[h].inside ? static_cast<unsigned>(hand_inside) : 0U;
             if (world_.grasps[h].held) {
                 const auto node = static_cast<std::size_t>(held_node_[h]);
-                force = 30 * (world_.nodes[node] - rest_[node]);
+                force = 30 * (world_.bowel.nodes[node] - rest_[node]);
                 hand.tissue = 0;
                 flags |= hand_grasping;
                 hand.jaw_force = static_cast<std::int32_t>(std::lround(tool_[h].grip * 1000));
@@ -137,13 +137,13 @@ class KinematicWorld : public EventSink {
             world_.tools[h] = tool_[h].pose();
             if (scene_.bowel) update_grasp(h);
         }
-        world_.nodes = rest_;
+        world_.bowel.nodes = rest_;
         for (int h = 0; h < hand_count; ++h) {
             if (!world_.grasps[h].held) continue;
             const Vector3 moved = jaws(h) - held_from_[h];
             for (std::size_t i = 0; i < rest_.size(); ++i) {
-                const double away = std::abs(world_.node_arc_lengths[i] - world_.grasps[h].arc_length);
-                world_.nodes[i] += std::max(0.0, 1 - away / 0.1) * moved;
+                const double away = std::abs(world_.bowel.node_arc_lengths[i] - world_.grasps[h].arc_length);
+                world_.bowel.nodes[i] += std::max(0.0, 1 - away / 0.1) * moved;
             }
         }
         ++world_.step;
@@ -161,14 +161,16 @@ class KinematicWorld : public EventSink {
         if (grasp.held || opening > 0.35 || tool_[h].grip < 0.2 || !ready_[h]) return;
         ready_[h] = false;
         std::size_t nearest = 0;
-        for (std::size_t i = 0; i < world_.nodes.size(); ++i) {
-            if ((world_.nodes[i] - jaws(h)).norm() < (world_.nodes[nearest] - jaws(h)).norm()) nearest = i;
+        for (std::size_t i = 0; i < world_.bowel.nodes.size(); ++i) {
+            if ((world_.bowel.nodes[i] - jaws(h)).norm() < (world_.bowel.nodes[nearest] - jaws(h)).norm())
+                nearest = i;
         }
-        if (std::abs((world_.nodes[nearest] - jaws(h)).norm() - scene_.bowel->outer_radius) > 0.006) return;
+        if (std::abs((world_.bowel.nodes[nearest] - jaws(h)).norm() - scene_.bowel->outer_radius) > 0.006)
+            return;
         grasp.held = true;
         grasp.tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
         grasp.slipped = false;
-        grasp.arc_length = world_.node_arc_lengths[nearest];
+        grasp.arc_length = world_.bowel.node_arc_lengths[nearest];
         grasp.patch = static_cast<std::int32_t>(nearest);
         held_node_[h] = static_cast<int>(nearest);
         held_from_[h] = jaws(h);

@@ -146,8 +146,8 @@ TEST(Operator, ReadNeitherAllocatesNorJumps) {
     const auto rig = make_operator(OperatorLevel::expert, stage.task, stage.scene, 2);
     WorldSnapshot world;
     for (int i = 0; i <= stage.scene.bowel->segments; ++i) {
-        world.node_arc_lengths.push_back(stage.scene.bowel->length * i / stage.scene.bowel->segments);
-        world.nodes.emplace_back(0.1 - 0.2 * i / stage.scene.bowel->segments, 0.05, -0.02);
+        world.bowel.node_arc_lengths.push_back(stage.scene.bowel->length * i / stage.scene.bowel->segments);
+        world.bowel.nodes.emplace_back(0.1 - 0.2 * i / stage.scene.bowel->segments, 0.05, -0.02);
     }
     const TaskDisplay display;
     rig->observe(world, display);

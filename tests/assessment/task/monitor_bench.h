@@ -53,8 +53,8 @@ struct Bench {
             const int n = scene.bowel->segments;
             for (int i = 0; i <= n; ++i) {
                 const double s = scene.bowel->length * i / n;
-                world.node_arc_lengths.push_back(s);
-                world.nodes.emplace_back(s - 0.45, 0.0, -0.05);
+                world.bowel.node_arc_lengths.push_back(s);
+                world.bowel.nodes.emplace_back(s - 0.45, 0.0, -0.05);
             }
         }
         pending.reserve(8);

@@ -344,7 +344,7 @@ TEST(Monitor, LiftMustStayUpForTheWholeHold) {
     const double middle = 0.5 * (goal.from_m + goal.to_m);
     bench.grasp(Hand::right, middle);
     const auto raise = [&](double height) {
-        for (Vector3& node : bench.world.nodes) node.z() = -0.05 + height;
+        for (Vector3& node : bench.world.bowel.nodes) node.z() = -0.05 + height;
     };
     raise(goal.height_m - 0.001);
     bench.ticks(1000);
@@ -367,7 +367,7 @@ TEST(Monitor, SlipWhileTheOtherHandHoldsIsNotADropAndRegraspCountsWithinTwoSecon
     bench.ticks(5);
     bench.grasp(Hand::right, 0.3, 12);
     bench.grasp(Hand::left, 0.34, 13);
-    for (Vector3& node : bench.world.nodes) node.z() = 0;
+    for (Vector3& node : bench.world.bowel.nodes) node.z() = 0;
     bench.let_go(Hand::left, true);
     EXPECT_EQ(bench.events.count(EventKind::slip), 1);
     EXPECT_EQ(bench.events.count(EventKind::drop), 0);

@@ -110,8 +110,8 @@ struct Steps {
         }
         world.events.resize(8);
         world.grasps[0].held = true;
-        world.nodes.assign(static_cast<std::size_t>(scene.bowel->segments) + 1, Vector3::Zero());
-        world.node_arc_lengths.assign(world.nodes.size(), 0.0);
+        world.bowel.nodes.assign(static_cast<std::size_t>(scene.bowel->segments) + 1, Vector3::Zero());
+        world.bowel.node_arc_lengths.assign(world.bowel.nodes.size(), 0.0);
     }
     void step() {
         std::vector<TickSample> ticks(5);

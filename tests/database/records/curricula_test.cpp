@@ -7,6 +7,7 @@
 
 #include "assessment/assets/assets.h"
 #include "database/records/certificates.h"
+#include "database/records/person_merge.h"
 #include "database/records/recorder.h"
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
@@ -110,6 +111,31 @@ TEST(Curricula, AMoveKeepsWhatWasDeclaredAndIsAudited) {
                             [](const auto& entry) { return entry.operation == "curriculum.move"; }),
               2);
     EXPECT_TRUE(one.programme.store->check(one.programme.session("administrator")).ok);
+}
+
+TEST(Curricula, AnybodyEnteredTwiceIsCountedOnce) {
+    const Followers one;
+    const PersonMerge merge(*one.programme.store);
+    const Session& administrator = one.programme.session("administrator");
+    using Counts = std::map<std::string, int>;
+    one.record("ann", *one.newest.version_named("rectal@1"));
+    one.programme.clock.pass_s(10);
+    one.record("eve", one.newest);
+    one.record("ben", one.newest);
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 2}}));
+    merge.merge(administrator, one.programme.id("eve"), one.programme.id("ann"), "the same person");
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 1}})) << "the first attempt of both";
+    EXPECT_EQ(one.of("ann"), "rectal@1");
+    merge.undo(administrator, one.programme.id("eve"), "another person after all");
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 2}}));
+
+    // A move under one of the two ids is one of the person.
+    one.programme.clock.pass_s(10);
+    one.curricula.move(one.educator, {one.programme.id("ann")}, one.newest, "rectal@2", "new rules");
+    one.programme.clock.pass_s(10);
+    merge.merge(administrator, one.programme.id("ann"), one.programme.id("ben"), "the same person");
+    EXPECT_EQ(one.of("ben"), "rectal@2");
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@2", 2}}));
 }
 
 TEST(Curricula, CohortTablesShowEachPersonUnderTheirOwnVersion) {

@@ -54,7 +54,7 @@ class KilledCare : public ::testing::Test {
     std::set<std::string> attempts_in_sound(const std::string& file, const std::string& when) const {
         const Store store = Store::open(file, programme.clock.options());
         for (const CheckItem& item : store.check(store.station_session()).items)
-            EXPECT_TRUE(item.ok || item.name == "permissions")
+            EXPECT_TRUE(item.ok || item.id == CheckId::permissions)
                 << file << ", " << when << ": " << item.name << ": " << item.problems.front().words();
         std::set<std::string> ids;
         Query rows(store.connection(), "SELECT id FROM attempt WHERE state = 'completed'");

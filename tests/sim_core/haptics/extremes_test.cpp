@@ -88,8 +88,8 @@ void run(const Scene& scene, int cases, std::uint64_t stream, Outcome& outcome) 
     const WorldSnapshot& shown = world.snapshot();
     const auto aim = [&]() -> Vector3 {
         const auto pick = [&](std::size_t count) { return random.below(static_cast<std::uint32_t>(count)); };
-        return shown.nodes.empty() ? shown.targets[pick(shown.targets.size())].centre
-                                   : shown.nodes[pick(shown.nodes.size())];
+        return shown.bowel.nodes.empty() ? shown.targets[pick(shown.targets.size())].centre
+                                         : shown.bowel.nodes[pick(shown.bowel.nodes.size())];
     };
     std::uint32_t tick = 0;
     for (int number = 0; number < cases; ++number) {
@@ -137,7 +137,7 @@ void run(const Scene& scene, int cases, std::uint64_t stream, Outcome& outcome) 
         const StepRecord record = world.step(outputs.data(), outputs.size());
         outcome.declared += record.outcome != 0 ? 1 : 0;
         outcome.bits = (outcome.bits ^ record.state_hash) * 1099511628211ULL;
-        for (const Vector3& node : world.snapshot().nodes) ASSERT_TRUE(node.allFinite());
+        for (const Vector3& node : world.snapshot().bowel.nodes) ASSERT_TRUE(node.allFinite());
         if (random.below(4) != 0) loop.adopt(world.local_models());  // or late, or not at all
     }
 }

@@ -55,8 +55,8 @@ Vector3 somewhere_on_tissue(const World& world, Random& random) {
         if (count > 0)
             places.push_back(of[static_cast<std::size_t>(random.uniform() * static_cast<double>(count))]);
     };
-    pick(now.nodes, now.nodes.size());
-    if (!now.nodes.empty()) places.back() += world.scene().bowel->outer_radius * Vector3::UnitZ();
+    pick(now.bowel.nodes, now.bowel.nodes.size());
+    if (!now.bowel.nodes.empty()) places.back() += world.scene().bowel->outer_radius * Vector3::UnitZ();
     for (const MembraneView& membrane : now.membranes) pick(membrane.positions, membrane.positions.size());
     pick(now.sheet.positions, static_cast<std::size_t>(now.sheet.vertex_count));
     if (const std::vector<BandView>& bands = now.bands.bands; !bands.empty()) {
@@ -106,7 +106,7 @@ struct Script {
             const double holds = jaw_capacity(rig.outputs.back().contact[h].tool.grip, tissue.friction);
             most_excess = std::max(most_excess, grasp.reaction.norm() - holds);
         }
-        for (const Vector3& node : world.snapshot().nodes) ASSERT_TRUE(node.allFinite());
+        for (const Vector3& node : world.snapshot().bowel.nodes) ASSERT_TRUE(node.allFinite());
         for (const MembraneView& membrane : world.snapshot().membranes)
             for (const Vector3& place : membrane.positions) ASSERT_TRUE(place.allFinite());
         const SheetView& sheet = world.snapshot().sheet;

@@ -74,7 +74,7 @@ inline TissuePlace on_bowel(const World& world, double from_middle) {
 /// The middle of the membrane's triangle that is 25 mm from the bowel's wall, about the middle of its length.
 inline TissuePlace on_membrane(const World& world, double from_middle) {
     const MembraneView& view = world.snapshot().membranes[0];
-    const std::vector<Vector3>& nodes = world.snapshot().nodes;
+    const std::vector<Vector3>& nodes = world.snapshot().bowel.nodes;
     TissuePlace place;
     double best = std::numeric_limits<double>::infinity();
     for (const Triangle& triangle : view.triangles) {

@@ -75,7 +75,7 @@ Press press(const Scene& scene) {
         result.worst_outcome = std::max(result.worst_outcome, record.outcome);
         result.hash = result.hash * 31 + record.state_hash;
         result.dented_at_most =
-            std::max(result.dented_at_most, static_cast<int>(world.snapshot().dent_count));
+            std::max(result.dented_at_most, static_cast<int>(world.snapshot().bowel.dent_count));
         result.largest_by_jaws =
             std::max(result.largest_by_jaws, world.find<BowelPart>()->jaw_force(spec.hand).norm());
         loop.adopt(world.local_models());

@@ -20,8 +20,8 @@ class WorldSave : public testing::TestWithParam<const char*> {};
 TEST_P(WorldSave, ContinuesBitForBitInTheSameAndInANewWorld) {
     test::SheetRig rig(load_scene(test::source_path(std::string("assets/scenes/") + GetParam() + ".json")));
     const WorldSnapshot& first = rig.world.snapshot();
-    const Vector3 place = !first.nodes.empty() ? first.nodes[first.nodes.size() / 3]
-                          : rig.scene.sheet    ? rig.scene.sheet->centre
+    const Vector3 place = !first.bowel.nodes.empty() ? first.bowel.nodes[first.bowel.nodes.size() / 3]
+                          : rig.scene.sheet          ? rig.scene.sheet->centre
                           : rig.scene.bands
                               ? Vector3(rig.scene.bands->centre + Vector3(0, 0, rig.scene.bands->height))
                           : rig.scene.objects ? first.objects.objects[0].position

@@ -66,8 +66,8 @@ TEST(World, TargetSceneHasNoTissueInMemory) {
     Hands run("a2_targets");
     EXPECT_EQ(run.world.find<BowelPart>(), nullptr);
     EXPECT_EQ(run.world.wall(), nullptr);
-    EXPECT_TRUE(run.world.snapshot().rings.empty());
-    EXPECT_TRUE(run.world.snapshot().nodes.empty());
+    EXPECT_TRUE(run.world.snapshot().bowel.rings.empty());
+    EXPECT_TRUE(run.world.snapshot().bowel.nodes.empty());
     EXPECT_TRUE(run.world.snapshot().membranes.empty());
     for (const PartCost& part : run.world.costs()) {
         EXPECT_NE(part.part, "rod");
@@ -85,8 +85,8 @@ TEST(World, BowelComesToRestAndIsSupported) {
     for (int i = 0; i < 200; ++i) run.step();
     for (const Vector3& velocity : bowel.state().velocities) fastest = std::max(fastest, velocity.norm());
     EXPECT_LT(fastest, 2e-3);
-    EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
-    EXPECT_GT(run.world.snapshot().floor_load, 0.3 * bowel.weight());
+    EXPECT_LT(run.world.snapshot().bowel.residual_penetration, 1e-3);
+    EXPECT_GT(run.world.snapshot().bowel.floor_load, 0.3 * bowel.weight());
     EXPECT_EQ(run.last.outcome, 0U);
 }
 
@@ -100,7 +100,7 @@ TEST(World, SceneSelectsExp2AndALayeredWall) {
     for (const Vector3& velocity : run.world.find<BowelPart>()->state().velocities)
         fastest = std::max(fastest, velocity.norm());
     EXPECT_LT(fastest, 5e-3);
-    EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
+    EXPECT_LT(run.world.snapshot().bowel.residual_penetration, 1e-3);
     EXPECT_EQ(run.last.outcome, 0U);
 }
 

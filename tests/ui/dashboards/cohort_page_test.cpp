@@ -147,6 +147,18 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
     keep("cohort-table-light");
     for (int row = 0; row < people; ++row)
         EXPECT_LT(2 * table->rowHeight(row), 5 * table->fontMetrics().lineSpacing()) << "one line a person";
+    // No cell has a colour of its own, so all of them follow a theme that is switched while they are shown.
+    for (const QTableWidget* shown : {overview, reasons, table})
+        for (int row = 0; row < shown->rowCount(); ++row)
+            for (int column = 0; column < shown->columnCount(); ++column)
+                if (const QTableWidgetItem* item = shown->item(row, column)) {
+                    EXPECT_EQ(item->background().style(), Qt::NoBrush) << row << ", " << column;
+                    EXPECT_EQ(item->foreground().style(), Qt::NoBrush) << row << ", " << column;
+                }
+    window->set_theme(Theme::dark);
+    const QColor ground = table->viewport()->grab().toImage().pixelColor(2, table->viewport()->height() - 3);
+    EXPECT_LT(ground.lightness(), 100);
+    window->set_theme(Theme::light);
 
     QTemporaryDir folder;
     const QString path = folder.filePath("cohort.json");

@@ -11,9 +11,9 @@
 #include "assessment/assets/assets.h"
 #include "assessment/pathology/pathology.h"
 #include "tests/ui/reports/pdf_pages.h"
+#include "ui/language/language.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/report.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "tests/ui/reports/pdf_pages.h"
+#include "ui/language/language.h"
 #include "ui/reports/report_sheet.h"
-#include "ui/style/language.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

@@ -17,11 +17,11 @@
 #include "database/records/recorder.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/language/language.h"
 #include "ui/reports/report.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/item_choice.h"
 #include "ui/shell/main_window.h"
-#include "ui/style/language.h"
 
 namespace fulcrum::ui::window_test {
 namespace {

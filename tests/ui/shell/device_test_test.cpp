@@ -9,9 +9,9 @@
 #include <QPushButton>
 
 #include "tests/ui/screens.h"
+#include "ui/language/language.h"
 #include "ui/shell/frame_check.h"
 #include "ui/style/appearance.h"
-#include "ui/style/language.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -137,6 +137,14 @@ TEST_F(DeviceOnThePage, PartsAreAssignedAndNeverTwice) {
     EXPECT_EQ(services.parts.right, -1);
     choose("slot_scope", 0);
     EXPECT_EQ(services.parts.scope, 0);
+    ASSERT_TRUE(sees(*window, "slot_pedal"));
+    EXPECT_EQ(find<QComboBox>(*window, "slot_pedal")->currentText(), "button of each hand");
+    choose("slot_pedal", 2);
+    EXPECT_EQ(services.parts.pedal, 1);
+    choose("slot_left", 1);
+    EXPECT_EQ(services.parts.pedal, 1) << "stays when parts change";
+    choose("slot_pedal", 4);
+    EXPECT_EQ(services.parts.pedal, pedal_keys_only);
     choose("motion_scale", 0);
     EXPECT_EQ(services.motion_scale("touch"), 0.5);
     EXPECT_FALSE(sees(*window, "rumble")) << "of controllers only";

@@ -11,7 +11,7 @@
 #include "sim_core/devices/device_fault.h"
 #include "sim_core/devices/vendor_drivers.h"
 #include "tests/ui/screens.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::ui::window_test {
 namespace {

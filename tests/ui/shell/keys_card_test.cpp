@@ -9,8 +9,8 @@
 #include <QSettings>
 
 #include "tests/ui/screens.h"
+#include "ui/language/language.h"
 #include "ui/style/appearance.h"
-#include "ui/style/language.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 

@@ -7,7 +7,7 @@
 #include <QCheckBox>
 
 #include "tests/ui/screens.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::ui::window_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "tests/support/support.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 

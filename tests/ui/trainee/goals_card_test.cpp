@@ -14,8 +14,8 @@
 #include "database/records/recorder.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/language/language.h"
 #include "ui/shell/main_window.h"
-#include "ui/style/language.h"
 #include "ui/style/palette.h"
 #include "ui/trainee/goal_words.h"
 

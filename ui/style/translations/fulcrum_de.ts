@@ -239,10 +239,6 @@
         <translation>Auch prüfen, ob das Protokoll diesen Kopf enthält, den ein Bericht oder `db audit` früher genannt hat: 16 bis 64 Hexadezimalziffern.</translation>
     </message>
     <message>
-        <source>Also check that the newest audit row is signed by this key: 16 to 32 hexadecimal digits, as reports and `db audit` print them.</source>
-        <translation>Auch prüfen, ob die neueste Protokollzeile mit diesem Schlüssel signiert ist: 16 bis 32 Hexadezimalziffern, wie Berichte und `db audit` sie nennen.</translation>
-    </message>
-    <message>
         <source>Copies the store to a new file.</source>
         <translation>Kopiert den Datenbestand in eine neue Datei.</translation>
     </message>
@@ -803,10 +799,6 @@
         <translation>Listet die Geräte für die Hände auf: was angeschlossen ist, was nicht, warum und was zu tun ist.</translation>
     </message>
     <message>
-        <source>Open this device (touch, force-dimension, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
-        <translation>Dieses Gerät öffnen (touch, force-dimension, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
-    </message>
-    <message>
         <source>How long the test lasts: 1 to 3600.</source>
         <translation>Wie lange der Test dauert: 1 bis 3600.</translation>
     </message>
@@ -1165,6 +1157,34 @@
     <message>
         <source>note: no samples from %1 s to %2 s; nothing is measured across this gap</source>
         <translation>Hinweis: keine Messwerte von %1 s bis %2 s; über diese Lücke hinweg wird nichts gemessen</translation>
+    </message>
+    <message>
+        <source>Also check that the newest audit row is signed by this key, or by one to which announced keys lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them.</source>
+        <translation>Auch prüfen, ob die neueste Protokollzeile mit diesem Schlüssel signiert ist oder mit einem, zu dem angekündigte Schlüssel von ihm aus führen: 16 bis 32 Hexadezimalziffern, wie Berichte und `db audit` sie nennen.</translation>
+    </message>
+    <message>
+        <source>Erases a person of a programme without a server; needs --as, a director.</source>
+        <translation>Löscht eine Person eines Programms ohne Server; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>LOGIN is a login or an id. Name, login, password, cohorts, attempts with traces and scores, comments by and about the person and what the audit log says of them are deleted; accounts that were merged into the person too. The rows of the audit log stay, and a row &quot;Erased person&quot; where others&apos; records name the person. This cannot be undone. A programme with a server erases there (`server erase`).</source>
+        <translation>ANMELDENAME ist ein Anmeldename oder eine Kennung. Name, Anmeldename, Passwort, Gruppen, Versuche mit Aufzeichnungen und Bewertungen, Kommentare von der Person und über sie und was das Protokoll über sie sagt, werden gelöscht; auch Konten, die mit der Person zusammengeführt wurden. Die Zeilen des Protokolls bleiben, und eine Zeile „Erased person“, wo Einträge anderer die Person nennen. Das kann nicht rückgängig gemacht werden. Ein Programm mit Server löscht dort (`server erase`).</translation>
+    </message>
+    <message>
+        <source>Lists the keys that signed the station&apos;s audit log, with their periods.</source>
+        <translation>Listet die Schlüssel auf, mit denen das Protokoll der Station signiert wurde, mit ihren Zeiträumen.</translation>
+    </message>
+    <message>
+        <source>Makes a new key for the station&apos;s signatures; needs --as, an administrator.</source>
+        <translation>Erzeugt einen neuen Schlüssel für die Signaturen der Station; braucht --as, einen Administrator.</translation>
+    </message>
+    <message>
+        <source>The new key signs from now on. The old one signs the row of the audit log that names the new one, then its secret half is deleted; what it signed stays valid, and nothing later is accepted from it. Rotate the key when its file may have been copied, and when somebody who could read it leaves.</source>
+        <translation>Der neue Schlüssel signiert von jetzt an. Der alte signiert die Protokollzeile, die den neuen nennt, dann wird seine geheime Hälfte gelöscht; was er signiert hat, bleibt gültig, und nichts Späteres wird von ihm angenommen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann und wenn jemand geht, der sie lesen konnte.</translation>
+    </message>
+    <message>
+        <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
+        <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
     </message>
 </context>
 <context>
@@ -5366,10 +5386,6 @@
         <translation>die neueste Protokollzeile ist nicht signiert (nötig wäre %1): Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
     </message>
     <message>
-        <source>the newest audit row is signed by the key %1, not by %2: the log was written by somebody else, or the station has a new key</source>
-        <translation>die neueste Protokollzeile ist mit dem Schlüssel %1 signiert, nicht mit %2: Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
-    </message>
-    <message>
         <source>the stored state was written by another version of the program, or for another scene</source>
         <translation>der gespeicherte Zustand stammt von einer anderen Version der Software oder gehört zu einer anderen Szene</translation>
     </message>
@@ -5604,14 +5620,6 @@
     <message>
         <source>give the id (UUID) that `fulcrum report --format json` and exports print</source>
         <translation>geben Sie die Kennung (UUID) an, die `fulcrum report --format json` und Exporte ausgeben</translation>
-    </message>
-    <message>
-        <source>a person who was erased on the server is performing at this station</source>
-        <translation>eine Person, die auf dem Server gelöscht wurde, führt an dieser Station gerade einen Versuch durch</translation>
-    </message>
-    <message>
-        <source>sync again when the attempt has ended</source>
-        <translation>gleichen Sie wieder ab, wenn der Versuch beendet ist</translation>
     </message>
     <message>
         <source>neither this store nor the server has a programme</source>
@@ -6358,10 +6366,6 @@
         <translation>spacenavd, das die SpaceMouse liest, hat sich beendet oder sendet etwas anderes. Starten Sie es neu: `sudo systemctl restart spacenavd`.</translation>
     </message>
     <message>
-        <source>use touch, force-dimension, openigtlink, space-mouse or virtual:SCRIPT.json; `fulcrum devices` lists the devices</source>
-        <translation>verwenden Sie touch, force-dimension, openigtlink, space-mouse oder virtual:SCRIPT.json; `fulcrum devices` listet die Geräte auf</translation>
-    </message>
-    <message>
         <source>use openigtlink:HOST:PORT, then left=NAME, right=NAME, scope=NAME, length=MM, shaft=+z or axes=+x+y+z, each after a comma</source>
         <translation>verwenden Sie openigtlink:HOST:PORT, danach left=NAME, right=NAME, scope=NAME, length=MM, shaft=+z oder axes=+x+y+z, jeweils nach einem Komma</translation>
     </message>
@@ -6701,6 +6705,230 @@
         <source>name the exercise and the person who performed it</source>
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
+    <message>
+        <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
+        <translation>löschen Sie DISPLAY und WAYLAND_DISPLAY, um ohne Bildschirm zu zeichnen</translation>
+    </message>
+    <message>
+        <source>no display can be opened</source>
+        <translation>es lässt sich kein Bildschirm öffnen</translation>
+    </message>
+    <message>
+        <source>no display can be opened (%1)</source>
+        <translation>es lässt sich kein Bildschirm öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>start fulcrum on a desktop, or use its commands, which need no display (fulcrum --help lists them)</source>
+        <translation>starten Sie fulcrum auf einer grafischen Oberfläche, oder verwenden Sie seine Befehle, die keinen Bildschirm brauchen (fulcrum --help nennt sie)</translation>
+    </message>
+    <message>
+        <source>The Inverse service of Haply ended or closed the connection. Start it again, and end other programs that use the device.</source>
+        <translation>Der Inverse-Dienst von Haply hat sich beendet oder die Verbindung geschlossen. Starten Sie ihn neu, und beenden Sie andere Programme, die das Gerät verwenden.</translation>
+    </message>
+    <message>
+        <source>The Inverse service of Haply does not answer. Restart it, and check the cable of the device.</source>
+        <translation>Der Inverse-Dienst von Haply antwortet nicht. Starten Sie ihn neu, und prüfen Sie das Kabel des Geräts.</translation>
+    </message>
+    <message>
+        <source>The Inverse service of Haply sends readings that cannot be used. Restart it, and install its newest version.</source>
+        <translation>Der Inverse-Dienst von Haply sendet Messwerte, die nicht zu gebrauchen sind. Starten Sie ihn neu, und installieren Sie seine neueste Version.</translation>
+    </message>
+    <message>
+        <source>The device has no power supply, so it renders no force. Connect its power supply.</source>
+        <translation>Das Gerät hat kein Netzteil und gibt daher keine Kraft. Schließen Sie sein Netzteil an.</translation>
+    </message>
+    <message>
+        <source>The safety brake of the device has triggered. Let go of the handle for three seconds, then resume; move it more slowly.</source>
+        <translation>Die Sicherheitsbremse des Geräts hat ausgelöst. Lassen Sie den Griff drei Sekunden lang los und machen Sie dann weiter; bewegen Sie ihn langsamer.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the name of a kind of device</source>
+        <translation>„%1“ ist nicht der Name einer Art von Gerät</translation>
+    </message>
+    <message>
+        <source>write two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse or virtual:SCRIPT.json, in small letters; `fulcrum devices` lists what is connected</source>
+        <translation>schreiben Sie two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse oder virtual:SCRIPT.json, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>write haply:PORT, then left=ID, right=ID, events=PORT, grip=+z or axes=+x+z-y, each after a comma</source>
+        <translation>schreiben Sie haply:PORT, dann left=ID, right=ID, events=PORT, grip=+z oder axes=+x+z-y, jeweils nach einem Komma</translation>
+    </message>
+    <message>
+        <source>the Inverse service of Haply does not answer: %1</source>
+        <translation>der Inverse-Dienst von Haply antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>install the service from Haply and start it on this computer; haply:PORT names another port</source>
+        <translation>installieren Sie den Dienst von Haply und starten Sie ihn auf diesem Computer; haply:PORT nennt einen anderen Port</translation>
+    </message>
+    <message>
+        <source>what answers there is not the Inverse service of Haply</source>
+        <translation>was dort antwortet, ist nicht der Inverse-Dienst von Haply</translation>
+    </message>
+    <message>
+        <source>end the program that listens at this port, or name the port of the service: haply:PORT</source>
+        <translation>beenden Sie das Programm, das diesen Port belegt, oder nennen Sie den Port des Dienstes: haply:PORT</translation>
+    </message>
+    <message>
+        <source>the Inverse service of Haply sends nothing</source>
+        <translation>der Inverse-Dienst von Haply sendet nichts</translation>
+    </message>
+    <message>
+        <source>the service closed the connection</source>
+        <translation>der Dienst hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>restart the Inverse service, and end other programs that use it</source>
+        <translation>starten Sie den Inverse-Dienst neu, und beenden Sie andere Programme, die ihn verwenden</translation>
+    </message>
+    <message>
+        <source>what it sends is not what the Inverse service of Haply sends from version 3.1 on</source>
+        <translation>was er sendet, ist nicht, was der Inverse-Dienst von Haply ab Version 3.1 sendet</translation>
+    </message>
+    <message>
+        <source>install the newest version of the Inverse service</source>
+        <translation>installieren Sie die neueste Version des Inverse-Dienstes</translation>
+    </message>
+    <message>
+        <source>the Inverse service of Haply reports no Inverse3</source>
+        <translation>der Inverse-Dienst von Haply meldet keinen Inverse3</translation>
+    </message>
+    <message>
+        <source>connect the device and its power supply, and wait until the service shows it</source>
+        <translation>schließen Sie das Gerät und sein Netzteil an, und warten Sie, bis der Dienst es anzeigt</translation>
+    </message>
+    <message>
+        <source>no Inverse3 with the identity %1 is connected, only %2</source>
+        <translation>kein Inverse3 mit der Kennung %1 ist angeschlossen, nur %2</translation>
+    </message>
+    <message>
+        <source>connect it, or name another: haply:left=ID,right=ID</source>
+        <translation>schließen Sie ihn an, oder nennen Sie einen anderen: haply:left=ID,right=ID</translation>
+    </message>
+    <message>
+        <source>the Inverse service of Haply sends no position that can be used</source>
+        <translation>der Inverse-Dienst von Haply sendet keine Position, die zu gebrauchen ist</translation>
+    </message>
+    <message>
+        <source>restart the service, and install its newest version</source>
+        <translation>starten Sie den Dienst neu, und installieren Sie seine neueste Version</translation>
+    </message>
+    <message>
+        <source>install the package libwebsockets17 again</source>
+        <translation>installieren Sie das Paket libwebsockets17 neu</translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, but the key %3 was announced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, which ended with row %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: does not announce a new key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a new key needs a reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say why: planned, or what may have been copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a person who is to be erased is performing at this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>try again when the attempt has ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the list of erased people: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put its copy back, or make its folder writable; nothing was erased</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody is erased in the demonstration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this programme has a server, which would bring the person back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last administrator cannot be erased</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give another person the role first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an erasure needs a reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say who asked for it; the reason itself stays, so name nobody in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs a window: mice and keys are read there</source>
+        <translation>braucht ein Fenster: Mäuse und Tasten werden dort gelesen</translation>
+    </message>
+    <message>
+        <source>start fulcrum and try it on the page Settings</source>
+        <translation>starten Sie fulcrum und probieren Sie es auf der Seite Einstellungen</translation>
+    </message>
+    <message>
+        <source>names no script</source>
+        <translation>nennt kein Skript</translation>
+    </message>
+    <message>
+        <source>write --test virtual:SCRIPT.json</source>
+        <translation>schreiben Sie --test virtual:SKRIPT.json</translation>
+    </message>
+    <message>
+        <source>is not the name of a kind of device</source>
+        <translation>ist nicht der Name einer Art von Gerät</translation>
+    </message>
+    <message>
+        <source>write it in small letters: --test %1</source>
+        <translation>schreiben Sie es in Kleinbuchstaben: --test %1</translation>
+    </message>
+    <message>
+        <source>use one of %1; `fulcrum devices` lists what is connected</source>
+        <translation>verwenden Sie eines von %1; `fulcrum devices` listet auf, was angeschlossen ist</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -6888,6 +7116,18 @@
     <message>
         <source>install the package spacenavd and start it with `sudo systemctl restart spacenavd`</source>
         <translation>installieren Sie das Paket spacenavd und starten Sie es mit `sudo systemctl restart spacenavd`</translation>
+    </message>
+    <message>
+        <source>Haply Inverse3, VerseGrip</source>
+        <translation>Haply Inverse3, VerseGrip</translation>
+    </message>
+    <message>
+        <source>the Inverse service of Haply does not run: nothing listens at port 10001 of this computer</source>
+        <translation>der Inverse-Dienst von Haply läuft nicht: An Port 10001 dieses Computers antwortet nichts</translation>
+    </message>
+    <message>
+        <source>install the Inverse service from Haply and start it; connect the device and its power supply</source>
+        <translation>installieren Sie den Inverse-Dienst von Haply und starten Sie ihn; schließen Sie das Gerät und sein Netzteil an</translation>
     </message>
 </context>
 <context>
@@ -10201,6 +10441,34 @@ Kennzahlen: %2</translation>
         <source>Away from you: hold the shoulder button and push the stick up.</source>
         <translation>Von Ihnen weg: Schultertaste halten und den Stick nach oben drücken.</translation>
     </message>
+    <message>
+        <source>Pedal (energy, suction)</source>
+        <translation>Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>button of each hand</source>
+        <translation>Taste jeder Hand</translation>
+    </message>
+    <message>
+        <source>button of the left device</source>
+        <translation>Taste des linken Geräts</translation>
+    </message>
+    <message>
+        <source>button of the right device</source>
+        <translation>Taste des rechten Geräts</translation>
+    </message>
+    <message>
+        <source>button of the third device</source>
+        <translation>Taste des dritten Geräts</translation>
+    </message>
+    <message>
+        <source>key or foot switch only</source>
+        <translation>nur Tastatur oder Fußschalter</translation>
+    </message>
+    <message>
+        <source>The button of one device is the pedal for both hands. The key of the pedal works with every choice; give it to a foot switch that types a key under Mouse and keys for the hands.</source>
+        <translation>Die Taste eines Geräts ist das Pedal für beide Hände. Die Taste der Tastatur für das Pedal wirkt bei jeder Wahl; einem Fußschalter, der eine Taste sendet, geben Sie sie unter „Maus und Tasten für die Hände“.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DevicesCard</name>
@@ -11749,10 +12017,6 @@ Kennzahlen: %2</translation>
         <translation>Rad	hinein und heraus</translation>
     </message>
     <message>
-        <source>Right button + wheel	turns the shaft</source>
-        <translation>Rechte Taste + Rad	dreht den Schaft</translation>
-    </message>
-    <message>
         <source>Middle button	pedal of that hand (energy, suction)</source>
         <translation>Mittlere Taste	Pedal dieser Hand (Energie, Sauger)</translation>
     </message>
@@ -11815,6 +12079,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>pedal of the active hand (energy, suction) · its next instrument</source>
         <translation>Pedal der aktiven Hand (Energie, Sauger) · ihr nächstes Instrument</translation>
+    </message>
+    <message>
+        <source>Right button + mouse	in and out by little (up, down) · turns the shaft (left, right)</source>
+        <translation>Rechte Taste + Maus	in kleinen Schritten hinein und heraus (oben, unten) · dreht den Schaft (links, rechts)</translation>
     </message>
 </context>
 <context>
@@ -12181,6 +12449,41 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>merged</source>
         <translation>zusammengeführt</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PictureCard</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Drawn by: %1</source>
+        <translation>Gezeichnet von: %1</translation>
+    </message>
+    <message>
+        <source>The processor draws the picture, because OpenGL offers no graphics card here.</source>
+        <translation>Der Prozessor zeichnet das Bild, weil OpenGL hier keine Grafikkarte anbietet.</translation>
+    </message>
+    <message>
+        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that a picture takes less than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again when there is time.</source>
+        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird die Auflösung auf %4 % davon gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to as little as %2 %; it rises again when there is time.</source>
+        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie auf bis zu %2 % gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing: 4 samples per pixel.</source>
+        <translation>Kantenglättung: 4 Abtastpunkte je Bildpunkt.</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
+        <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn on this machine: %1</source>
+        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
     </message>
 </context>
 <context>
@@ -13329,38 +13632,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Was nicht stimmt</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>Drawn by: %1</source>
-        <translation>Gezeichnet von: %1</translation>
-    </message>
-    <message>
-        <source>The processor draws the picture, because OpenGL offers no graphics card here.</source>
-        <translation>Der Prozessor zeichnet das Bild, weil OpenGL hier keine Grafikkarte anbietet.</translation>
-    </message>
-    <message>
-        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that a picture takes less than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again when there is time.</source>
-        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird die Auflösung auf %4 % davon gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
-    </message>
-    <message>
-        <source>Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to as little as %2 %; it rises again when there is time.</source>
-        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie auf bis zu %2 % gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
-    </message>
-    <message>
-        <source>Anti-aliasing: 4 samples per pixel.</source>
-        <translation>Kantenglättung: 4 Abtastpunkte je Bildpunkt.</translation>
-    </message>
-    <message>
-        <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
-        <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
-    </message>
-    <message>
-        <source>The scene cannot be drawn on this machine: %1</source>
-        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
-    </message>
-    <message>
         <source>The store: %1</source>
         <translation>Datenbestand: %1</translation>
     </message>
@@ -13399,6 +13670,54 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Backing up …</source>
         <translation>Sicherung läuft …</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The station signs its audit log with a key, and reports print its name. Change the key when its file may have been copied, or when somebody who could read it leaves. The old key announces the new one; what it signed stays valid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished">Von</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it began</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why the key is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ announced by the key before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ not announced by the key before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14084,6 +14403,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Scheduled reports: all</source>
         <translation>Geplante Berichte: alle</translation>
     </message>
+    <message>
+        <source>First row signed by the new key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New key of the station announced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys of the station: all</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::concerns</name>
@@ -14353,6 +14684,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>import a trace for this person</source>
         <translation>eine Aufzeichnung für diese Person importieren</translation>
+    </message>
+    <message>
+        <source>change the station&apos;s key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>erase this person</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

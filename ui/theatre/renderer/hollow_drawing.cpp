@@ -241,18 +241,18 @@ void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
     const SheetView& view = snapshot.sheet;
     const auto columns = static_cast<std::size_t>(view.envelope_columns);
     const std::size_t septa = columns == 0 ? 0 : view.envelope.size() / columns;
-    const std::size_t rings = std::min(snapshot.rings.size(), snapshot.ring_arc_lengths.size());
+    const std::size_t rings = std::min(snapshot.bowel.rings.size(), snapshot.bowel.ring_arc_lengths.size());
     envelope_.positions.clear();
     if (septa == 0 || septa != septum_at_.size() || rings < 3 || columns < 2) return;
     const auto ring_near = [&](double s) {
-        const auto found =
-            std::lower_bound(snapshot.ring_arc_lengths.begin(), snapshot.ring_arc_lengths.end(), s);
-        return std::min(static_cast<std::size_t>(found - snapshot.ring_arc_lengths.begin()), rings - 1);
+        const auto found = std::lower_bound(snapshot.bowel.ring_arc_lengths.begin(),
+                                            snapshot.bowel.ring_arc_lengths.end(), s);
+        return std::min(static_cast<std::size_t>(found - snapshot.bowel.ring_arc_lengths.begin()), rings - 1);
     };
     // Angle about the ring and distance from it, septum by septum, caudal first.
     std::vector<double> distance(septa * columns), angle(septa * columns);
     for (std::size_t k = 0; k < septa; ++k) {
-        const RingFrame& ring = snapshot.rings[ring_near(septum_at_[k])];
+        const RingFrame& ring = snapshot.bowel.rings[ring_near(septum_at_[k])];
         for (std::size_t c = 0; c < columns; ++c) {
             const Vector3 local =
                 ring.rotation.transpose() * (view.envelope[(septa - 1 - k) * columns + c] - ring.position);
@@ -274,7 +274,7 @@ void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
     for (std::size_t row = 0; row < rings + closing; ++row) {
         const std::size_t r = std::min(row, rings - 1);
         const double inwards = static_cast<double>(row - r) / closing;
-        const double s = snapshot.ring_arc_lengths[r];
+        const double s = snapshot.bowel.ring_arc_lengths[r];
         const auto above = std::lower_bound(septum_at_.begin(), septum_at_.end(), s);
         const auto after = std::min(static_cast<std::size_t>(above - septum_at_.begin()), septa - 1);
         const std::size_t before = after == 0 ? 0 : after - 1;
@@ -286,7 +286,7 @@ void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
         };
         const double first = at(angle, 0), last = at(angle, columns - 1), middle = 0.5 * (first + last);
         const double sense = last > first ? 1.0 : -1.0;
-        const RingFrame& ring = snapshot.rings[r];
+        const RingFrame& ring = snapshot.bowel.rings[r];
         const auto add = [&](double about, double rim) {
             const double away = rim + inwards * (std::min(rim, 0.95 * skin_radius_) - rim);
             // Lobules: what a normal map alone leaves flat.

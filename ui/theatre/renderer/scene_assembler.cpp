@@ -85,19 +85,19 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     const bool rectum = scene.bowel && scene.bowel->layout == BowelLayout::rectum && scene.presacral;
     if (rectum) i.hollow = std::make_unique<HollowDrawing>(scene, first);
     if (scene.sheet || scene.septa) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
-    if (!scene.bowel || !(i.cavity || rectum) || first.rings.size() < 3) return;
+    if (!scene.bowel || !(i.cavity || rectum) || first.bowel.rings.size() < 3) return;
     i.bowel = std::make_unique<BowelShape>(rectum ? make_rectum(rectum_parameters(scene))
                                                   : make_bowel(bowel_parameters(*scene.bowel), *i.cavity));
     // The world's cage: a sphere at every second ring.
     SphereChain spheres;
-    for (std::size_t ring = 0; ring < first.ring_arc_lengths.size(); ring += 2) {
-        spheres.arc_lengths.push_back(first.ring_arc_lengths[ring]);
-        spheres.radii.push_back(i.bowel->radius(first.ring_arc_lengths[ring]));
+    for (std::size_t ring = 0; ring < first.bowel.ring_arc_lengths.size(); ring += 2) {
+        spheres.arc_lengths.push_back(first.bowel.ring_arc_lengths[ring]);
+        spheres.radii.push_back(i.bowel->radius(first.bowel.ring_arc_lengths[ring]));
     }
     i.skin =
         std::make_unique<BowelSkin>(i.bowel->surface, build_cage(i.bowel->surface, i.bowel->length, spheres));
     i.display = std::make_unique<DisplaySkin>(*i.skin);
-    if (!first.bowel_cut.hidden.empty()) i.bowel_cut = std::make_unique<BowelCutDrawing>(*i.skin, rectum);
+    if (!first.bowel.cut.hidden.empty()) i.bowel_cut = std::make_unique<BowelCutDrawing>(*i.skin, rectum);
     i.ring_floats.resize(12 * static_cast<std::size_t>(i.skin->rings()));
     i.positions.resize(3 * static_cast<std::size_t>(i.display->vertices()));
     i.normals.resize(i.positions.size());
@@ -181,18 +181,20 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.bowel_hidden = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;
-    if (!i.display || static_cast<int>(snapshot.rings.size()) != i.skin->rings()) return i.frame;
-    i.display->evaluate(snapshot.rings.data(), i.ring_floats.data(), i.positions.data(), i.normals.data());
-    if (snapshot.dent_count > 0)
-        i.display->add_dents(snapshot.dents.data(), snapshot.dent_count, i.positions.data(),
+    if (!i.display || static_cast<int>(snapshot.bowel.rings.size()) != i.skin->rings()) return i.frame;
+    i.display->evaluate(snapshot.bowel.rings.data(), i.ring_floats.data(), i.positions.data(),
+                        i.normals.data());
+    if (snapshot.bowel.dent_count > 0)
+        i.display->add_dents(snapshot.bowel.dents.data(), snapshot.bowel.dent_count, i.positions.data(),
                              i.normals.data());
     i.frame.bowel_positions = i.positions.data();
     i.frame.bowel_normals = i.normals.data();
-    if (i.bowel_cut) i.bowel_cut->add(snapshot.bowel_cut, i.frame);
+    if (i.bowel_cut) i.bowel_cut->add(snapshot.bowel.cut, i.frame);
     if (i.mesentery) {
         if (i.scene.tethers) {
-            evaluate_mesentery(*i.mesentery, snapshot.rings.data(), snapshot.ring_arc_lengths.data(),
-                               static_cast<int>(snapshot.rings.size()), i.sheet_positions.data(),
+            evaluate_mesentery(*i.mesentery, snapshot.bowel.rings.data(),
+                               snapshot.bowel.ring_arc_lengths.data(),
+                               static_cast<int>(snapshot.bowel.rings.size()), i.sheet_positions.data(),
                                i.sheet_normals.data());
         } else {
             follow(snapshot.membranes, i.mesentery->mesh.triangles, i.sheet_positions, i.sheet_normals);

@@ -233,7 +233,7 @@ void BowelCut::add_place_event(std::uint32_t tick, EventKind kind, int hand,
 }
 
 void BowelCut::size_snapshot(WorldSnapshot& snapshot) const {
-    BowelCutView& view = snapshot.bowel_cut;
+    BowelCutView& view = snapshot.bowel.cut;
     const CutCapacity& room = skin_.surface().capacity();
     view.first_vertex = whole_.vertices();
     const std::size_t vertices = at(room.vertices - view.first_vertex);
@@ -250,7 +250,7 @@ void BowelCut::size_snapshot(WorldSnapshot& snapshot) const {
 }
 
 void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
-    BowelCutView& view = snapshot.bowel_cut;
+    BowelCutView& view = snapshot.bowel.cut;
     for (std::size_t k = 0; k < view.fallen.size(); ++k) view.fallen[k] = skin_.loose()[k].displacement;
     const auto version = static_cast<std::uint32_t>(skin_.version());
     if (view.topology != version) {

@@ -231,32 +231,43 @@ GraspState BowelPart::grasp(int hand) const noexcept {
 }
 
 void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
-    snapshot.nodes = state_.nodes;
-    snapshot.node_arc_lengths = rod_->node_arc_lengths();
-    snapshot.rings = ring_frames_;
-    snapshot.ring_arc_lengths = skin_->cage().arc_lengths;
-    snapshot.dents.resize(dent_capacity);
-    snapshot.patch_damage = patch_damage_;
-    snapshot.tether_anchors.clear();
-    snapshot.tether_arc_lengths.clear();
+    BowelView& view = snapshot.bowel;
+    view.nodes = state_.nodes;
+    view.node_arc_lengths = rod_->node_arc_lengths();
+    view.rings = ring_frames_;
+    view.ring_arc_lengths = skin_->cage().arc_lengths;
+    view.dents.resize(dent_capacity);
+    view.patch_damage = patch_damage_;
+    view.tether_anchors.clear();
+    view.tether_arc_lengths.clear();
     for (std::size_t i = anatomy_.cranial_holds.size(); i < inputs_.tethers.size(); ++i) {
         const RodTether& tether = inputs_.tethers[i];
-        snapshot.tether_anchors.push_back(tether.anchor);
-        snapshot.tether_arc_lengths.push_back(tether.s);
+        view.tether_anchors.push_back(tether.anchor);
+        view.tether_arc_lengths.push_back(tether.s);
     }
     if (cut_) cut_->size_snapshot(snapshot);
 }
 
 void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
-    std::copy(state_.nodes.begin(), state_.nodes.end(), snapshot.nodes.begin());
-    std::copy(ring_frames_.begin(), ring_frames_.end(), snapshot.rings.begin());
-    std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, snapshot.dents.begin());
-    snapshot.dent_count = dents_.count;
-    std::copy(patch_damage_.begin(), patch_damage_.end(), snapshot.patch_damage.begin());
-    snapshot.solve_residual = report_.residual;
-    snapshot.residual_penetration = contacts_.deepest_cavity;
-    snapshot.floor_load = report_.contact_sum;
+    BowelView& view = snapshot.bowel;
+    std::copy(state_.nodes.begin(), state_.nodes.end(), view.nodes.begin());
+    std::copy(ring_frames_.begin(), ring_frames_.end(), view.rings.begin());
+    std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, view.dents.begin());
+    view.dent_count = dents_.count;
+    std::copy(patch_damage_.begin(), patch_damage_.end(), view.patch_damage.begin());
+    view.solve_residual = report_.residual;
+    view.residual_penetration = contacts_.deepest_cavity;
+    view.floor_load = report_.contact_sum;
     if (cut_) cut_->fill_snapshot(snapshot);
+}
+
+void BowelPart::show_touch(fulcrum::Touch& touch) const noexcept {
+    if (touch.vertex < 0) return;
+    for (int i = 0; i < dents_.count; ++i) {
+        const DentVertex& dent = dents_.entries[static_cast<std::size_t>(i)];
+        if (dent.vertex == touch.vertex)
+            touch.depth = std::max(0.0, touch.depth + touch.normal.dot(dent.displacement));
+    }
 }
 
 }  // namespace fulcrum

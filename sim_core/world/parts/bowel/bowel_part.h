@@ -63,6 +63,8 @@ class BowelPart : public Part {
     void publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept override;
     void size_snapshot(WorldSnapshot& snapshot) const override;
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept override;
+    /// It is drawn with its dents: an instrument is lifted out only as far as it is deeper than the dent.
+    void show_touch(fulcrum::Touch& touch) const noexcept override;
     const LayeredWall* layered_wall() const noexcept override { return wall_.get(); }
     void list_state(StateList& list) override;
     void measure(bool on) override { measuring_ = on; }

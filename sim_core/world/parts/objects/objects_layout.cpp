@@ -45,7 +45,7 @@ ObjectsLayout place_objects(const ObjectsSpec& spec, const Vector3& gravity, std
     layout.ground.gravity = gravity;
     layout.ground.friction = spec.friction;
     Random random(seed, stream);
-    const double side = spec.from == "left" ? 1 : -1;
+    const double side = spec.from == Hand::left ? 1 : -1;
     const int rows = (spec.count + 1) / 2;
     for (const double group : {side, -side}) {
         for (int i = 0; i < spec.count; ++i) {

@@ -410,9 +410,10 @@ void SheetPart::list_state(StateList& list) {
         }
         hash.add(static_cast<std::int64_t>(m.topology));
     });
-    list.hashed_through(
-        [this] { return surface_.state(); }, [this](const CutState& surface) { surface_.restore(surface); },
-        [this](StateHash& hash) { hash.add(surface_.digest()); }, [this] { return surface_.bytes(); });
+    list.hashed_through([this] { return surface_.state(); },
+                        [this](const CutState& surface) { surface_.restore(surface); },
+                        [this](StateHash& hash) { hash.add(surface_.digest()); },
+                        [this] { return surface_.bytes(); }, surface_);
     list.hashed(state_.hands, [this](StateHash& hash) {
         for (const HandState& hand : state_.hands) {
             hash.add(static_cast<std::int64_t>(hand.touch));

@@ -61,7 +61,7 @@ class BowelCutPicture : public ::testing::Test {
     }
     /// The same moment with a bowel that cannot be cut.
     static WorldSnapshot healed(WorldSnapshot snapshot) {
-        snapshot.bowel_cut = {};
+        snapshot.bowel.cut = {};
         return snapshot;
     }
     test::BowelCutRig rig;
@@ -89,11 +89,11 @@ TEST_F(BowelCutPicture, ADiscFallsAndLeavesAnOpeningIntoTheLumen) {
     const WorldSnapshot parted = seen();
     const QImage cut = draw(parted, "bowel-disc");
     WorldSnapshot lower = parted;
-    lower.bowel_cut.fallen[0].z() -= 0.009;
+    lower.bowel.cut.fallen[0].z() -= 0.009;
     const QImage falling = draw(lower, "bowel-disc-falls");
     EXPECT_GT(differing(cut, falling, 24), 2000);
     for (int i = 0; i < 220; ++i) rig.step();
-    ASSERT_GT(rig.world.snapshot().bowel_cut.removed_area, 1e-4) << "the disc has fallen and was removed";
+    ASSERT_GT(rig.world.snapshot().bowel.cut.removed_area, 1e-4) << "the disc has fallen and was removed";
     const QImage open = draw(seen(), "bowel-open"), whole = draw(healed(seen()), "bowel-healed");
     // Inside the rim it is dark and red, because little light enters; the rim itself is lit and paler.
     int dark = 0, lit = 0, redder = 0;
@@ -117,7 +117,7 @@ TEST_F(BowelCutPicture, RemainingPartOfATriangleLooksUnchanged) {
     const QImage before = draw(whole, "bowel-unhidden");
     // Every nearby triangle is drawn as a remaining part that is the whole triangle.
     WorldSnapshot parted = whole;
-    BowelCutView& view = parted.bowel_cut;
+    BowelCutView& view = parted.bowel.cut;
     const TriangleMesh& mesh = rig.bowel().skin().rest();
     for (std::size_t r = 0; r < mesh.triangles.size(); ++r) {
         const Vector3 place = rig.now(mesh.triangles[r][0]);

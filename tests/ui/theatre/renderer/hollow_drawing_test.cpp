@@ -132,7 +132,7 @@ TEST_F(Hollow, FibresTearWhereTheyAreStretched) {
         snapshot.sheet.positions[k].z() += 0.018 * std::min(1.0, up);
     }
     for (Vector3& p : snapshot.sheet.envelope) p.z() += 0.018;
-    for (RingFrame& ring : snapshot.rings) ring.position.z() += 0.018;
+    for (RingFrame& ring : snapshot.bowel.rings) ring.position.z() += 0.018;
     const QImage after = picture("C4-stretched");
     EXPECT_NE(before, after);
 }

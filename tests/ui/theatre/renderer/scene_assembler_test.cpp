@@ -30,18 +30,19 @@ TEST(SceneAssembler, DrawsTheBowelAtItsPositionInTheWorld) {
     ASSERT_EQ(frame.tools.size(), scene.instruments.size());
     const std::size_t vertices = bowel_anatomy(scene).surface.vertices.size();
     // Every ring is surrounded by the drawn surface.
-    for (std::size_t r = 2; r + 2 < snapshot.rings.size(); r += 4) {
+    for (std::size_t r = 2; r + 2 < snapshot.bowel.rings.size(); r += 4) {
         double nearest = 1;
         for (std::size_t v = 0; v < vertices; ++v) {
             const float* p = frame.bowel_positions + 3 * v;
-            nearest = std::min(nearest, (Vector3(p[0], p[1], p[2]) - snapshot.rings[r].position).norm());
+            nearest =
+                std::min(nearest, (Vector3(p[0], p[1], p[2]) - snapshot.bowel.rings[r].position).norm());
         }
         EXPECT_GT(nearest, 0.4 * scene.bowel->outer_radius);
         EXPECT_LT(nearest, 1.2 * scene.bowel->outer_radius);
     }
     // A lifted ring is drawn lifted.
     const float before = frame.bowel_positions[3 * 5000 + 2];
-    for (RingFrame& ring : snapshot.rings) ring.position.z() += 0.01;
+    for (RingFrame& ring : snapshot.bowel.rings) ring.position.z() += 0.01;
     EXPECT_NEAR(assembler.assemble(snapshot).bowel_positions[3 * 5000 + 2], before + 0.01F, 1e-5F);
 }
 

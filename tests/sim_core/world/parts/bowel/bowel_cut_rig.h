@@ -15,7 +15,7 @@ inline Scene enterotomy() {
 
 struct BowelCutRig : SheetRig {
     explicit BowelCutRig(const Scene& chosen = enterotomy()) : SheetRig(chosen) {
-        top = highest_near(world.snapshot().nodes[world.snapshot().nodes.size() / 2]);
+        top = highest_near(world.snapshot().bowel.nodes[world.snapshot().bowel.nodes.size() / 2]);
     }
 
     const BowelPart& bowel() const { return *world.find<BowelPart>(); }

@@ -66,7 +66,7 @@ TEST(BowelCut, BladeEntersByEquationSevenAndTheCutFollowsIt) {
     std::printf("length along the bowel %.4f m, removed %.3g m2\n", length, surface.area_removed());
     EXPECT_GT(surface.area_removed(), 0.5 * length * rig.scene.bowel->blade_width);
     EXPECT_LT(surface.area_removed(), 0.03 * rig.scene.bowel->blade_width);
-    const BowelCutView& view = rig.world.snapshot().bowel_cut;
+    const BowelCutView& view = rig.world.snapshot().bowel.cut;
     EXPECT_EQ(view.visible_area, surface.area_visible());
     const auto hidden = std::count(view.hidden.begin(), view.hidden.end(), 1);
     EXPECT_GT(hidden, 5);
@@ -118,8 +118,8 @@ TEST(BowelCut, DiscFallsAndLeavesAHoleWithLipsThatTouchTheShaft) {
     const Vector3 hole = rig.top_now();
     rig.step();
     EXPECT_EQ(rig.cut().skin().fallen(), 1);
-    EXPECT_GT(std::count_if(rig.world.snapshot().bowel_cut.triangle_loose.begin(),
-                            rig.world.snapshot().bowel_cut.triangle_loose.end(),
+    EXPECT_GT(std::count_if(rig.world.snapshot().bowel.cut.triangle_loose.begin(),
+                            rig.world.snapshot().bowel.cut.triangle_loose.end(),
                             [](std::uint8_t k) { return k != 0; }),
               20);
     const double before = rig.cut().skin().surface().area_removed();
@@ -189,7 +189,7 @@ TEST(BowelCut, UncutBowelIsUnchangedBitForBit) {
     BowelCutRig rig;
     test::SheetRig other(plain);
     EXPECT_EQ(other.world.find<BowelPart>()->cut(), nullptr);
-    EXPECT_TRUE(other.world.snapshot().bowel_cut.hidden.empty());
+    EXPECT_TRUE(other.world.snapshot().bowel.cut.hidden.empty());
     const Vector3 start = rig.top_now();
     for (test::SheetRig* one : {static_cast<test::SheetRig*>(&rig), &other}) {
         one->go(1, start + Vector3(0, 0, 0.015), 0.2);
@@ -198,8 +198,8 @@ TEST(BowelCut, UncutBowelIsUnchangedBitForBit) {
     }
     EXPECT_GT(rig.sent[1].norm(), 0.1);
     EXPECT_EQ(rig.sent[1], other.sent[1]);
-    for (std::size_t i = 0; i < rig.world.snapshot().nodes.size(); ++i)
-        ASSERT_EQ(rig.world.snapshot().nodes[i], other.world.snapshot().nodes[i]);
+    for (std::size_t i = 0; i < rig.world.snapshot().bowel.nodes.size(); ++i)
+        ASSERT_EQ(rig.world.snapshot().bowel.nodes[i], other.world.snapshot().bowel.nodes[i]);
 }
 
 TEST(BowelCut, ReplaysFromASavedCutBitForBit) {

@@ -323,7 +323,7 @@ TEST(Septa, ExtremeScenesRunOrAreRefused) {
             rig.go(0, rig.tip_for(rig.lifted(0.05)), 2.0);
             rig.steps(20);
             for (const Vector3& position : rig.sheet().state().positions) ASSERT_TRUE(position.allFinite());
-            for (const Vector3& node : rig.world.snapshot().nodes) ASSERT_TRUE(node.allFinite());
+            for (const Vector3& node : rig.world.snapshot().bowel.nodes) ASSERT_TRUE(node.allFinite());
             EXPECT_LE(rig.largest_force, scene.force_limit + 1e-9);
         } catch (const InputError& error) {
             EXPECT_NE(std::string(error.what()).find("/septa"), std::string::npos) << error.what();

@@ -18,7 +18,7 @@ TEST(SeptaWorld, RestsWithoutFaultAndWithoutMotion) {
     test::SeptaRig rig;
     const std::vector<Vector3> before = rig.view().line;
     ASSERT_EQ(before.size() % 4, 0U);
-    const std::vector<Vector3> nodes = rig.world.snapshot().nodes;
+    const std::vector<Vector3> nodes = rig.world.snapshot().bowel.nodes;
     std::uint32_t worst = 0;
     for (int i = 0; i < 600; ++i) {
         rig.step();
@@ -27,7 +27,7 @@ TEST(SeptaWorld, RestsWithoutFaultAndWithoutMotion) {
     EXPECT_EQ(worst, 0U);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LT((rig.view().line[i] - before[i]).norm(), 2e-4);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        EXPECT_LT((rig.world.snapshot().nodes[i] - nodes[i]).norm(), 2e-4);
+        EXPECT_LT((rig.world.snapshot().bowel.nodes[i] - nodes[i]).norm(), 2e-4);
     EXPECT_EQ(rig.largest_force, 0);
     for (int k = 0; k < 4; ++k) EXPECT_GT(rig.traction(k), 0) << "pre-strained";
     EXPECT_LT(rig.world.find<SeptaOnRectum>()->edge().coupling(), 0.5);

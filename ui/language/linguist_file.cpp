@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/style/linguist_file.h"
+#include "ui/language/linguist_file.h"
 
 #include <QFile>
 #include <QXmlStreamReader>

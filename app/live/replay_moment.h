@@ -17,7 +17,7 @@ struct TraceMoment : public ui::ReplayMoment {
     std::string attempt_id;
     std::shared_ptr<const AttemptRecord> record;
     std::vector<std::uint8_t> start;  ///< state that the record begins with; empty: the scene's beginning
-    std::vector<std::uint8_t> frame;  ///< packed key frame at or before `tick`; empty: none
+    std::vector<std::uint8_t> frame;  ///< key frame at or before `tick` (FrameStore::state); empty: none
     std::uint32_t tick = 0;           ///< last one of the record that counts
     int goal = 0;                     ///< under way then
 

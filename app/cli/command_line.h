@@ -2,10 +2,12 @@
 // What the programs fulcrum and fulcrum-lab do alike with a command line.
 #pragma once
 
+#include <QCoreApplication>
 #include <functional>
+#include <memory>
 
 #include "app/cli/command.h"
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::app {
 
@@ -20,7 +22,9 @@ void set_plain_formats();
 void use_language_or(ui::Language otherwise);
 /// The action's exit status. What it throws is printed as one line: 2 for bad input, else 1.
 int guarded(const std::function<int()>& action);
+/// Makes the application with which a command draws.
+using MakeApplication = std::function<std::unique_ptr<QCoreApplication>(int& argc, char** argv)>;
 /// Parses the command line, which has at least one word, and runs its command; the exit status.
-int run_command_line(const CommandTable& table, int& argc, char** argv);
+int run_command_line(const CommandTable& table, int& argc, char** argv, const MakeApplication& to_draw);
 
 }  // namespace fulcrum::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the screens and of the delivered tasks has its German translation, and screens show it. With
 // FULCRUM_PICTURES=FOLDER the German screens are stored there.
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 #include <gtest/gtest.h>
 

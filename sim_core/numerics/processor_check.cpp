@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Ends the program with one line if the processor lacks the instructions that it is built for (x86-64-v3).
-// Compiled for the oldest x86-64, runs before all other initialisers of the program and calls only the C
-// library, so that no code that needs those instructions runs before it.
+// SPDX-License-Identifier: Apache-2.0
+// Of each program: ends it with one line if the processor lacks the instructions that it is built for
+// (x86-64-v3). Compiled for the oldest x86-64, runs before all other initialisers of the program and calls
+// only the C library, so that no code that needs those instructions runs before it.
 #include <sys/platform/x86.h>
 #include <unistd.h>
 

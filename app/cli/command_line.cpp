@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/command_line.h"
+#include "app/cli/command_line.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <QApplication>
 #include <QTextCodec>
 #include <clocale>
 #include <csignal>
@@ -13,6 +12,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/display.h"
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
 #include "ui/page/error_text.h"
@@ -39,41 +39,13 @@ int run(const Invocation& call) {
     return status;
 }
 
-int parse_and_run(const CommandTable& table, int& argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    std::optional<Invocation> call;
-    std::exception_ptr refused;
-    try {
-        call = table.parse(words);
-    } catch (const std::exception&) {
-        refused = std::current_exception();
-    }
-    if (!call) {
-        const QCoreApplication application(argc, argv);
-        return guarded([&] {
-            use_language_or(ui::Language::english);
-            std::rethrow_exception(refused);
-            return 0;
-        });
-    }
-    if (!call->draws()) {
-        const QCoreApplication application(argc, argv);
-        set_plain_formats();
-        return guarded([&] {
-            use_language_or(ui::Language::english);
-            if (call->command == nullptr) call = table.parse(words);  // its text, now in this language
-            return run(*call);
-        });
-    }
+/// On the display if there is one.
+std::unique_ptr<QCoreApplication> drawing_application(int& argc, char** argv, const MakeApplication& make) {
     if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QApplication application(argc, argv);
-    set_plain_formats();
-    return guarded([&] {
-        use_language_or(ui::Language::english);
-        return run(*call);
-    });
+    const DisplayNeeded display(
+        QT_TRANSLATE_NOOP("errors", "unset DISPLAY and WAYLAND_DISPLAY to draw without one"));
+    return make(argc, argv);
 }
 
 }  // namespace
@@ -127,8 +99,39 @@ void use_language_or(ui::Language otherwise) {
     ui::use_language(*language);
 }
 
-int run_command_line(const CommandTable& table, int& argc, char** argv) {
-    return parse_and_run(table, argc, argv);
+int run_command_line(const CommandTable& table, int& argc, char** argv, const MakeApplication& to_draw) {
+    std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    std::optional<Invocation> call;
+    std::exception_ptr refused;
+    try {
+        call = table.parse(words);
+    } catch (const std::exception&) {
+        refused = std::current_exception();
+    }
+    if (!call) {
+        const QCoreApplication application(argc, argv);
+        return guarded([&] {
+            use_language_or(ui::Language::english);
+            std::rethrow_exception(refused);
+            return 0;
+        });
+    }
+    if (!call->draws()) {
+        const QCoreApplication application(argc, argv);
+        set_plain_formats();
+        return guarded([&] {
+            use_language_or(ui::Language::english);
+            if (call->command == nullptr) call = table.parse(words);  // its text, now in this language
+            return run(*call);
+        });
+    }
+    const std::unique_ptr<QCoreApplication> application = drawing_application(argc, argv, to_draw);
+    set_plain_formats();
+    return guarded([&] {
+        use_language_or(ui::Language::english);
+        return run(*call);
+    });
 }
 
 }  // namespace fulcrum::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/style/language.h"
+#include "ui/language/language.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
@@ -7,7 +7,12 @@
 #include <memory>
 #include <vector>
 
-#include "ui/style/linguist_file.h"
+#include "ui/language/linguist_file.h"
+
+/// Resources of a static library are linked in only where somebody asks for them, outside any namespace.
+static void load_translations() {
+    Q_INIT_RESOURCE(language);
+}
 
 namespace fulcrum::ui {
 namespace {
@@ -40,6 +45,7 @@ bool language_is_fixed() {
 }
 
 void use_language(Language language) {
+    load_translations();
     InUse& now = in_use();
     for (const auto& old : now.translators) QCoreApplication::removeTranslator(old.get());
     now.translators.clear();
@@ -55,7 +61,7 @@ void use_language(Language language) {
     const QStringList files = german ? QStringList{QStringLiteral("fulcrum_de"), QStringLiteral("assets_de")}
                                      : QStringList{QStringLiteral("fulcrum_en")};
     for (const QString& file : files)
-        install(std::make_unique<LinguistFile>(QStringLiteral(":/style/translations/%1.ts").arg(file)));
+        install(std::make_unique<LinguistFile>(QStringLiteral(":/language/%1.ts").arg(file)));
     QLocale locale = german ? QLocale(QLocale::German, QLocale::Germany)
                             : QLocale(QLocale::English, QLocale::UnitedKingdom);
     locale.setNumberOptions(QLocale::OmitGroupSeparator);

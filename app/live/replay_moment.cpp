@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/replay_moment.h"
+#include "app/live/replay_moment.h"
 
 #include <algorithm>
 
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/replay_cursor.h"
-#include "database/rows/packed_bytes.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/state_archive.h"
 
@@ -25,8 +24,7 @@ bool TraceMoment::bring(AttemptEngine& engine, const std::atomic<bool>& stop) co
     if (!start.empty()) restore_engine(engine, start);
     ReplayCursor cursor(engine, *record);
     if (!frame.empty()) {
-        const std::vector<std::uint8_t> bytes = database::unpack_bytes(frame);
-        StateArchive archive(bytes.data(), bytes.size());
+        StateArchive archive(frame.data(), frame.size());
         cursor.transfer(archive);
     }
     while (cursor.tick() < tick && !cursor.at_end()) {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/frame_store.h"
+
+#include <algorithm>
+
+#include "database/rows/packed_bytes.h"
+#include "sim_core/numerics/state_archive.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr int packing_level = 2;  // of zstd: as fast as 1 here, and a tenth smaller
+
+}  // namespace
+
+/// Frame `number` of a list; a whole one is the difference from nothing.
+FrameStore::Frame FrameStore::packed(std::size_t number, std::uint32_t tick, const StateImage& before,
+                                     const StateImage& image) {
+    const bool whole = number % frames_in_group == 0;
+    return {tick, std::make_shared<const std::vector<std::uint8_t>>(database::pack_bytes(
+                      state_difference(whole ? StateImage() : before, image), packing_level))};
+}
+
+/// `image`: of the frame before; anything where this one is whole.
+void FrameStore::unpack(std::size_t number, const Frame& frame, StateImage& image) {
+    const bool whole = number % frames_in_group == 0;
+    image = apply_difference(whole ? StateImage() : image, database::unpack_bytes(*frame.packed));
+}
+
+void FrameStore::add(ReplayCursor& cursor) {
+    added_.bytes.clear();
+    added_.starts.clear();
+    StateArchive archive(added_.bytes, &added_.starts);
+    cursor.transfer(archive);
+    Frame frame = packed(frames_.size(), cursor.tick(), newest_, added_);
+    std::swap(newest_, added_);
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        bytes_ += frame.packed->size();
+        frames_.push_back(std::move(frame));
+    }
+    while (bytes_ > most_ && frames_.size() > 2) drop_every_second();
+}
+
+void FrameStore::drop_every_second() {
+    std::vector<Frame> kept;
+    std::size_t bytes = 0;
+    StateImage image, last;
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        unpack(i, frames_[i], image);
+        if (i % 2 != 0) continue;
+        kept.push_back(packed(kept.size(), frames_[i].tick, last, image));
+        bytes += kept.back().packed->size();
+        last = image;
+    }
+    newest_ = std::move(last);
+    gap_s_ *= 2;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    frames_ = std::move(kept);
+    bytes_ = bytes;
+}
+
+std::int64_t FrameStore::before(std::uint32_t tick) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto after = std::upper_bound(frames_.begin(), frames_.end(), tick,
+                                        [](std::uint32_t t, const Frame& frame) { return t < frame.tick; });
+    return after == frames_.begin() ? -1 : static_cast<std::int64_t>((after - 1)->tick);
+}
+
+std::vector<std::uint8_t> FrameStore::state(std::uint32_t tick) const {
+    std::vector<Frame> group;  // from its whole frame to the one asked for
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const auto after =
+            std::upper_bound(frames_.begin(), frames_.end(), tick,
+                             [](std::uint32_t t, const Frame& frame) { return t < frame.tick; });
+        if (after == frames_.begin()) return {};
+        const auto last = static_cast<std::size_t>(after - frames_.begin()) - 1;
+        const auto first = static_cast<std::ptrdiff_t>(last - last % frames_in_group);
+        group.assign(frames_.begin() + first, after);
+    }
+    StateImage image;
+    for (std::size_t i = 0; i < group.size(); ++i) unpack(i, group[i], image);
+    return std::move(image.bytes);
+}
+
+void FrameStore::put(std::uint32_t tick, ReplayCursor& cursor) const {
+    const std::vector<std::uint8_t> bytes = state(tick);
+    if (bytes.empty()) return;
+    StateArchive archive(bytes.data(), bytes.size());
+    cursor.transfer(archive);
+}
+
+std::size_t FrameStore::bytes() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return bytes_;
+}
+
+std::size_t FrameStore::count() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return frames_.size();
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Key frames of one replay, in order: engine states with their place in the record.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "app/services/state_difference.h"
+#include "assessment/attempt/replay_cursor.h"
+
+namespace fulcrum::app {
+
+/// Every frames_in_group-th frame is kept whole, the others as the difference from the one before; all are
+/// packed. Bounded: above most_bytes every second frame is dropped and the distance doubles, so that seeks
+/// take longer and memory does not grow with the attempt. add() from one thread, the rest from any.
+class FrameStore {
+  public:
+    static constexpr std::size_t most_bytes = 192U << 20U;
+    static constexpr std::size_t frames_in_group = 32;
+    /// s that simulating from one frame to the next may take on this machine, of the 0.2 s of a seek.
+    static constexpr double longest_gap_s = 0.08;
+
+    explicit FrameStore(std::size_t most = most_bytes) : most_(most) {}
+
+    /// Whether the cursor, which has run for `run_s` since the last frame, shall leave one here.
+    bool wants(double run_s) const { return run_s >= gap_s_; }
+    void add(ReplayCursor& cursor);
+    /// Tick of the last frame at or before this one; -1: there is none.
+    std::int64_t before(std::uint32_t tick) const;
+    /// The cursor's state (ReplayCursor::transfer) at that frame; empty: there is none.
+    std::vector<std::uint8_t> state(std::uint32_t tick) const;
+    /// Brings the cursor to that frame; where there is none, it stays.
+    void put(std::uint32_t tick, ReplayCursor& cursor) const;
+
+    std::size_t bytes() const;
+    std::size_t count() const;
+    /// Of the newest frame, neither packed nor a difference; add()'s thread.
+    std::size_t plain_bytes() const { return newest_.bytes.size(); }
+
+  private:
+    struct Frame {
+        std::uint32_t tick = 0;
+        std::shared_ptr<const std::vector<std::uint8_t>> packed;
+    };
+    static Frame packed(std::size_t number, std::uint32_t tick, const StateImage& before,
+                        const StateImage& image);
+    static void unpack(std::size_t number, const Frame& frame, StateImage& image);
+    void drop_every_second();
+
+    const std::size_t most_;
+    double gap_s_ = longest_gap_s;  ///< add()'s thread, as what follows
+    StateImage newest_, added_;
+    mutable std::mutex mutex_;  ///< guards what follows
+    std::vector<Frame> frames_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace fulcrum::app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A difference: number of sections (a section goes from the beginning of one table to that of the next) and
+// the length of each in `to`; a bit for each block of what both have of a section, 1: it changed; the changed
+// blocks, each byte by exclusive or, and what `to` has more of each section.
+#include "app/services/state_difference.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim_core/numerics/state_archive.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::size_t block = 64;  // bytes
+
+[[noreturn]] void not_of_this_state() {
+    throw StateArchiveError(
+        QT_TRANSLATE_NOOP("errors",
+                          "the stored state ends too early: it does not belong to this scene in this "
+                          "version of the program"));
+}
+
+struct Section {
+    const std::uint8_t* data = nullptr;
+    std::size_t size = 0;
+};
+
+std::size_t sections_of(const StateImage& image) {
+    return image.starts.size() + 1;
+}
+
+Section section(const StateImage& image, std::size_t number) {
+    if (number > image.starts.size()) return {};
+    const std::size_t from = number == 0 ? 0 : image.starts[number - 1];
+    const std::size_t to = number == image.starts.size() ? image.bytes.size() : image.starts[number];
+    return {image.bytes.data() + from, to - from};
+}
+
+void put_number(std::vector<std::uint8_t>& out, std::size_t number) {
+    const auto value = static_cast<std::uint32_t>(number);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&value);
+    out.insert(out.end(), bytes, bytes + sizeof value);
+}
+
+void append_changed(const std::uint8_t* old, const std::uint8_t* now, std::size_t size,
+                    std::vector<std::uint8_t>& out) {
+    const std::size_t place = out.size();
+    out.resize(place + size);
+    for (std::size_t i = 0; i < size; ++i) out[place + i] = old[i] ^ now[i];
+}
+
+/// Reads a difference in order.
+class DifferenceReader {
+  public:
+    explicit DifferenceReader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+    const std::uint8_t* take(std::size_t size) {
+        if (size > bytes_.size() - place_) not_of_this_state();
+        place_ += size;
+        return bytes_.data() + place_ - size;
+    }
+    std::size_t number() {
+        std::uint32_t value = 0;
+        std::memcpy(&value, take(sizeof value), sizeof value);
+        return value;
+    }
+    bool at_end() const { return place_ == bytes_.size(); }
+
+  private:
+    const std::vector<std::uint8_t>& bytes_;
+    std::size_t place_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> state_difference(const StateImage& from, const StateImage& to) {
+    std::vector<std::uint8_t> out, changed;
+    std::vector<bool> bits;
+    const std::size_t count = sections_of(to);
+    put_number(out, count);
+    for (std::size_t s = 0; s < count; ++s) {
+        const Section old = section(from, s), now = section(to, s);
+        put_number(out, now.size);
+        const std::size_t common = std::min(old.size, now.size);
+        for (std::size_t at = 0; at < common; at += block) {
+            const std::size_t size = std::min(block, common - at);
+            const bool differs = std::memcmp(old.data + at, now.data + at, size) != 0;
+            bits.push_back(differs);
+            if (differs) append_changed(old.data + at, now.data + at, size, changed);
+        }
+        changed.insert(changed.end(), now.data + common, now.data + now.size);
+    }
+    const std::size_t place = out.size();
+    out.resize(place + (bits.size() + 7) / 8);
+    for (std::size_t i = 0; i < bits.size(); ++i)
+        if (bits[i]) out[place + i / 8] |= static_cast<std::uint8_t>(1U << (i % 8));
+    out.insert(out.end(), changed.begin(), changed.end());
+    return out;
+}
+
+StateImage apply_difference(const StateImage& from, const std::vector<std::uint8_t>& difference) {
+    DifferenceReader reader(difference);
+    const std::size_t count = reader.number();
+    if (count == 0 || count > difference.size()) not_of_this_state();
+    std::vector<std::size_t> sizes(count);
+    std::size_t blocks = 0, bytes = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+        sizes[s] = reader.number();
+        const std::size_t had = section(from, s).size;
+        if (sizes[s] > had + difference.size()) not_of_this_state();  // what it has more is in the difference
+        blocks += (std::min(had, sizes[s]) + block - 1) / block;
+        bytes += sizes[s];
+    }
+    const std::uint8_t* bits = reader.take((blocks + 7) / 8);
+    StateImage to;
+    to.bytes.resize(bytes);
+    to.starts.reserve(count - 1);
+    std::size_t place = 0, number = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+        if (s > 0) to.starts.push_back(static_cast<std::uint32_t>(place));
+        const Section old = section(from, s);
+        const std::size_t common = std::min(old.size, sizes[s]);
+        std::uint8_t* now = to.bytes.data() + place;
+        if (common > 0) std::memcpy(now, old.data, common);
+        for (std::size_t at = 0; at < common; at += block, ++number) {
+            if ((bits[number / 8] >> (number % 8) & 1U) == 0) continue;
+            const std::size_t size = std::min(block, common - at);
+            const std::uint8_t* other = reader.take(size);
+            for (std::size_t i = 0; i < size; ++i) now[at + i] ^= other[i];
+        }
+        if (sizes[s] > common) std::memcpy(now + common, reader.take(sizes[s] - common), sizes[s] - common);
+        place += sizes[s];
+    }
+    if (!reader.at_end()) not_of_this_state();
+    return to;
+}
+
+}  // namespace fulcrum::app

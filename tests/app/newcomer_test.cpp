@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The path of a newcomer, counted: from the page of sign-in to the first target of A2 that is touched, with
+// each kind of device, by real input: keys and clicks, raw events of two mice, sticks, poses of a tracker and
+// of devices with force. FULCRUM_NEWCOMER_PAGE=docs/results writes the table.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "sim_core/controllers/sdl_library.h"
+#include "sim_core/lab/result_page.h"
+#include "tests/app/controller_hand.h"
+#include "tests/app/mouse_hand.h"
+#include "tests/app/posed_hand.h"
+#include "tests/app/two_mice_hand.h"
+#include "tests/app/window_fixture.h"
+#include "tests/fakes/fake_page.h"
+#include "tests/fakes/fake_touch.h"
+#include "tests/support/fake_haply.h"
+#include "tests/support/fake_tracker.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+using fulcrum::test::Variable;
+constexpr const char* page_variable = "FULCRUM_NEWCOMER_PAGE";
+constexpr const char* password = "tara's password";
+constexpr int patience_ms = 120000;
+
+class Newcomer : public Window {
+  protected:
+    void SetUp() override {
+        create_programme_and_trainee();
+        switch_user();
+    }
+    /// Types name and password, opens the briefing and begins: returns how many keys and clicks it took.
+    int begin() {
+        sign_in("tara", password);
+        expect_page("home_page");
+        ui::window_test::click(window, "briefing_A2");
+        expect_page("briefing_page");
+        ui::window_test::check(window, "mode_practice");
+        ui::window_test::click(window, "start_attempt");
+        expect_page("theatre_page");
+        EXPECT_TRUE(ui::window_test::wait_for(
+            [&] { return theatre().session()->phase() == ui::AttemptPhase::running; }, patience_ms));
+        const int keys = static_cast<int>(std::string("tara").size() + std::string(password).size()) + 1;
+        return keys + 2 + 3;  // into two fields; the task, practice, start
+    }
+    /// An instrument presses on the target that is lit.
+    bool touched() {
+        const TaskDisplay& display = theatre().session()->display();
+        return display.goal_progress > 0 || display.hold_progress > 0;
+    }
+    /// `hand` works until the first target is touched; `unit` names what its events are.
+    template <typename Work>
+    void touch_first(const char* device, const char* unit, Work&& hand) {
+        const auto mind = make_pointing_mind(theatre().session()->scene(), 1e-3);
+        auto worker = hand(*mind);
+        const double begun = theatre().session()->display().elapsed_s;
+        ASSERT_TRUE(worker.work_until([&] { return touched(); }, patience_ms)) << device;
+        const std::uint32_t ticks = theatre().session()->health().ticks;
+        EXPECT_GT(worker.events(), 3) << device;
+        EXPECT_GE(theatre().session()->display().elapsed_s, begun);
+        std::cout << device << ": " << worker.events() << " " << unit << ", " << 1e-3 * ticks << " s\n";
+        rows().push_back({device, std::to_string(keys_), std::to_string(worker.events()), unit,
+                          decimal_words(1e-3 * ticks)});
+        EXPECT_LT(1e-3 * ticks, 60) << device;
+        abandon();
+        const database::AttemptSummary attempt = newest_attempt();
+        EXPECT_EQ(attempt.state, AttemptState::abandoned);
+        write();
+    }
+    static std::string decimal_words(double seconds) { return ui::plain(ui::decimal(seconds, 1)); }
+    static std::vector<std::vector<std::string>>& rows() {
+        static std::vector<std::vector<std::string>> all;
+        return all;
+    }
+    static void write() {
+        const char* const folder = std::getenv(page_variable);
+        if (folder == nullptr) return;
+        lab::ResultPage page("newcomer", "From sign-in to the first target",
+                             std::string(page_variable) +
+                                 "=docs/results xvfb-run -a -s '-screen 0 1280x800x24 -noreset' test_app "
+                                 "--gtest_filter=Newcomer*");
+        page.paragraph(
+            "The path of a trainee whose account exists, in the program's window: name and password, the "
+            "task "
+            "A2, practice, start, then the device until the first sphere that is lit has been touched. The "
+            "hands know where to go and approach like the demonstration; a person takes longer. Seconds are "
+            "those of the attempt's clock from its first tick. A pose is a reading of the device that "
+            "differs "
+            "from the one before: a hand that moves makes them by itself.");
+        lab::ResultTable table;
+        table.columns = {"device", "keys and clicks before the theatre", "input in the theatre",
+                         "of which kind", "time in the theatre, s"};
+        table.rows = rows();
+        page.table(table);
+        page.write(folder, lab::this_machine(lab::build_info()));
+    }
+    int keys_ = 0;
+};
+
+TEST_F(Newcomer, TouchesTheFirstTargetWithMouseAndKeyboard) {
+    keys_ = begin();
+    touch_first("mouse and keyboard", "mouse and key events",
+                [this](ObservingRig& mind) { return MouseHand(theatre(), mind); });
+}
+
+struct NewcomersMice {
+    Variable device{"FULCRUM_DEVICE", "two-mice:virtual"};
+    VirtualMice mice;
+};
+class NewcomerWithMice : public NewcomersMice, public Newcomer {};
+TEST_F(NewcomerWithMice, TouchesTheFirstTarget) {
+    keys_ = begin();
+    touch_first("two mice", "mouse events",
+                [this](ObservingRig& mind) { return TwoMiceHand(theatre(), mind, mice); });
+}
+
+struct NewcomersPad {
+    NewcomersPad() { page->controller[0].plugged = 1; }
+    fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
+    Variable library{"FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so"};
+    Variable device{"FULCRUM_DEVICE", "controller"};
+    FakePad pad{page->controller[0]};
+};
+class NewcomerWithController : public NewcomersPad, public Newcomer {};
+TEST_F(NewcomerWithController, TouchesTheFirstTarget) {
+    keys_ = begin();
+    touch_first("game controller", "changes of sticks and buttons",
+                [this](ObservingRig& mind) { return ControllerHand(theatre(), mind, pad); });
+}
+
+/// Both hands by devices whose pose a test sets.
+struct NewcomersTouch {
+    fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
+    Variable library{"FULCRUM_LIBHD", std::string(FULCRUM_FAKES) + "/libHD.so"};
+    Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
+};
+class NewcomerWithTouch : public NewcomersTouch, public Newcomer {};
+TEST_F(NewcomerWithTouch, TouchesTheFirstTarget) {
+    keys_ = begin();
+    touch_first("3D Systems Touch (fake of its library)", "poses", [this](ObservingRig& mind) {
+        return PosedHand(theatre(), mind, [this](int hand, const Vector3& position) {
+            for (int axis = 0; axis < 3; ++axis) page->device[hand].position[axis] = 1e3 * position[axis];
+        });
+    });
+    double felt = 0;
+    for (int h = 0; h < 2; ++h)
+        for (const auto& force : page->device[h].force) felt = std::max(felt, std::abs(force.load()));
+    EXPECT_EQ(felt, 0) << "after the attempt";
+}
+
+struct NewcomersHaply {
+    fulcrum::test::FakeHaply haply{{{"0A11", "left"}, {"0B22", "right"}}};
+    Variable device{"FULCRUM_DEVICE", haply.specification()};
+};
+class NewcomerWithHaply : public NewcomersHaply, public Newcomer {};
+TEST_F(NewcomerWithHaply, TouchesTheFirstTarget) {
+    keys_ = begin();
+    touch_first("Haply Inverse3 (fake of its service)", "poses", [this](ObservingRig& mind) {
+        return PosedHand(
+            theatre(), mind,
+            [this](int hand, const Vector3& p) {
+                haply.move(static_cast<std::size_t>(hand), Vector3(p.x(), -p.z(), p.y()));
+            },
+            Vector3(0.01, 0.1, 0.15));
+    });
+}
+
+struct NewcomersTracker {
+    fulcrum::test::FakeTracker tracker{{"LeftTipToPatient", "RightTipToPatient"}};
+    Variable device{"FULCRUM_DEVICE", "openigtlink:" + tracker.address() +
+                                          ",left=LeftTipToPatient,right=RightTipToPatient,length=0"};
+};
+class NewcomerWithTracker : public NewcomersTracker, public Newcomer {};
+TEST_F(NewcomerWithTracker, TouchesTheFirstTarget) {
+    keys_ = begin();
+    touch_first("tracked instruments over OpenIGTLink", "poses", [this](ObservingRig& mind) {
+        return PosedHand(theatre(), mind, [this](int hand, const Vector3& position) {
+            igtl::Pose pose;
+            pose.place = position;
+            tracker.move(static_cast<std::size_t>(hand), pose);
+        });
+    });
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/two_mice_hand.h"
+
+#include <QtTest>
+#include <cmath>
+
+#include "sim_core/instrument/mouse_mapping.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+constexpr int jaws_button = 1, pedal_button = 2, turning_button = 3, exchange_button = 8;
+constexpr double planned_ahead_m = 20e-3;  // of the handle
+constexpr int taken_within_ms = 250;       // a movement that had no effect by then is not waited for
+constexpr int furthest_counts = 220;       // in one go
+
+constexpr int arrow_keys[] = {0, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};
+
+}  // namespace
+
+bool TwoMiceHand::work_until(const std::function<bool()>& done, int milliseconds) {
+    QElapsedTimer timer;
+    timer.start();
+    while (timer.elapsed() < milliseconds) {
+        QTest::qWait(8);
+        if (theatre_.session() == nullptr || done()) {
+            let_go();
+            return true;
+        }
+        if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
+        think();
+        for (int h = 0; h < hand_count; ++h)
+            if (theatre_.session()->scene().instrument(static_cast<Hand>(h)) != nullptr) push(h);
+        scope();
+    }
+    let_go();
+    return false;
+}
+
+void TwoMiceHand::let_go() {
+    for (int h = 0; h < hand_count; ++h)
+        for (const int button : {jaws_button, pedal_button, turning_button, exchange_button})
+            hold(h, button, false);
+}
+
+double TwoMiceHand::error(int hand) const {
+    if (theatre_.session()->scene().instrument(static_cast<Hand>(hand)) == nullptr || tick_ == 0) return 0;
+    return (handle_of(wish_.hand[hand]) - theatre_.input()->targets().hand[hand].handle).norm();
+}
+
+void TwoMiceHand::think() {
+    const ui::AttemptSession& session = *theatre_.session();
+    mind_.observe(session.snapshot(), session.display());
+    const std::uint32_t now = session.health().ticks;
+    if (tick_ != 0 && std::max(error(0), error(1)) > planned_ahead_m) {
+        tick_ = now;
+        return;
+    }
+    while (tick_ < now) mind_.read(++tick_, wish_);
+}
+
+void TwoMiceHand::hold(int hand, int button, bool held) {
+    if (held_[hand][button] == held) return;
+    held_[hand][button] = held;
+    mice_.button(hand, button, held);
+    ++events_;
+}
+
+void TwoMiceHand::push(int h) {
+    const ui::AttemptSession& session = *theatre_.session();
+    hold(h, jaws_button, wants_closed(session, wish_, h));
+    hold(h, pedal_button, (wish_.hand[h].buttons & button_energy) != 0);
+    const Vector3 is = theatre_.input()->targets().hand[h].handle, wanted = handle_of(wish_.hand[h]);
+    if (sent_[h].isValid() && is == was_[h] && sent_[h].elapsed() < taken_within_ms) return;
+    was_[h] = is;
+    sent_[h].invalidate();
+    const double deeper = is.norm() - wanted.norm();
+    const auto notches = static_cast<int>(deeper / metres_per_notch);
+    const auto little =
+        static_cast<int>(std::lround((deeper - notches * metres_per_notch) / metres_per_pixel));
+    if (notches != 0) {
+        mice_.wheel(h, notches);
+        events_ += std::abs(notches);
+        sent_[h].start();
+    }
+    if (std::abs(little) > 1) {
+        hold(h, turning_button, true);
+        mice_.move(h, 0, -little);
+        hold(h, turning_button, false);
+        ++events_;
+        sent_[h].start();
+    }
+    const Eigen::Vector2d across =
+        movement_on_screen(session, session.scene().instrument(static_cast<Hand>(h))->trocar, is, wanted);
+    const auto counts = [](double metres) {
+        return std::clamp(static_cast<int>(std::lround(metres / metres_per_pixel)), -furthest_counts,
+                          furthest_counts);
+    };
+    const int right = counts(across.x()), down = -counts(across.y());
+    if (right == 0 && down == 0) return;
+    mice_.move(h, right, down);
+    ++events_;
+    sent_[h].start();
+}
+
+void TwoMiceHand::scope() {
+    const Look look =
+        wanted_look(*theatre_.session(), theatre_.input()->targets(), wish_, look_ != Look::none);
+    if (look == look_) return;
+    ui::TheatreView* const view = theatre_.view();
+    if (look_ != Look::none)
+        QTest::keyRelease(view, static_cast<Qt::Key>(arrow_keys[static_cast<int>(look_)]));
+    if (look != Look::none) QTest::keyPress(view, static_cast<Qt::Key>(arrow_keys[static_cast<int>(look)]));
+    look_ = look;
+    ++events_;
+}
+
+}  // namespace fulcrum::app::program_test
