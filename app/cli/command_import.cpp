@@ -3,26 +3,16 @@
 #include <QDateTime>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/cli/commands.h"
-#include "assessment/metrics/metrics_json.h"
-#include "assessment/metrics/version.h"
-#include "assessment/trace/trace_csv.h"
-#include "assessment/trace/trace_mapping.h"
-#include "database/records/external_attempts.h"
-#include "database/rows/crypto.h"
-#include "database/scoring/scoring.h"
+#include "database/scoring/external_import.h"
 #include "database/store/audit.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/scene/json_document.h"
 
 namespace fulcrum::app {
 namespace {
 
 using database::ExternalAttempt;
-
-constexpr std::size_t import_limit_bytes = std::size_t{1} << 30U;
 
 /// Local time "2026-11-20 14:05", or with an offset "2026-11-20T14:05+01:00"; without the option now.
 QDateTime performed_at(const Arguments& arguments, const database::Store& store) {
@@ -37,37 +27,6 @@ QDateTime performed_at(const Arguments& arguments, const database::Store& store)
     return time;
 }
 
-/// What was read of the files, and the notes on it that `fulcrum metrics` prints.
-struct ReadTrace {
-    Trace trace;
-    std::string source;  ///< the mapping's title
-    std::vector<database::AssetFile> files;
-    nlohmann::json document;
-};
-
-ReadTrace read_external(const Arguments& arguments) {
-    const std::string& path = arguments.words()[0];
-    ReadTrace read;
-    const std::string text = read_text_file(path, import_limit_bytes);
-    std::istringstream in(text);
-    read.files.push_back({database::external_trace_file, database::sha256_hex(text)});
-    std::size_t left_out = 0;
-    if (const auto mapping_path = arguments.value("--mapping")) {
-        const std::string mapping_text = read_text_file(*mapping_path, JsonLimits().bytes);
-        const TraceMapping mapping = parse_trace_mapping(mapping_text, *mapping_path);
-        MappedTrace mapped = read_mapped_trace(in, path, mapping);
-        read.trace = std::move(mapped.trace);
-        left_out = mapped.left_out;
-        read.source = mapping.title;
-        read.files.push_back({database::external_mapping_file, database::sha256_hex(mapping_text)});
-    } else {
-        read.trace = read_trace_csv(in, path);
-    }
-    read.document = metrics_of_trace(read.trace, path);
-    read.document["samples_left_out"] = left_out;
-    return read;
-}
-
 /// Its person: an external one of the station, or somebody of the cohorts of the educator who signed in.
 /// Empty in a dry run where the station would make the person.
 std::string person_of_import(const Arguments& arguments, const database::Store& store,
@@ -79,13 +38,6 @@ std::string person_of_import(const Arguments& arguments, const database::Store& 
         return people.ensure_synthetic(session, login, login, database::PersonKind::external).id;
     const auto known = people.find_login(session, login);
     return known ? known->id : std::string();
-}
-
-database::ScoreRow measured_alone(const ReadTrace& read) {
-    ScoredAttempt scored;
-    scored.metrics = metrics_from_json(read.document["metrics"], "metrics");
-    scored.score.not_scored_because = StatementId::recorded_elsewhere;
-    return to_row(scored, {});
 }
 
 void print_import(const nlohmann::json& document) {
@@ -111,23 +63,17 @@ int run_import(const Arguments& arguments) {
             throw UsageError(
                 option, QT_TRANSLATE_NOOP("errors", "is missing"),
                 QT_TRANSLATE_NOOP("errors", "name the exercise and the person who performed it"));
-    const ReadTrace read = read_external(arguments);  // errors are reported before a store is opened
+    const ExternalTrace read = read_external_trace(
+        arguments.words()[0], arguments.value_or("--mapping", ""));  // errors before a store is opened
     const database::Store store =
         open_store(arguments, !arguments.has("--as") && !arguments.has("--dry-run"));
     const database::Session session = session_of(arguments, store);
     const QDateTime performed = performed_at(arguments, store);
-    ExternalAttempt attempt;
+    ExternalAttempt attempt = external_attempt(read);
     attempt.exercise = *arguments.value("--exercise");
-    attempt.source = arguments.value_or("--source", read.source.empty() ? "trace file" : read.source);
+    attempt.source = arguments.value_or("--source", attempt.source);
     attempt.performed = performed.toMSecsSinceEpoch();
     attempt.utc_offset_min = performed.offsetFromUtc() / 60;
-    attempt.duration_s = read.trace.t.back();
-    attempt.files = read.files;
-    attempt.program_version = program_version;
-    attempt.score = measured_alone(read);
-    std::ostringstream text;
-    write_trace_csv(read.trace, text);
-    attempt.trace = text.str();
     const database::ExternalAttempts imports(store);
     imports.check_values(attempt);  // before a person is made for it
     attempt.person_id = person_of_import(arguments, store, session);

@@ -15,7 +15,7 @@
 #include "app/cli/display.h"
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
-#include "ui/page/error_text.h"
+#include "ui/language/error_text.h"
 
 namespace fulcrum::app {
 namespace {

@@ -17,6 +17,16 @@ namespace {
 DisplayNeeded* needed = nullptr;
 QtMessageHandler handler_before = nullptr;
 
+/// What says which display it is; empty: nothing does.
+std::string asked_for() {
+    std::string all;
+    for (const char* name : {"QT_QPA_PLATFORM", "WAYLAND_DISPLAY", "DISPLAY"}) {
+        if (qEnvironmentVariableIsEmpty(name)) continue;
+        all += (all.empty() ? "" : " ") + std::string(name) + "=" + qgetenv(name).toStdString();
+    }
+    return all;
+}
+
 /// Qt ends the program right after a fatal message.
 void take_message(QtMsgType type, const QMessageLogContext&, const QString& text) {
     if (type != QtFatalMsg) {
@@ -24,7 +34,7 @@ void take_message(QtMsgType type, const QMessageLogContext&, const QString& text
         return;
     }
     ui::use_language(ui::chosen_language().value_or(ui::Language::english));
-    const std::string why = needed->last_note();
+    const std::string why = asked_for();
     const Sentence problem =
         why.empty() ? Sentence(QT_TRANSLATE_NOOP("errors", "no display can be opened"))
                     : Sentence(QT_TRANSLATE_NOOP("errors", "no display can be opened (%1)"), why);

@@ -22,8 +22,6 @@ class DisplayNeeded {
 
     const Sentence& hint() const { return hint_; }
     void note(std::string line) { notes_.push_back(std::move(line)); }
-    /// The last one; empty: none.
-    std::string last_note() const { return notes_.empty() ? std::string() : notes_.back(); }
 
   private:
     Sentence hint_;

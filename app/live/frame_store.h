@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "app/services/state_difference.h"
+#include "app/live/state_difference.h"
 #include "assessment/attempt/replay_cursor.h"
 
 namespace fulcrum::app {

@@ -138,14 +138,14 @@ int test_controller(const Arguments& arguments, const std::string& named) {
 void require_testable(const std::string& specification) {
     constexpr const char* testable[] = {"touch",       "force-dimension", "haply",  "controller",
                                         "openigtlink", "space-mouse",     "virtual"};
+    const std::string place = "--test " + specification;
     const std::size_t colon = specification.find(':');
     const std::string kind = specification.substr(0, colon);
     if (kind == "mouse-keyboard" || kind == "two-mice")
-        throw UsageError("--test " + specification,
-                         QT_TRANSLATE_NOOP("errors", "needs a window: mice and keys are read there"),
+        throw UsageError(place, QT_TRANSLATE_NOOP("errors", "needs a window: mice and keys are read there"),
                          QT_TRANSLATE_NOOP("errors", "start fulcrum and try it on the page Settings"));
     if (kind == "virtual" && (colon == std::string::npos || colon + 1 == specification.size()))
-        throw UsageError("--test " + specification, QT_TRANSLATE_NOOP("errors", "names no script"),
+        throw UsageError(place, QT_TRANSLATE_NOOP("errors", "names no script"),
                          QT_TRANSLATE_NOOP("errors", "write --test virtual:SCRIPT.json"));
     std::string names;
     for (const char* one : testable) {
@@ -157,11 +157,10 @@ void require_testable(const std::string& specification) {
     const bool capitals =
         std::any_of(std::begin(testable), std::end(testable), [&](const char* one) { return small == one; });
     if (capitals)
-        throw UsageError("--test " + specification,
-                         QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+        throw UsageError(place, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
                          {QT_TRANSLATE_NOOP("errors", "write it in small letters: --test %1"), small});
     throw UsageError(
-        "--test " + specification, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+        place, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
         {QT_TRANSLATE_NOOP("errors", "use one of %1; `fulcrum devices` lists what is connected"), names});
 }
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <fstream>
 #include <istream>
+#include <iterator>
+#include <sstream>
 
 #include "assessment/trace/trace_columns.h"
 #include "assessment/trace/trace_csv.h"
+#include "assessment/trace/transform_log.h"
 #include "assessment/trace/utf8.h"
 #include "sim_core/numerics/files.h"
 #include "sim_core/numerics/input_error.h"
@@ -50,8 +53,38 @@ double factor_of(const JsonDocument& document, const std::string& place, const s
         QT_TRANSLATE_NOOP("errors", "give the unit that the file has"));
 }
 
+void check_transform_column(const JsonDocument& document, const std::string& place, const std::string& name,
+                            const json& source) {
+    if (name == "t")
+        document.fail(place, QT_TRANSLATE_NOOP("errors", "poses have a time already"),
+                      QT_TRANSLATE_NOOP("errors", "remove it"));
+    if (!source.is_string() || device_of_column(source.get<std::string>()).empty())
+        document.fail(
+            place + "/column", QT_TRANSLATE_NOOP("errors", "does not name a device and an entry of its pose"),
+            QT_TRANSLATE_NOOP("errors", "write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x"));
+}
+
+/// Reads how the rows of a table are written, which a recording of poses does not have.
+void read_layout(const JsonDocument& document, TraceMapping& mapping) {
+    const json& root = document.root();
+    mapping.transforms = root.value("format", "table") == "transforms";
+    for (const char* key : {"separator", "header_rows", "rate_hz", "missing"})
+        if (mapping.transforms && root.contains(key))
+            document.fail("/" + std::string(key),
+                          QT_TRANSLATE_NOOP("errors", "has no meaning for a recording of poses"),
+                          QT_TRANSLATE_NOOP("errors", "remove it"));
+    const std::string separator = root.value("separator", "comma");
+    mapping.separator = separator == "comma"       ? ','
+                        : separator == "semicolon" ? ';'
+                        : separator == "tab"       ? '\t'
+                                                   : ' ';
+    mapping.header_rows = root.value("header_rows", 1);
+    if (root.contains("rate_hz")) mapping.rate = root.at("rate_hz").get<double>();
+    if (root.contains("missing")) mapping.missing = root.at("missing").get<std::vector<std::string>>();
+}
+
 MappedColumn read_column(const JsonDocument& document, const ColumnMap& known, const std::string& name,
-                         const json& node, int header_rows) {
+                         const json& node, const TraceMapping& mapping) {
     const std::string place = "/columns/" + name;
     const auto found = known.find(name);
     if (found == known.end())
@@ -60,17 +93,19 @@ MappedColumn read_column(const JsonDocument& document, const ColumnMap& known, c
     MappedColumn column;
     column.name = name;
     const json& source = node.at("column");
+    if (mapping.transforms) check_transform_column(document, place, name, source);
     if (source.is_string()) {
         column.column = source.get<std::string>();
-        if (header_rows == 0)
+        if (mapping.header_rows == 0)
             document.fail(
                 place + "/column", QT_TRANSLATE_NOOP("errors", "is a name, but the file has no row of names"),
                 QT_TRANSLATE_NOOP("errors", "give the number of the column, from 1, or raise header_rows"));
     } else {
         column.number = source.get<int>();
     }
-    column.factor = node.value("factor", 1.0) * factor_of(document, place, node.at("unit").get<std::string>(),
-                                                          rule_of(found->second.quantity).unit);
+    column.unit = node.at("unit").get<std::string>();
+    column.factor = node.value("factor", 1.0) *
+                    factor_of(document, place, column.unit, rule_of(found->second.quantity).unit);
     const Quantity quantity = found->second.quantity;
     if (column.factor != 1 &&
         (quantity == Quantity::flag || quantity == Quantity::label || quantity == Quantity::index))
@@ -84,23 +119,16 @@ TraceMapping read_mapping(const JsonDocument& document) {
     const json& root = document.root();
     TraceMapping mapping;
     mapping.title = root.at("title").get<std::string>();
-    const std::string separator = root.value("separator", "comma");
-    mapping.separator = separator == "comma"       ? ','
-                        : separator == "semicolon" ? ';'
-                        : separator == "tab"       ? '\t'
-                                                   : ' ';
-    mapping.header_rows = root.value("header_rows", 1);
-    if (root.contains("rate_hz")) mapping.rate = root.at("rate_hz").get<double>();
-    if (root.contains("missing")) mapping.missing = root.at("missing").get<std::vector<std::string>>();
+    read_layout(document, mapping);
     Trace names;
     const ColumnMap known = known_columns(names);
     for (const auto& [name, node] : root.at("columns").items())
-        mapping.columns.push_back(read_column(document, known, name, node, mapping.header_rows));
+        mapping.columns.push_back(read_column(document, known, name, node, mapping));
     const bool has_time = root.at("columns").contains("t");
     if (has_time && mapping.rate)
         document.fail("/rate_hz", QT_TRANSLATE_NOOP("errors", "the columns have a time already"),
                       QT_TRANSLATE_NOOP("errors", "remove rate_hz or the column t"));
-    if (!has_time && !mapping.rate)
+    if (!has_time && !mapping.rate && !mapping.transforms)
         document.fail("/columns", QT_TRANSLATE_NOOP("errors", "there is no time"),
                       QT_TRANSLATE_NOOP("errors", "map the column t or give rate_hz"));
     return mapping;
@@ -228,7 +256,31 @@ TraceMapping load_trace_mapping(const std::string& path) {
     return read_mapping(JsonDocument::load(path));
 }
 
+namespace {
+
+/// By way of the table that the poses make.
+MappedTrace read_transforms(std::istream& in, const std::string& file, const TraceMapping& mapping) {
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::vector<std::string> wanted;
+    TraceMapping of_table;
+    of_table.columns.push_back({"t", {}, 1, 1});
+    for (const MappedColumn& column : mapping.columns) {
+        wanted.push_back(column.column);
+        of_table.columns.push_back(
+            {column.name, {}, static_cast<int>(of_table.columns.size()) + 1, column.factor});
+    }
+    const TransformTable table = transform_table(text, file, wanted);
+    std::istringstream rows(table.text);
+    MappedTrace mapped = read_mapped_trace(rows, file, of_table);
+    mapped.left_out += table.left_out;
+    mapped.trace.ignored_columns = table.ignored;
+    return mapped;
+}
+
+}  // namespace
+
 MappedTrace read_mapped_trace(std::istream& in, const std::string& file, const TraceMapping& mapping) {
+    if (mapping.transforms) return read_transforms(in, file, mapping);
     MappedTrace mapped;
     mapped.left_out = MappedReader(in, file, mapping, mapped.trace).read();
     split_blocks(mapped.trace, {});

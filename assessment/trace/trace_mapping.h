@@ -19,10 +19,12 @@ struct MappedColumn {
     std::string column;  ///< its name in the file; empty: by number
     int number = 0;      ///< from 1; 0: by name
     double factor = 1;   ///< from the file's unit and sense to ours
+    std::string unit{};  ///< of the file
 };
 
 struct TraceMapping {
     std::string title;                  ///< of the format
+    bool transforms = false;            ///< a recording of poses (transform_log.h) instead of a table
     char separator = ',';               ///< ' ': one or more spaces or tabs
     int header_rows = 1;                ///< rows before the first sample; the last of them names the columns
     std::optional<double> rate;         ///< Hz, where the file has no time: sample i is at i / rate
@@ -37,7 +39,7 @@ TraceMapping load_trace_mapping(const std::string& path);
 
 struct MappedTrace {
     Trace trace;
-    std::size_t left_out = 0;  ///< samples with a missing value
+    std::size_t left_out = 0;  ///< samples with a missing value, or without a pose of each device
 };
 /// Reads a trace as read_trace_csv does, with the same limits. Time begins at 0: the first sample's time is
 /// taken off. A stretch without samples splits it into blocks. Throws InputError with the row of the file.

@@ -9,6 +9,7 @@
 #include "database/rows/force_devices.h"
 #include "database/rows/json.h"
 #include "database/rows/packed_bytes.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
 #include "database/store/store_state.h"
@@ -59,11 +60,11 @@ void require_sound(const ExternalAttempt& attempt, std::int64_t now) {
 void require_new(Connection& connection, const ExternalAttempt& attempt) {
     for (const AssetFile& file : attempt.files) {
         if (file.name != external_trace_file) continue;
-        Query known(
-            connection,
-            "SELECT a.id FROM attempt a JOIN attempt_asset f ON f.attempt_id = a.id LEFT JOIN "
-            "attempt_void v ON v.attempt_id = a.id WHERE a.person_id = ? AND f.file = ? AND f.digest = ? "
-            "AND v.attempt_id IS NULL");
+        Query known(connection,
+                    "SELECT a.id FROM attempt a JOIN attempt_asset f ON f.attempt_id = a.id LEFT JOIN "
+                    "attempt_void v ON v.attempt_id = a.id WHERE " +
+                        belongs_to("a.person_id") +
+                        " AND f.file = ? AND f.digest = ? AND v.attempt_id IS NULL");
         known.bind(attempt.person_id).bind(file.name).bind(file.digest);
         if (known.next())
             throw StoreError(

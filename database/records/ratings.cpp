@@ -5,6 +5,7 @@
 #include <set>
 
 #include "database/records/attempt_query.h"
+#include "database/records/people_rows.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
@@ -454,20 +455,6 @@ int Ratings::release(const Session& educator, const std::string& attempt_id) con
     transaction.commit();
     return static_cast<int>(ids.size());
 }
-
-namespace {
-
-/// Those who were merged into another person, with that person.
-std::map<std::string, std::string> merged_people(Connection& connection) {
-    Query rows(
-        connection,
-        QString("SELECT person_id, owner_id FROM %1 same WHERE person_id <> owner_id").arg(person_owners));
-    std::map<std::string, std::string> owners;
-    while (rows.next()) owners[rows.text(0)] = rows.text(1);
-    return owners;
-}
-
-}  // namespace
 
 std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
     require_rater(store_, rater);

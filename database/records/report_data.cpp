@@ -87,7 +87,8 @@ std::set<std::string> rated_people(const Store& store) {
 
 /// Condition with one `?`, the cohort: what `column` names belongs to a member.
 QString belongs_to_cohort(const QString& column) {
-    return owner_of(column) + " IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)";
+    return column + " IN (SELECT same.person_id FROM " + person_owners +
+           " same WHERE same.owner_id IN (SELECT m.person_id FROM cohort_member m WHERE m.cohort_id = ?))";
 }
 
 /// One person's rows, tasks in the order given; every task has at least one row.

@@ -34,7 +34,7 @@ std::vector<Listed> read_list(const std::string& path) {
     if (!file) return list;
     std::string line;
     if (!std::getline(file, line) || line != list_heading)
-        fail_list(path, QT_TRANSLATE_NOOP("errors", "is not one"));
+        fail_list(path, QT_TRANSLATE_NOOP("errors", "is not such a list"));
     while (std::getline(file, line)) {
         std::istringstream words(line);
         Listed one;

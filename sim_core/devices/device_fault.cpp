@@ -5,6 +5,21 @@
 
 namespace fulcrum {
 
+/// Of the service of Haply.
+static const char* words_of_haply(DeviceFault fault) {
+    if (fault == DeviceFault::haply_ended)
+        return QT_TRANSLATE_NOOP("errors",
+                                 "The Inverse service of Haply ended or closed the connection. Start it "
+                                 "again, and end other programs that use the device.");
+    if (fault == DeviceFault::haply_silent)
+        return QT_TRANSLATE_NOOP("errors",
+                                 "The Inverse service of Haply does not answer. Restart it, and check the "
+                                 "cable of the device.");
+    return QT_TRANSLATE_NOOP("errors",
+                             "The Inverse service of Haply sends readings that cannot be used. "
+                             "Restart it, and install its newest version.");
+}
+
 const char* words_of(DeviceFault fault) {
     switch (fault) {
         case DeviceFault::none:
@@ -66,18 +81,9 @@ const char* words_of(DeviceFault fault) {
                                      "spacenavd, which reads the SpaceMouse, ended or sends something else. "
                                      "Start it again: `sudo systemctl restart spacenavd`.");
         case DeviceFault::haply_ended:
-            return QT_TRANSLATE_NOOP("errors",
-                                     "The Inverse service of Haply ended or closed the connection. Start it "
-                                     "again, and end other programs that use the device.");
         case DeviceFault::haply_silent:
-            return QT_TRANSLATE_NOOP(
-                "errors",
-                "The Inverse service of Haply does not answer. Restart it, and check the "
-                "cable of the device.");
         case DeviceFault::haply_message:
-            return QT_TRANSLATE_NOOP("errors",
-                                     "The Inverse service of Haply sends readings that cannot be used. "
-                                     "Restart it, and install its newest version.");
+            return words_of_haply(fault);
         case DeviceFault::no_power:
             return QT_TRANSLATE_NOOP("errors",
                                      "The device has no power supply, so it renders no force. Connect its "

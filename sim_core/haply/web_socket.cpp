@@ -9,7 +9,9 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <stdexcept>
+
+#include "sim_core/numerics/name_table.h"
+#include "sim_core/numerics/worded_error.h"
 
 namespace fulcrum::haply {
 namespace {
@@ -65,7 +67,8 @@ WebSocket::WebSocket(int port) : library_(std::make_unique<Library>()) {
     wanted.fd_limit_per_thread = most_descriptors;
     wanted.user = this;
     library_->context = lws_create_context(&wanted);
-    if (library_->context == nullptr) throw std::runtime_error("libwebsockets does not start");
+    if (library_->context == nullptr)
+        throw WordedError(QT_TRANSLATE_NOOP("errors", "libwebsockets, which speaks with it, does not start"));
     lws_client_connect_info to{};
     to.context = library_->context;
     to.address = this_computer;

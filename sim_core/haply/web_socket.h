@@ -20,7 +20,7 @@ class WebSocket {
         not_a_web_socket,  ///< what listens there does not speak this protocol
         closed             ///< by the other side, by a fault of it, or because a message was too long
     };
-    /// Begins to connect. Throws std::runtime_error where the library does not start.
+    /// Begins to connect. Throws WordedError where the library does not start.
     explicit WebSocket(int port);
     ~WebSocket();
     WebSocket(const WebSocket&) = delete;

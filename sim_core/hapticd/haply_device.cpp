@@ -11,6 +11,7 @@
 
 #include "sim_core/hapticd/tool_axes.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/worded_error.h"
 
 namespace fulcrum::hapticd {
 namespace {
@@ -238,7 +239,7 @@ void HaplyDevice::open() {
         throw;
     } catch (const std::exception& error) {
         close();
-        throw InputError(where_, "", Sentence(error.what()),
+        throw InputError(where_, "", sentence_of(error),
                          QT_TRANSLATE_NOOP("errors", "install the package libwebsockets17 again"));
     }
 }

@@ -19,7 +19,8 @@ class ControllerHand {
         : theatre_(theatre), mind_(mind), pad_(pad) {}
     /// Runs until `done`, the end of the attempt, or the timeout; true if done or ended.
     bool work_until(const std::function<bool()>& done, int milliseconds);
-    int changes() const { return changes_; }
+    /// Changes of sticks, triggers and buttons.
+    int events() const { return changes_; }
     /// Lets go of everything.
     void let_go();
 

@@ -197,7 +197,7 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
             return rumbled != 0 && (!a2 || theatre().session()->display().goal_progress > 0.05);
         };
         ASSERT_TRUE(hand.work_until(done, 240000)) << task;
-        EXPECT_GT(hand.changes(), 50);
+        EXPECT_GT(hand.events(), 50);
         keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
         abandon();
         expect_stored(AttemptState::abandoned);
@@ -205,7 +205,7 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
         const database::Attempts attempts(*services.store());
         const database::Trace trace =
             attempts.read_trace(window.context().session(), newest_attempt().meta.id);
-        std::cout << task << ": " << trace.samples.size() / 1000 << " s, " << hand.changes()
+        std::cout << task << ": " << trace.samples.size() / 1000 << " s, " << hand.events()
                   << " changes of sticks, triggers and buttons\n";
         ASSERT_NE(rumbled, 0) << task;
         const auto contact =

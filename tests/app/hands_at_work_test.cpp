@@ -15,7 +15,7 @@ namespace fulcrum::app::program_test {
 namespace {
 
 constexpr int longest_ms = 900000;
-constexpr const char *page_variable = "FULCRUM_HANDS_PAGE", *task_variable = "FULCRUM_HANDS_TASKS";
+constexpr const char *work_page_variable = "FULCRUM_HANDS_PAGE", *task_variable = "FULCRUM_HANDS_TASKS";
 
 /// Of all devices that were used in this process.
 std::vector<std::vector<std::string>>& rows_of_page() {
@@ -25,7 +25,7 @@ std::vector<std::vector<std::string>>& rows_of_page() {
 
 void write_page() {
     lab::ResultPage page("hands", "Tasks completed by two mice and by a game controller",
-                         std::string(page_variable) +
+                         std::string(work_page_variable) +
                              "=docs/results xvfb-run -a -s '-screen 0 1280x800x24 -noreset' test_app "
                              "--gtest_filter=HandsAtWork*");
     page.paragraph(
@@ -39,7 +39,7 @@ void write_page() {
     table.columns = {"device", "task", "how it ended", "time", "points of 100", "input events"};
     table.rows = rows_of_page();
     page.table(table);
-    page.write(std::getenv(page_variable), lab::this_machine(lab::build_info()));
+    page.write(std::getenv(work_page_variable), lab::this_machine(lab::build_info()));
 }
 
 class AtWork : public Window {
@@ -66,10 +66,10 @@ class AtWork : public Window {
             const database::AttemptSummary attempt = newest_attempt();
             EXPECT_EQ(attempt.state, AttemptState::completed) << task.constData();
             expect_replays(attempt.meta.id);
-            rows_of_page().push_back(
-                {attempt.meta.device, task.toStdString(), row_of(attempt_states, attempt.state).name,
-                 ui::plain(ui::clock_text(attempt.duration_s)), ui::plain(ui::figure(attempt.points)),
-                 std::to_string(hand_events(hand))});
+            rows_of_page().push_back({attempt.meta.device, task.toStdString(),
+                                      row_of(attempt_states, attempt.state).name,
+                                      ui::plain(ui::clock_text(attempt.duration_s)),
+                                      ui::plain(ui::figure(attempt.points)), std::to_string(hand.events())});
             for (const std::string& cell : rows_of_page().back()) std::cout << cell << "  ";
             std::cout << std::endl;
             home();
@@ -77,8 +77,6 @@ class AtWork : public Window {
         write_page();
     }
     bool theatre_ended() { return window.current_page()->objectName() != QLatin1String("theatre_page"); }
-    static int hand_events(const TwoMiceHand& hand) { return hand.events(); }
-    static int hand_events(const ControllerHand& hand) { return hand.changes(); }
 };
 
 struct WorksWithMice {
@@ -88,20 +86,21 @@ struct WorksWithMice {
 class HandsAtWorkMice : public WorksWithMice, public AtWork {};
 
 TEST_F(HandsAtWorkMice, CompleteTheTasks) {
-    if (!qEnvironmentVariableIsSet(page_variable)) GTEST_SKIP() << page_variable << " is not set";
+    if (!qEnvironmentVariableIsSet(work_page_variable)) GTEST_SKIP() << work_page_variable << " is not set";
     complete_all("two-mice",
                  [this](ui::TheatrePage& page, ObservingRig& mind) { return TwoMiceHand(page, mind, mice); });
 }
 
 struct WorksWithPad {
-    std::unique_ptr<VirtualPad> pad =
-        qEnvironmentVariableIsSet(page_variable) ? make_pad_of_sdl("Virtual controller of SDL 2") : nullptr;
+    std::unique_ptr<VirtualPad> pad = qEnvironmentVariableIsSet(work_page_variable)
+                                          ? make_pad_of_sdl("Virtual controller of SDL 2")
+                                          : nullptr;
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "controller:Virtual controller of SDL 2"};
 };
 class HandsAtWorkController : public WorksWithPad, public AtWork {};
 
 TEST_F(HandsAtWorkController, CompletesTheTasks) {
-    if (!qEnvironmentVariableIsSet(page_variable)) GTEST_SKIP() << page_variable << " is not set";
+    if (!qEnvironmentVariableIsSet(work_page_variable)) GTEST_SKIP() << work_page_variable << " is not set";
     ASSERT_NE(pad, nullptr) << "needs SDL 2 with virtual controllers, and libsdl2-dev when it is compiled";
     complete_all("controller", [this](ui::TheatrePage& page, ObservingRig& mind) {
         return ControllerHand(page, mind, *pad);

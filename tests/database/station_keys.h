@@ -25,7 +25,7 @@ class KeysOfOneTest {
   public:
     KeysOfOneTest() {
         const QDir usual(QString::fromLocal8Bit(before_));
-        for (const QString& name : usual.entryList(QDir::Files))
+        for (const QString& name : usual.entryList({QStringLiteral("*.key")}, QDir::Files))
             QFile::copy(usual.filePath(name), folder_.filePath(name));
         qputenv("FULCRUM_STATION_KEYS", folder_.path().toLocal8Bit());
     }

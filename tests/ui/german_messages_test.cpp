@@ -8,8 +8,8 @@
 #include "database/roster/roster.h"
 #include "sim_core/scene/scene.h"
 #include "tests/ui/screens.h"
+#include "ui/language/error_text.h"
 #include "ui/language/language.h"
-#include "ui/page/error_text.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui::window_test {

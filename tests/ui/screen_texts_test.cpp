@@ -14,7 +14,7 @@
 #include "database/records/people.h"
 #include "database/rows/errors.h"
 #include "tests/ui/screens.h"
-#include "ui/page/error_text.h"
+#include "ui/language/error_text.h"
 
 namespace fulcrum::ui::window_test {
 namespace {

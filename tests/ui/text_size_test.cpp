@@ -11,6 +11,7 @@
 #include <QStyleOption>
 
 #include "tests/ui/screens.h"
+#include "tests/ui/trace_files.h"
 #include "ui/language/language.h"
 #include "ui/style/widgets.h"
 
@@ -80,6 +81,8 @@ class LargeText : public Screens {
 };
 
 TEST_F(LargeText, CutsNothingOffOnAnyScreen) {
+    const QTemporaryDir folder;
+    write_perktutor(folder.filePath(QStringLiteral("needle.xml")).toStdString());
     for (const Language language : {Language::english, Language::german}) {
         open({1280, 800});
         const std::string attempt = perform();
@@ -92,6 +95,15 @@ TEST_F(LargeText, CutsNothingOffOnAnyScreen) {
             keep(QStringLiteral("large-%1-%2").arg(name, screen));
             seen += expect_whole(name + ' ' + screen);
             expect_fits(name + ' ' + screen);
+            if (!sees(*window, "show_trace_import")) return;
+            click(*window, "show_trace_import");
+            read_trace_in(*window, folder.filePath(QStringLiteral("needle.xml")), "perktutor.json");
+            settle();
+            bring(*find<QPushButton>(*window, "trace_import"));
+            keep(QStringLiteral("large-%1-trace-import").arg(name));
+            EXPECT_GT(expect_whole(name + " trace import"), 20);
+            expect_fits(name + " trace import");
+            click(*window, "show_trace_import");
         });
         EXPECT_GT(seen, 300);
     }

@@ -3,12 +3,14 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "database/store/signing_keys.h"
+#include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
-#include "ui/page/error_text.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -115,7 +117,10 @@ void StationPage::show_keys() {
                                                   : tr("✕ not announced by the key before it")));
     }
     fit_columns(keys_);
-    fit_rows(keys_);
+    constexpr int most_rows = 6;
+    int height = keys_->horizontalHeader()->sizeHint().height() + 2 * keys_->frameWidth();
+    for (int row = 0; row < std::min(most_rows, keys_->rowCount()); ++row) height += keys_->rowHeight(row);
+    keys_->setFixedHeight(height);
 }
 
 void StationPage::change_key() {

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 
 #include "database/records/people.h"
+#include "ui/dashboards/trace_import_card.h"
 #include "ui/page/background_job.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
@@ -56,9 +57,17 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     connect(table_, &QTableWidget::itemActivated, this,
             [this](QTableWidgetItem* item) { open_row(item->row()); });
     connect(table_, &QTableWidget::cellDoubleClicked, this, [this](int clicked, int) { open_row(clicked); });
-    QPushButton* open = make_button(tr("Open the attempt"), "open_attempt", "primary");
-    connect(open, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
-    layout->addWidget(open, 0, Qt::AlignLeft);
+    layout->addWidget(build_buttons());
+    import_ = new TraceImportCard(context);
+    layout->addWidget(import_);
+    import_->hide();
+    connect(import_, &TraceImportCard::imported, this, [this](const QString& id) {
+        if (!id.isEmpty()) {
+            import_->hide();
+            this->context().say(tr("The trace was imported as an external attempt."));
+        }
+        load();
+    });
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1240));
@@ -75,10 +84,35 @@ void AttemptsPage::enter() {
     fill_cut_off();
     load();
     count_stale();
+    const bool may_import = !own && context().allowed(database::Operation::import_attempt);
+    show_import_->setVisible(may_import);
+    import_->setVisible(import_->isVisible() && may_import);
+    if (import_->isVisible()) import_->enter();
     table_->setFocus();
 }
 
+QWidget* AttemptsPage::build_buttons() {
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
+    QPushButton* open = make_button(tr("Open the attempt"), "open_attempt", "primary");
+    connect(open, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
+    row->add(open);
+    show_import_ = make_button(tr("Import a trace …"), "show_trace_import");
+    connect(show_import_, &QPushButton::clicked, this, [this] {
+        import_->setVisible(!import_->isVisible());
+        if (!import_->isVisible()) {
+            import_->stop();
+            return;
+        }
+        import_->enter();
+        import_->bring(import_);
+    });
+    row->add(show_import_);
+    return holder;
+}
+
 void AttemptsPage::leave() {
+    import_->stop();
     if (job_ != nullptr) job_->cancel();
     job_ = nullptr;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attempts that the acting role may read, newest first, with filters; any of them opens in the debrief.
 // The corrections that trainees asked for stand above, and the scores that older metrics or limits gave, for
-// those who may compute them again. Trainees see their own.
+// those who may compute them again. Educators import traces from elsewhere. Trainees see their own.
 #pragma once
 
 #include <vector>
@@ -20,6 +20,7 @@ namespace fulcrum::ui {
 
 class BackgroundJob;
 class JobBar;
+class TraceImportCard;
 
 class AttemptsPage : public Page {
     Q_OBJECT
@@ -33,6 +34,7 @@ class AttemptsPage : public Page {
 
   private:
     QFrame* build_stale();
+    QWidget* build_buttons();
     void count_stale();
     void recompute();
     void fill_filters();
@@ -52,6 +54,8 @@ class AttemptsPage : public Page {
     BackgroundJob* job_ = nullptr;
     QComboBox *cohort_, *person_, *task_;
     QTableWidget* table_;
+    TraceImportCard* import_;
+    QPushButton* show_import_;
 };
 
 }  // namespace fulcrum::ui

@@ -6,7 +6,7 @@
 #include <QRunnable>
 #include <QThreadPool>
 
-#include "ui/page/error_text.h"
+#include "ui/language/error_text.h"
 #include "ui/page/mail_room.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

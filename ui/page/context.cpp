@@ -6,8 +6,8 @@
 
 #include "database/rows/attempt_records.h"
 #include "database/rows/errors.h"
+#include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
-#include "ui/page/error_text.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

@@ -9,8 +9,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/output_file.h"
 #include "ui/reports/report_rows.h"
-#include "ui/reports/report_sheet.h"
-#include "ui/reports/report_xapi.h"
+#include "ui/reports/report_writer.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -41,14 +40,6 @@ void require_not_the_store(const std::string& path, const database::Store& store
     throw database::StoreError(database::StoreErrorKind::bad_value,
                                {QT_TRANSLATE_NOOP("errors", "%1: this file is the store itself"), path},
                                QT_TRANSLATE_NOOP("errors", "choose another name for the report"));
-}
-
-void save(const std::string& path, const std::string& content) {
-    try {
-        write_output_file(path, content, OutputFile::Existing::replace, OutputFile::Access::owner_only);
-    } catch (const std::system_error& error) {
-        fail_output(path, error);
-    }
 }
 
 }  // namespace
@@ -170,107 +161,45 @@ std::optional<std::vector<PersonReport>> gather_people(
     return people;
 }
 
-namespace {
-
-/// The table of a report in the formats that hold a table; returns the files.
-std::vector<std::string> write_sheet(const DataSheet& sheet, const ReportProvenance& provenance,
-                                     const ReportRequest& request) {
-    if (request.format == ReportFormat::xlsx) {
-        save(request.path, workbook(sheet, provenance));
-        return {request.path};
-    }
-    const std::string dictionary = request.path + ".dictionary.csv";
-    save(request.path, sheet_csv(sheet));
-    save(dictionary, dictionary_csv(sheet));
-    return {request.path, dictionary};
-}
-
-void write_attempt(const AttemptPaper& paper, const ReportRequest& request) {
-    switch (request.format) {
-        case ReportFormat::pdf:
-            return write_attempt_pdf(paper, request.path);
-        case ReportFormat::csv:
-            return save(request.path, attempt_csv(paper));
-        case ReportFormat::json:
-            return save(request.path, attempt_json(paper));
-        case ReportFormat::xlsx:
-        case ReportFormat::xapi:
-            throw InputError(
-                QT_TRANSLATE_NOOP("errors", "command line"), "--format",
-                {QT_TRANSLATE_NOOP("errors", "one attempt has no report in the format %1"),
-                 row_of(report_formats, request.format).name},
-                QT_TRANSLATE_NOOP("errors", "use pdf, csv or json, or name a person or a cohort"));
+void save_report(const std::string& path, const std::string& content) {
+    try {
+        write_output_file(path, content, OutputFile::Existing::replace, OutputFile::Access::owner_only);
+    } catch (const std::system_error& error) {
+        fail_output(path, error);
     }
 }
 
-std::vector<std::string> write_person(const PersonReport& report, const ReportRequest& request) {
-    switch (request.format) {
-        case ReportFormat::pdf:
-            write_person_pdf(report, request.path);
-            break;
-        case ReportFormat::csv:
-        case ReportFormat::xlsx:
-            return write_sheet(person_sheet(report), report.provenance, request);
-        case ReportFormat::json:
-            save(request.path, person_json(report));
-            break;
-        case ReportFormat::xapi:
-            save(request.path, xapi_statements({report}, request.home_page));
-            break;
-    }
-    return {request.path};
+ReportFiles ReportWriter::write_attempt(const AttemptPaper&, const ReportRequest& request) const {
+    throw InputError(QT_TRANSLATE_NOOP("errors", "command line"), "--format",
+                     {QT_TRANSLATE_NOOP("errors", "one attempt has no report in the format %1"),
+                      row_of(report_formats, request.format).name},
+                     QT_TRANSLATE_NOOP("errors", "use pdf, csv or json, or name a person or a cohort"));
 }
 
-std::vector<std::string> write_cohort(const CohortReport& report, const ReportRequest& request,
-                                      const Progress& progress) {
-    switch (request.format) {
-        case ReportFormat::pdf:
-            if (!write_cohort_pdf(report, request.path, progress)) return {};
-            break;
-        case ReportFormat::csv:
-        case ReportFormat::xlsx:
-            return write_sheet(cohort_sheet(report), report.provenance, request);
-        case ReportFormat::json:
-            save(request.path, cohort_json(report));
-            break;
-        case ReportFormat::xapi:
-            break;  // has no table: write_report() gathers people alone
-    }
-    return {request.path};
+std::optional<CohortReport> gather_cohort(const ReportSource& source, const ReportRequest& request,
+                                          PeoplePages people, const Progress& progress) {
+    return gather_cohort(source.store, source.session, request.cohort_id, source.tasks,
+                         source.program_version, people, progress, request.curriculum);
 }
-
-}  // namespace
 
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
                                       const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
                                       const std::string& program_version, const Progress& progress) {
     require_not_the_store(request.path, store);
-    if (request.format == ReportFormat::xapi) require_home_page(request.home_page);
+    const ReportWriter& writer = row_of(report_formats, request.format).writer();
+    writer.check(request);
     const auto stopped = [&](double done) { return progress && !progress(done, {}); };
     if (!request.attempt_id.empty()) {
         const AttemptPaper paper = gather_attempt(store, session, request.attempt_id, tasks, program_version);
-        if (stopped(0.5)) return {};
-        write_attempt(paper, request);
-        return {request.path};
+        return stopped(0.5) ? ReportFiles() : writer.write_attempt(paper, request);
     }
     if (!request.person_id.empty()) {
         if (stopped(0.1)) return {};
         const PersonReport report =
             gather_person(store, session, request.person_id, tasks, program_version, request.curriculum);
-        if (stopped(0.6)) return {};
-        return write_person(report, request);
+        return stopped(0.6) ? ReportFiles() : writer.write_person(report, request);
     }
-    if (request.format == ReportFormat::xapi) {
-        const auto people =
-            gather_people(store, session, request.cohort_id, tasks, program_version, progress);
-        if (!people) return {};
-        save(request.path, xapi_statements(*people, request.home_page));
-        return {request.path};
-    }
-    const PeoplePages people = request.format == ReportFormat::pdf ? PeoplePages::pages : PeoplePages::none;
-    const std::optional<CohortReport> report = gather_cohort(
-        store, session, request.cohort_id, tasks, program_version, people, progress, request.curriculum);
-    return report ? write_cohort(*report, request, progress) : std::vector<std::string>();
+    return writer.write_cohort({store, session, tasks, program_version}, request, progress);
 }
 
 }  // namespace fulcrum::ui

@@ -57,19 +57,27 @@ struct AttemptPaper {
     std::vector<database::RatingRow> ratings;  ///< those that the trainee is shown, by handing in
 };
 
+class ReportWriter;  // report_writer.h
+const ReportWriter& pdf_writer();
+const ReportWriter& csv_writer();
+const ReportWriter& xlsx_writer();
+const ReportWriter& json_writer();
+const ReportWriter& xapi_writer();
+
 enum class ReportFormat { pdf, csv, xlsx, json, xapi };
-/// `name` is the option's word; `ending` of a file tells the format on screens. Statements for a record store
+/// `name` is the option's word; `ending` of a file shows the format on screens. Statements for a record store
 /// (xapi) need an address, so they are written by the command alone and have no ending of their own.
 struct ReportFormatRow {
     ReportFormat kind;
     const char* name;
     const char* ending;
+    const ReportWriter& (*writer)();
 };
-inline constexpr ReportFormatRow report_formats[] = {{ReportFormat::pdf, "pdf", ".pdf"},
-                                                     {ReportFormat::csv, "csv", ".csv"},
-                                                     {ReportFormat::xlsx, "xlsx", ".xlsx"},
-                                                     {ReportFormat::json, "json", ".json"},
-                                                     {ReportFormat::xapi, "xapi", nullptr}};
+inline constexpr ReportFormatRow report_formats[] = {{ReportFormat::pdf, "pdf", ".pdf", pdf_writer},
+                                                     {ReportFormat::csv, "csv", ".csv", csv_writer},
+                                                     {ReportFormat::xlsx, "xlsx", ".xlsx", xlsx_writer},
+                                                     {ReportFormat::json, "json", ".json", json_writer},
+                                                     {ReportFormat::xapi, "xapi", nullptr, xapi_writer}};
 static_assert(in_order(report_formats));
 /// Throws InputError for an unknown name.
 ReportFormat parse_report_format(const std::string& name);

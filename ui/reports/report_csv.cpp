@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CSV: UTF-8, a header row, a units row, ISO 8601 UTC, raw next to scaled columns, formula-injection guard.
 #include "ui/reports/report_sheet.h"
+#include "ui/reports/report_writer.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -43,6 +44,39 @@ std::string dictionary_csv(const DataSheet& sheet) {
     for (const SheetColumn& column : sheet.columns)
         add_row(csv, {csv_text(column.name), csv_text(column.unit), csv_text(column.meaning)});
     return csv;
+}
+
+namespace {
+
+class CsvWriter : public ReportWriter {
+  public:
+    ReportFiles write_attempt(const AttemptPaper& paper, const ReportRequest& request) const override {
+        save_report(request.path, attempt_csv(paper));
+        return {request.path};
+    }
+    ReportFiles write_person(const PersonReport& report, const ReportRequest& request) const override {
+        return write(person_sheet(report), request.path);
+    }
+    ReportFiles write_cohort(const ReportSource& source, const ReportRequest& request,
+                             const Progress& progress) const override {
+        const auto report = gather_cohort(source, request, PeoplePages::none, progress);
+        return report ? write(cohort_sheet(*report), request.path) : ReportFiles();
+    }
+
+  private:
+    static ReportFiles write(const DataSheet& sheet, const std::string& path) {
+        const std::string dictionary = path + ".dictionary.csv";
+        save_report(path, sheet_csv(sheet));
+        save_report(dictionary, dictionary_csv(sheet));
+        return {path, dictionary};
+    }
+};
+
+}  // namespace
+
+const ReportWriter& csv_writer() {
+    static const CsvWriter writer;
+    return writer;
 }
 
 }  // namespace fulcrum::ui

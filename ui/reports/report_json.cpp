@@ -5,6 +5,7 @@
 
 #include "assessment/metrics/metric_names.h"
 #include "ui/reports/report_rows.h"
+#include "ui/reports/report_writer.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -255,6 +256,34 @@ std::string cohort_json(const CohortReport& report) {
     for (const database::PersonStandings& person : report.table.standings)
         document["standings"].push_back(standings_json(person));
     return document.dump(2) + "\n";
+}
+
+namespace {
+
+class JsonWriter : public ReportWriter {
+  public:
+    ReportFiles write_attempt(const AttemptPaper& paper, const ReportRequest& request) const override {
+        save_report(request.path, attempt_json(paper));
+        return {request.path};
+    }
+    ReportFiles write_person(const PersonReport& report, const ReportRequest& request) const override {
+        save_report(request.path, person_json(report));
+        return {request.path};
+    }
+    ReportFiles write_cohort(const ReportSource& source, const ReportRequest& request,
+                             const Progress& progress) const override {
+        const auto report = gather_cohort(source, request, PeoplePages::none, progress);
+        if (!report) return {};
+        save_report(request.path, cohort_json(*report));
+        return {request.path};
+    }
+};
+
+}  // namespace
+
+const ReportWriter& json_writer() {
+    static const JsonWriter writer;
+    return writer;
 }
 
 }  // namespace fulcrum::ui

@@ -11,6 +11,7 @@
 #include "ui/reports/rating_words.h"
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_texts.h"
+#include "ui/reports/report_writer.h"
 #include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -359,6 +360,33 @@ bool write_cohort_pdf(const CohortReport& report, const std::string& path, const
     }
     sheet.finish();
     return true;
+}
+
+namespace {
+
+class PdfWriter : public ReportWriter {
+  public:
+    ReportFiles write_attempt(const AttemptPaper& paper, const ReportRequest& request) const override {
+        write_attempt_pdf(paper, request.path);
+        return {request.path};
+    }
+    ReportFiles write_person(const PersonReport& report, const ReportRequest& request) const override {
+        write_person_pdf(report, request.path);
+        return {request.path};
+    }
+    ReportFiles write_cohort(const ReportSource& source, const ReportRequest& request,
+                             const Progress& progress) const override {
+        const auto report = gather_cohort(source, request, PeoplePages::pages, progress);
+        const bool whole = report && write_cohort_pdf(*report, request.path, progress);
+        return whole ? ReportFiles{request.path} : ReportFiles();
+    }
+};
+
+}  // namespace
+
+const ReportWriter& pdf_writer() {
+    static const PdfWriter writer;
+    return writer;
 }
 
 }  // namespace fulcrum::ui

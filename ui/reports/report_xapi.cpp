@@ -10,6 +10,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "ui/reports/json_text.h"
 #include "ui/reports/report_rows.h"
+#include "ui/reports/report_writer.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -265,6 +266,36 @@ std::string xapi_statements(const std::vector<PersonReport>& people, const std::
             text += one.text;
         });
     return text + "\n]\n";
+}
+
+namespace {
+
+class XapiWriter : public ReportWriter {
+  public:
+    void check(const ReportRequest& request) const override { require_home_page(request.home_page); }
+    ReportFiles write_person(const PersonReport& report, const ReportRequest& request) const override {
+        return write({report}, request);
+    }
+    ReportFiles write_cohort(const ReportSource& source, const ReportRequest& request,
+                             const Progress& progress) const override {
+        // Without the table of a cohort: it has no statements.
+        const auto people = gather_people(source.store, source.session, request.cohort_id, source.tasks,
+                                          source.program_version, progress);
+        return people ? write(*people, request) : ReportFiles();
+    }
+
+  private:
+    static ReportFiles write(const std::vector<PersonReport>& people, const ReportRequest& request) {
+        save_report(request.path, xapi_statements(people, request.home_page));
+        return {request.path};
+    }
+};
+
+}  // namespace
+
+const ReportWriter& xapi_writer() {
+    static const XapiWriter writer;
+    return writer;
 }
 
 }  // namespace fulcrum::ui

@@ -9,6 +9,7 @@
 
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_sheet.h"
+#include "ui/reports/report_writer.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -134,6 +135,30 @@ std::string workbook(const DataSheet& sheet, const ReportProvenance& provenance)
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly)) fail(file.errorString().toStdString());
     return file.readAll().toStdString();
+}
+
+namespace {
+
+class XlsxWriter : public ReportWriter {
+  public:
+    ReportFiles write_person(const PersonReport& report, const ReportRequest& request) const override {
+        save_report(request.path, workbook(person_sheet(report), report.provenance));
+        return {request.path};
+    }
+    ReportFiles write_cohort(const ReportSource& source, const ReportRequest& request,
+                             const Progress& progress) const override {
+        const auto report = gather_cohort(source, request, PeoplePages::none, progress);
+        if (!report) return {};
+        save_report(request.path, workbook(cohort_sheet(*report), report->provenance));
+        return {request.path};
+    }
+};
+
+}  // namespace
+
+const ReportWriter& xlsx_writer() {
+    static const XlsxWriter writer;
+    return writer;
 }
 
 }  // namespace fulcrum::ui

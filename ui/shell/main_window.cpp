@@ -10,7 +10,7 @@
 #include <typeinfo>
 
 #include "database/records/people.h"
-#include "ui/page/error_text.h"
+#include "ui/language/error_text.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/first_start_page.h"
 #include "ui/shell/lock_page.h"

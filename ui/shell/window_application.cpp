@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "ui/page/error_text.h"
+#include "ui/language/error_text.h"
 
 namespace fulcrum::ui {
 

@@ -30,10 +30,6 @@ QString statement_text(const Statement& statement) {
     return text(words_of(statement, in_readers_language));
 }
 
-QString sentence_text(const Sentence& sentence) {
-    return text(sentence.words(in_readers_language));
-}
-
 QString metric_text(const std::string& id) {
     const MetricDescriptor* metric = find_metric(id);
     return metric == nullptr ? text(id) : metric_words(metric->name);
@@ -169,14 +165,6 @@ QString felt_text(const ForceDevices& devices) {
 
 QString device_class_text(DeviceClass device_class) {
     return QCoreApplication::translate("fulcrum::devices", row_of(device_classes, device_class).title);
-}
-
-QString role_text(const std::string& role) {
-    if (role == "trainee") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "trainee"));
-    if (role == "educator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "educator"));
-    if (role == "director") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "director"));
-    if (role == "administrator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "administrator"));
-    return text(role);
 }
 
 QString versions_in_short(const std::vector<std::string>& versions) {

@@ -2,7 +2,6 @@
 // How figures, times and names are written on screens and on paper: one place, so that they agree everywhere.
 #pragma once
 
-#include <QCoreApplication>
 #include <QString>
 #include <QStringList>
 #include <cstdint>
@@ -13,7 +12,7 @@
 #include "assessment/metrics/statement.h"
 #include "assessment/task/attempt_words.h"
 #include "sim_core/instrument/device.h"
-#include "sim_core/numerics/sentence.h"
+#include "ui/language/words.h"
 
 namespace fulcrum::ui {
 
@@ -30,24 +29,8 @@ QString beside(QStringList parts);
 /// rendered force.
 QString felt_text(const ForceDevices& devices);
 
-/// The words for one name that is stored or used inside the program.
-struct WordsOf {
-    const char* name;
-    const char* shown;  ///< marked with QT_TRANSLATE_NOOP
-};
-/// The words of the row with this name in the reader's language; empty if there is none.
-template <std::size_t N>
-QString words_in(const WordsOf (&table)[N], const std::string& name, const char* context) {
-    for (const WordsOf& row : table) {
-        if (name == row.name) return QCoreApplication::translate(context, row.shown);
-    }
-    return {};
-}
-
 /// A stored sentence (advice, a reason) in the reader's language; a text of an old store as it is.
 QString statement_text(const Statement& statement);
-/// What an error says, in the reader's language.
-QString sentence_text(const Sentence& sentence);
 /// A metric's name in the reader's language; the id where the program does not know the metric.
 QString metric_text(const std::string& id);
 /// A text of a metric's descriptor (name, explanation, advice) in the reader's language.
@@ -87,7 +70,6 @@ QString person_text(const std::string& name, bool synthetic);
 QString hand_text(const std::string& hand);
 /// "mouse and keyboard", "haptic device" ...
 QString device_class_text(DeviceClass device_class);
-QString role_text(const std::string& role);
 /// Of "path_len@1", "sparc@2" ...: "all 64 at version 1" or "61 at version 1; sparc@2, tremor@3", every one
 /// of them, in a line; "–" for none.
 QString versions_in_short(const std::vector<std::string>& versions);

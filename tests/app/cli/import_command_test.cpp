@@ -120,6 +120,56 @@ TEST_F(ImportCommand, StationStoresItForAnExternalPersonOnly) {
     EXPECT_THROW(run(call("ann")), database::StoreError) << "a real person";
 }
 
+TEST_F(ImportCommand, EveryFormOfReportHoldsIt) {
+    const std::string id = run(signed_in(call("ann")))["attempt"];
+    for (const char* format : {"pdf", "csv", "xlsx", "json", "xapi"})
+        for (const auto& [option, value] : {std::pair<const char*, std::string>{"--person", "ann"},
+                                            {"--attempt", id},
+                                            {"--cohort", "Year 1"}}) {
+            const std::string file = path("report.") + format;
+            std::vector<std::string> words = {"report", option, value, "--format", format, "-o", file};
+            if (std::string(format) == "xapi")
+                words.insert(words.end(), {"--home-page", "https://example.org"});
+            words.insert(words.end(), {"--as", AccessProgramme::login_of(Role::director), "--role",
+                                       "director", "--password-file", path("password.txt")});
+            const nlohmann::json files = run(words)["files"];
+            ASSERT_FALSE(files.empty()) << format << ' ' << option;
+            if (std::string(format) == "pdf" || std::string(format) == "xlsx") continue;
+            std::string text;
+            for (const nlohmann::json& name : files) {
+                std::ifstream in(name.get<std::string>());
+                text.append(std::istreambuf_iterator<char>(in), {});
+            }
+            const bool is_cohort = std::string(option) == "--cohort";  // counts tasks of the curriculum
+            EXPECT_TRUE(is_cohort || text.find("external-suturing") != std::string::npos)
+                << format << ' ' << option;
+            if (std::string(option) == "--attempt") {
+                EXPECT_EQ(text.find("\"success\":true"), std::string::npos) << "nothing was passed";
+            }
+        }
+}
+
+TEST_F(ImportCommand, RecordingOfPerkTutorBecomesOne) {
+    std::ofstream file(path("needle.xml"));
+    file << "<TransformRecorderLog>\n";
+    for (int i = 0; i < 200; ++i)
+        for (const char* device : {"ProbeToRAS", "StylusTipToRAS"})
+            file << "  <log TimeStampSec=\"" << i / 50 << "\" TimeStampNSec=\"" << i % 50 * 20'000'000
+                 << "\" type=\"transform\" DeviceName=\"" << device << "\" transform=\"1 0 0 " << i
+                 << " 0 1 0 10 0 0 1 20 0 0 0 1 \" />\n";
+    file << "</TransformRecorderLog>\n";
+    file.close();
+    const nlohmann::json stored = run({"import", path("needle.xml"), "--mapping",
+                                       fulcrum::test::source_path("assets/mappings/perktutor.json"),
+                                       "--exercise", "lumbar-puncture", "--person", "external-student"});
+    EXPECT_EQ(stored["task"], "external-lumbar-puncture");
+    EXPECT_EQ(stored["samples"], 200);
+    for (const nlohmann::json& row : stored["metrics"])
+        if (row["id"] == "path_len" && row["hand"] == "right") {
+            EXPECT_NEAR(row["value"].get<double>(), 199, 2);
+        }
+}
+
 TEST_F(ImportCommand, WhatDoesNotFitNamesItsRowAndLeavesNothing) {
     const auto problem = [&](std::vector<std::string> words) {
         try {

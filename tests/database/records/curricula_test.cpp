@@ -124,7 +124,8 @@ TEST(Curricula, AnybodyEnteredTwiceIsCountedOnce) {
     one.record("ben", one.newest);
     EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 2}}));
     merge.merge(administrator, one.programme.id("eve"), one.programme.id("ann"), "the same person");
-    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 1}})) << "the first attempt of both";
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 1}}))
+        << "the first attempt of both";
     EXPECT_EQ(one.of("ann"), "rectal@1");
     merge.undo(administrator, one.programme.id("eve"), "another person after all");
     EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 2}}));

@@ -8,31 +8,14 @@
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
 #include "database/records/curricula.h"
+#include "database/records/person_merge.h"
 #include "database/records/standings.h"
 #include "database/rows/connection.h"
-#include "tests/database/programme_fixture.h"
+#include "database/store/store_restore.h"
+#include "tests/database/external_example.h"
 
 namespace fulcrum::database::test {
 namespace {
-
-constexpr const char* box_trace = "t,left.px\ns,m\n0,0.1\n0.5,0.2\n";
-
-ExternalAttempt box_attempt(const std::string& person) {
-    ExternalAttempt attempt;
-    attempt.person_id = person;
-    attempt.exercise = "peg-transfer";
-    attempt.source = "box trainer";
-    attempt.performed = noon - 3600 * 1000;
-    attempt.utc_offset_min = 60;
-    attempt.duration_s = 0.5;
-    attempt.trace = box_trace;
-    attempt.files = {{external_trace_file, "aa"}, {external_mapping_file, "bb"}};
-    attempt.program_version = "0.1.0";
-    attempt.score.program_version = "0.1.0";
-    attempt.score.not_scored_because = StatementId::recorded_elsewhere;
-    attempt.score.metrics.push_back({"path_len", 1, "left", "", 100.0, {}, "mm", Direction::lower, {}});
-    return attempt;
-}
 
 class External : public ::testing::Test {
   protected:
@@ -127,6 +110,45 @@ TEST_F(External, IsVoidedReassignedAndImportedAgain) {
     EXPECT_EQ(imports().trace(programme.session("ben"), copy), box_trace);
     EXPECT_EQ(programme.attempts().read(educator, copy).meta.device_class, DeviceClass::external);
     add(box_attempt(programme.id("ann")));
+    expect_sound();
+}
+
+TEST_F(External, OfADoubledAccountIsThePersonsAndNotImportedTwice) {
+    programme.people().set_members(programme.session("director"), programme.cohort,
+                                   {programme.id("ann"), programme.id("ben"), programme.id("eve")});
+    const std::string of_eve = add(box_attempt(programme.id("eve")));
+    const PersonMerge merge(*programme.store);
+    const Session& administrator = programme.session("administrator");
+    merge.merge(administrator, programme.id("eve"), programme.id("ann"), "the same person");
+    const Session& ann = programme.session("ann");
+    EXPECT_EQ(programme.attempts().read(ann, of_eve).meta.person_id, programme.id("ann"));
+    EXPECT_EQ(imports().trace(ann, of_eve), box_trace);
+    EXPECT_EQ(refused(box_attempt(programme.id("ann"))), StoreErrorKind::conflict) << "it is hers already";
+    expect_sound();
+    merge.undo(administrator, programme.id("eve"), "another person after all");
+    add(box_attempt(programme.id("ann")));
+    expect_sound();
+}
+
+TEST_F(External, IsInABackupAndInTheStoreThatIsRestoredFromIt) {
+    const std::string id = add(box_attempt(programme.id("ann")));
+    const std::string backup = programme.folder.filePath("backup.db").toStdString();
+    programme.store->backup(programme.session("administrator"), backup);
+    ExternalAttempt later = box_attempt(programme.id("ben"));
+    later.files[0].digest = "cc";
+    const std::string lost = add(later);
+    programme.store.reset();
+    restore_store(
+        backup, programme.path,
+        [](const Store& copy) { return People(copy).sign_in("administrator", password); },
+        programme.clock.options());
+    programme.open();
+    EXPECT_EQ(imports().trace(programme.session("ann"), id), box_trace);
+    EXPECT_EQ(programme.attempts().score(programme.session("ann"), id)->metrics.at(0).value, 100.0);
+    EXPECT_EQ(error_kind([&] { imports().trace(programme.session("ben"), lost); }),
+              StoreErrorKind::not_found);
+    expect_sound();
+    add(later);  // what came after the backup can be imported again
     expect_sound();
 }
 

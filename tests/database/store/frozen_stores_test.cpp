@@ -17,6 +17,7 @@
 #include "database/schema/migration.h"
 #include "database/store/store_restore.h"
 #include "tests/database/cut_off_process.h"
+#include "tests/database/external_example.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/support/support.h"
 
@@ -184,6 +185,12 @@ TEST_P(FrozenStore, BecomesOneOfTodayWithEveryRow) {
     const Store store = Store::open(path);
     EXPECT_EQ(store.interrupted_at_open().size(), GetParam() >= 2 ? 1U : 0U)
         << "the attempt whose program was killed";
+    const Session station = store.station_session();
+    ExternalAttempt box =
+        box_attempt(People(store).ensure_synthetic(station, "external-box", "Box", PersonKind::external).id);
+    box.performed = store.now() - 1000;
+    const std::string imported = ExternalAttempts(store).add(station, box);
+    EXPECT_EQ(ExternalAttempts(store).trace(station, imported), box_trace);
     expect_sound(store);
     store.connection().execute("UPDATE person SET display_name = 'Forged' WHERE login_key = 'ann'");
     EXPECT_FALSE(store.check(store.station_session()).ok) << "edits are found from then on";
@@ -244,6 +251,7 @@ TEST(FreezeStore, OfTodaysSchemaIsWholeAndHasRows) {
     goals.change(ann, goals.set(ann, wish, 20000), wish, 20000);
     PersonMerge(*programme.store)
         .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "entered twice");
+    ExternalAttempts(*programme.store).add(educator, box_attempt(programme.id("ben")));
     programme.record_broken("ben");
     const std::string path = programme.path, copy = path + ".frozen";
     {

@@ -207,7 +207,9 @@ TEST_F(KeyRotation, ManyAtOnceFollowOneAnother) {
     const auto at_once = [&](std::size_t number, const std::function<void(const Store&)>& work) {
         return std::thread([&, number, work] {
             try {
-                const Store store = Store::open(programme.path, programme.clock.options());
+                StoreOptions options = programme.clock.options();
+                options.busy_timeout_ms = 20000;
+                const Store store = Store::open(programme.path, options);
                 for (int i = 0; i < each; ++i) work(store);
                 ++done;
             } catch (const std::exception& error) {

@@ -94,10 +94,8 @@ TEST_F(StationErasure, IsTheDirectorsAndNeverOfOneself) {
     EXPECT_EQ(
         error_kind([&] { erase_person(*programme.store, programme.session("director"), ann, " ", false); }),
         StoreErrorKind::bad_value);
-    EXPECT_EQ(error_kind([&] {
-                  erase_person(*programme.store, programme.session("director"), "nobody", "asked", false);
-              }),
-              StoreErrorKind::not_found);
+    EXPECT_THROW(erase_person(*programme.store, programme.session("director"), "nobody", "asked", false),
+                 AccessDenied);
     EXPECT_EQ(attempts(), 2);
 }
 

@@ -37,9 +37,9 @@ struct Outcome {
     double first_gap = 0;     ///< m, shaft to centre line when it was met
 };
 
-class Hands {
+class TunnelHands {
   public:
-    explicit Hands(bool late)
+    explicit TunnelHands(bool late)
         : late_(late),
           scene_(load_scene(test::source_path("assets/scenes/b1_bowel.json"))),
           world_(scene_, 1),
@@ -167,7 +167,7 @@ Vector3 direction(Random& random) {
 }
 
 void cross_everywhere(double speed, bool late, int wanted) {
-    Hands hands(late);
+    TunnelHands hands(late);
     Random random(static_cast<std::uint64_t>(speed), late ? 1 : 0);
     // A late model holds the tool pose of ten ticks ago.
     const double run_up = 0.05 + 0.012 * speed;

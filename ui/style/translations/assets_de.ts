@@ -1000,5 +1000,17 @@
         <source>The trainee did it as an expert would</source>
         <translation>Die Person hat es ausgeführt, wie es erfahrene Operierende tun</translation>
     </message>
+    <message>
+        <source>JIGSAWS kinematics (da Vinci robot, suturing, knot tying, needle passing)</source>
+        <translation>JIGSAWS-Kinematik (Da-Vinci-Roboter, Nähen, Knoten, Nadel durchführen)</translation>
+    </message>
+    <message>
+        <source>ROSMA kinematics (da Vinci Research Kit, pea on a peg, post and sleeve, wire chaser)</source>
+        <translation>ROSMA-Kinematik (Da Vinci Research Kit, Erbse auf Stift, Hülse auf Pfosten, heißer Draht)</translation>
+    </message>
+    <message>
+        <source>PerkTutor transform recording (3D Slicer, tracked tools)</source>
+        <translation>PerkTutor-Aufzeichnung von Transformationen (3D Slicer, getrackte Werkzeuge)</translation>
+    </message>
 </context>
 </TS>

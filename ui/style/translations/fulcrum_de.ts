@@ -6706,20 +6706,96 @@
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
     <message>
-        <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
-        <translation>löschen Sie DISPLAY und WAYLAND_DISPLAY, um ohne Bildschirm zu zeichnen</translation>
+        <source>&lt;%1&gt; has no attribute %2</source>
+        <translation>&lt;%1&gt; hat kein Attribut %2</translation>
     </message>
     <message>
-        <source>no display can be opened</source>
-        <translation>es lässt sich kein Bildschirm öffnen</translation>
+        <source>record it again with PerkTutor, or remove this element</source>
+        <translation>nehmen Sie es mit PerkTutor neu auf, oder entfernen Sie dieses Element</translation>
     </message>
     <message>
-        <source>no display can be opened (%1)</source>
-        <translation>es lässt sich kein Bildschirm öffnen (%1)</translation>
+        <source>the file ends within an element</source>
+        <translation>die Datei endet mitten in einem Element</translation>
     </message>
     <message>
-        <source>start fulcrum on a desktop, or use its commands, which need no display (fulcrum --help lists them)</source>
-        <translation>starten Sie fulcrum auf einer grafischen Oberfläche, oder verwenden Sie seine Befehle, die keinen Bildschirm brauchen (fulcrum --help nennt sie)</translation>
+        <source>the recording was cut off: copy the file again</source>
+        <translation>die Aufzeichnung ist abgeschnitten: kopieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>the attributes of &lt;%1&gt; cannot be read</source>
+        <translation>die Attribute von &lt;%1&gt; sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>choose a recording that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung, die PerkTutor als XML gespeichert hat</translation>
+    </message>
+    <message>
+        <source>attribute %1 has more than %2 bytes</source>
+        <translation>Attribut %1 hat mehr als %2 Bytes</translation>
+    </message>
+    <message>
+        <source>poses have a time already</source>
+        <translation>Posen haben schon eine Zeit</translation>
+    </message>
+    <message>
+        <source>does not name a device and an entry of its pose</source>
+        <translation>nennt kein Gerät mit einem Eintrag seiner Pose</translation>
+    </message>
+    <message>
+        <source>write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x</source>
+        <translation>schreiben Sie GERÄT.x, .y oder .z, oder für eine Achse GERÄT.z_axis.x</translation>
+    </message>
+    <message>
+        <source>has no meaning for a recording of poses</source>
+        <translation>hat bei einer Aufzeichnung von Posen keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: &quot;%2&quot;</source>
+        <translation>%1 ist keine Zahl: „%2“</translation>
+    </message>
+    <message>
+        <source>remove this element, or record again</source>
+        <translation>entfernen Sie dieses Element, oder nehmen Sie neu auf</translation>
+    </message>
+    <message>
+        <source>the time is out of range</source>
+        <translation>die Zeit liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>transform has not 16 numbers by rows, the last four of them 0 0 0 1 (numbers: %1)</source>
+        <translation>transform hat nicht 16 Zahlen zeilenweise, die letzten vier davon 0 0 0 1 (Zahlen: %1)</translation>
+    </message>
+    <message>
+        <source>choose a recording of rigid tools that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung starrer Werkzeuge, die PerkTutor als XML gespeichert hat</translation>
+    </message>
+    <message>
+        <source>more than %1 devices</source>
+        <translation>mehr als %1 Geräte</translation>
+    </message>
+    <message>
+        <source>does not begin with &lt;TransformRecorderLog&gt;</source>
+        <translation>beginnt nicht mit &lt;TransformRecorderLog&gt;</translation>
+    </message>
+    <message>
+        <source>DeviceName is empty, too long or not UTF-8</source>
+        <translation>DeviceName ist leer, zu lang oder kein UTF-8</translation>
+    </message>
+    <message>
+        <source>name the device in 3D Slicer and record again</source>
+        <translation>benennen Sie das Gerät in 3D Slicer und nehmen Sie neu auf</translation>
+    </message>
+    <message>
+        <source>the file ends without &lt;/TransformRecorderLog&gt;</source>
+        <translation>die Datei endet ohne &lt;/TransformRecorderLog&gt;</translation>
+    </message>
+    <message>
+        <source>there is no pose of the device %1</source>
+        <translation>es gibt keine Pose des Geräts %1</translation>
+    </message>
+    <message>
+        <source>name one of these in the mapping: %1</source>
+        <translation>nennen Sie eines davon in der Zuordnung: %1</translation>
     </message>
     <message>
         <source>The Inverse service of Haply ended or closed the connection. Start it again, and end other programs that use the device.</source>
@@ -6740,6 +6816,10 @@
     <message>
         <source>The safety brake of the device has triggered. Let go of the handle for three seconds, then resume; move it more slowly.</source>
         <translation>Die Sicherheitsbremse des Geräts hat ausgelöst. Lassen Sie den Griff drei Sekunden lang los und machen Sie dann weiter; bewegen Sie ihn langsamer.</translation>
+    </message>
+    <message>
+        <source>libwebsockets, which speaks with it, does not start</source>
+        <translation>libwebsockets, das mit ihm spricht, startet nicht</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not the name of a kind of device</source>
@@ -6819,87 +6899,103 @@
     </message>
     <message>
         <source>%1: signed by the key %2, but the key %3 was announced</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: vom Schlüssel %2 unterschrieben, angekündigt war aber der Schlüssel %3</translation>
     </message>
     <message>
         <source>%1: signed by the key %2, which ended with row %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: vom Schlüssel %2 unterschrieben, der mit Zeile %3 endete</translation>
     </message>
     <message>
         <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: von hier an unterschreibt der Schlüssel %2, den der vorige, %3, nicht angekündigt hat (seine Datei ging verloren, oder jemand anderes hat dies geschrieben)</translation>
     </message>
     <message>
         <source>%1: does not announce a new key</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kündigt keinen neuen Schlüssel an</translation>
     </message>
     <message>
         <source>a new key needs a reason</source>
-        <translation type="unfinished"></translation>
+        <translation>ein neuer Schlüssel braucht einen Grund</translation>
     </message>
     <message>
         <source>say why: planned, or what may have been copied</source>
-        <translation type="unfinished"></translation>
+        <translation>sagen Sie, warum: geplant, oder was kopiert worden sein kann</translation>
     </message>
     <message>
         <source>a person who is to be erased is performing at this station</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Person, die gelöscht werden soll, übt gerade an diesem Arbeitsplatz</translation>
     </message>
     <message>
         <source>try again when the attempt has ended</source>
-        <translation type="unfinished"></translation>
+        <translation>versuchen Sie es noch einmal, wenn der Versuch beendet ist</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde mit einer Person zusammengeführt, die auf dem Server gelöscht wurde, der davon nichts wusste: Löschen Sie dort auch %2 (`fulcrum server erase`), oder machen Sie die Zusammenführung rückgängig</translation>
     </message>
     <message>
         <source>%1: the list of erased people: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Liste der gelöschten Personen: %2</translation>
     </message>
     <message>
         <source>put its copy back, or make its folder writable; nothing was erased</source>
-        <translation type="unfinished"></translation>
+        <translation>legen Sie die Kopie zurück, oder machen Sie den Ordner beschreibbar; es wurde nichts gelöscht</translation>
     </message>
     <message>
-        <source>is not one</source>
-        <translation type="unfinished"></translation>
+        <source>is not such a list</source>
+        <translation>ist keine solche Liste</translation>
     </message>
     <message>
         <source>is damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>ist beschädigt</translation>
     </message>
     <message>
         <source>nobody is erased in the demonstration</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Demonstration wird niemand gelöscht</translation>
     </message>
     <message>
         <source>this programme has a server, which would bring the person back</source>
-        <translation type="unfinished"></translation>
+        <translation>dieses Programm hat einen Server, der die Person zurückbringen würde</translation>
     </message>
     <message>
         <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
-        <translation type="unfinished"></translation>
+        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jeder Arbeitsplatz folgt bei seinem nächsten Abgleich</translation>
     </message>
     <message>
         <source>the last administrator cannot be erased</source>
-        <translation type="unfinished"></translation>
+        <translation>der letzte Administrator kann nicht gelöscht werden</translation>
     </message>
     <message>
         <source>give another person the role first</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie zuerst einer anderen Person die Rolle</translation>
     </message>
     <message>
         <source>an erasure needs a reason</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Löschung braucht einen Grund</translation>
     </message>
     <message>
         <source>say who asked for it; the reason itself stays, so name nobody in it</source>
-        <translation type="unfinished"></translation>
+        <translation>sagen Sie, wer darum gebeten hat; der Grund selbst bleibt, nennen Sie darin also keine Namen</translation>
     </message>
     <message>
         <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
-        <translation type="unfinished"></translation>
+        <translation>die neueste Zeile des Protokolls ist vom Schlüssel %1 unterschrieben, zu dem von %2 keine angekündigten Schlüssel führen: Das Protokoll hat jemand anderes geschrieben, oder der Schlüssel ging verloren</translation>
+    </message>
+    <message>
+        <source>unset DISPLAY and WAYLAND_DISPLAY to draw without one</source>
+        <translation>löschen Sie DISPLAY und WAYLAND_DISPLAY, um ohne Bildschirm zu zeichnen</translation>
+    </message>
+    <message>
+        <source>no display can be opened</source>
+        <translation>es lässt sich kein Bildschirm öffnen</translation>
+    </message>
+    <message>
+        <source>no display can be opened (%1)</source>
+        <translation>es lässt sich kein Bildschirm öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>start fulcrum on a desktop, or use its commands, which need no display (fulcrum --help lists them)</source>
+        <translation>starten Sie fulcrum auf einer grafischen Oberfläche, oder verwenden Sie seine Befehle, die keinen Bildschirm brauchen (fulcrum --help nennt sie)</translation>
     </message>
     <message>
         <source>needs a window: mice and keys are read there</source>
@@ -7946,10 +8042,6 @@
         <translation>die Hälfte des Schnitts lag weiter als {value} von der Schicht entfernt, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>apply traction until the plane opens, and follow the middle of the stretched fibres</source>
-        <translation>ziehen Sie, bis sich die Schicht öffnet, und folgen Sie der Mitte der gespannten Fasern</translation>
-    </message>
-    <message>
         <source>Side of the plane</source>
         <translation>Seite der Schicht</translation>
     </message>
@@ -8024,10 +8116,6 @@
     <message>
         <source>{value} of the line was divided, below the required {limit}</source>
         <translation>{value} der Linie wurden durchtrennt, unter dem geforderten Wert von {limit}</translation>
-    </message>
-    <message>
-        <source>apply less traction, and go back along the line and divide the bridges that are left</source>
-        <translation>ziehen Sie weniger, gehen Sie die Linie noch einmal ab und durchtrennen Sie die verbliebenen Brücken</translation>
     </message>
     <message>
         <source>Safe use of energy</source>
@@ -8122,10 +8210,6 @@
         <translation>{value} Gefäße wurden offen gerissen oder durchtrennt, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>clip or seal a vessel before it is divided, and apply less traction</source>
-        <translation>clippen oder versiegeln Sie ein Gefäß, bevor es durchtrennt wird, und ziehen Sie weniger</translation>
-    </message>
-    <message>
         <source>Nerve injured</source>
         <translation>Nerv verletzt</translation>
     </message>
@@ -8168,10 +8252,6 @@
     <message>
         <source>the force rose to {value}, above the limit of {limit}</source>
         <translation>die Kraft stieg auf {value}, über dem Grenzwert von {limit}</translation>
-    </message>
-    <message>
-        <source>approach slowly, and stop when the tissue no longer yields</source>
-        <translation>nähern Sie sich langsam, und ziehen Sie nicht weiter, wenn das Gewebe nicht mehr nachgibt</translation>
     </message>
     <message>
         <source>Force variation</source>
@@ -8264,10 +8344,6 @@
     <message>
         <source>the force varied in all directions: volume {value}, above the limit of {limit}</source>
         <translation>die Kraft schwankte in alle Richtungen: Volumen {value}, über dem Grenzwert von {limit}</translation>
-    </message>
-    <message>
-        <source>decide on one direction of traction and keep it</source>
-        <translation>entscheiden Sie sich für eine Zugrichtung und behalten Sie sie bei</translation>
     </message>
     <message>
         <source>Time above the force limit</source>
@@ -8386,10 +8462,6 @@
         <translation>Gewebe rutschte {value}-mal ab, über dem Grenzwert von {limit}</translation>
     </message>
     <message>
-        <source>take a larger bite before you apply traction</source>
-        <translation>fassen Sie mehr Gewebe, bevor Sie ziehen</translation>
-    </message>
-    <message>
         <source>Repeated grasps</source>
         <translation>Wiederholte Griffe</translation>
     </message>
@@ -8400,10 +8472,6 @@
     <message>
         <source>the same place was grasped again {value} times, above the limit of {limit}</source>
         <translation>dieselbe Stelle wurde {value}-mal erneut gefasst, über dem Grenzwert von {limit}</translation>
-    </message>
-    <message>
-        <source>place the jaws where you will apply traction, then close once</source>
-        <translation>setzen Sie das Maul dort an, wo Sie ziehen werden, und schließen Sie es dann einmal</translation>
     </message>
     <message>
         <source>Drops</source>
@@ -8868,6 +8936,34 @@
     <message>
         <source>restore the tension on the patient&apos;s left before you cut there</source>
         <translation>stellen Sie auf der linken Seite des Patienten die Spannung wieder her, bevor Sie dort schneiden</translation>
+    </message>
+    <message>
+        <source>apply traction until the plane opens, and follow the middle of the stretched fibres</source>
+        <translation>ziehen Sie, bis sich die Schicht öffnet, und folgen Sie der Mitte der gespannten Fasern</translation>
+    </message>
+    <message>
+        <source>apply less traction, and go back along the line and divide the bridges that are left</source>
+        <translation>ziehen Sie weniger, gehen Sie die Linie noch einmal ab und durchtrennen Sie die verbliebenen Brücken</translation>
+    </message>
+    <message>
+        <source>clip or seal a vessel before it is divided, and apply less traction</source>
+        <translation>clippen oder versiegeln Sie ein Gefäß, bevor es durchtrennt wird, und ziehen Sie weniger</translation>
+    </message>
+    <message>
+        <source>approach slowly, and stop when the tissue no longer yields</source>
+        <translation>nähern Sie sich langsam, und ziehen Sie nicht weiter, wenn das Gewebe nicht mehr nachgibt</translation>
+    </message>
+    <message>
+        <source>decide on one direction of traction and keep it</source>
+        <translation>entscheiden Sie sich für eine Zugrichtung und behalten Sie sie bei</translation>
+    </message>
+    <message>
+        <source>take a larger bite before you apply traction</source>
+        <translation>fassen Sie mehr Gewebe, bevor Sie ziehen</translation>
+    </message>
+    <message>
+        <source>place the jaws where you will apply traction, then close once</source>
+        <translation>setzen Sie das Maul dort an, wo Sie ziehen werden, und schließen Sie es dann einmal</translation>
     </message>
 </context>
 <context>
@@ -9512,6 +9608,14 @@
     <message>
         <source>attempts: %1</source>
         <translation>Versuche: %1</translation>
+    </message>
+    <message>
+        <source>The trace was imported as an external attempt.</source>
+        <translation>Die Aufzeichnung wurde als externer Versuch importiert.</translation>
+    </message>
+    <message>
+        <source>Import a trace …</source>
+        <translation>Aufzeichnung importieren …</translation>
     </message>
 </context>
 <context>
@@ -12217,12 +12321,12 @@ Kennzahlen: %2</translation>
         <translation>Gestrichelt und in Klammern: die geltende Regel, %1.</translation>
     </message>
     <message>
-        <source>Every pass raises a sum, every failure lowers it more, never below 0; a trainee who reaches the limit is proficient.</source>
-        <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
-    </message>
-    <message>
         <source>This is the rule in force.</source>
         <translation>Das ist die geltende Regel.</translation>
+    </message>
+    <message>
+        <source>Every pass raises a sum, every failure lowers it more, never below 0; a trainee who reaches the limit is proficient.</source>
+        <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
     </message>
 </context>
 <context>
@@ -12458,6 +12562,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Bild</translation>
     </message>
     <message>
+        <source>The scene cannot be drawn on this machine: %1</source>
+        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
+    </message>
+    <message>
         <source>Drawn by: %1</source>
         <translation>Gezeichnet von: %1</translation>
     </message>
@@ -12480,10 +12588,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
         <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
-    </message>
-    <message>
-        <source>The scene cannot be drawn on this machine: %1</source>
-        <translation>Die Szene kann auf diesem Rechner nicht gezeichnet werden: %1</translation>
     </message>
 </context>
 <context>
@@ -13673,51 +13777,51 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel</translation>
     </message>
     <message>
         <source>The station signs its audit log with a key, and reports print its name. Change the key when its file may have been copied, or when somebody who could read it leaves. The old key announces the new one; what it signed stays valid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsplatz unterschreibt sein Protokoll mit einem Schlüssel, dessen Namen Berichte nennen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann oder wenn jemand geht, der sie lesen konnte. Der alte Schlüssel kündigt den neuen an; was er unterschrieben hat, bleibt gültig.</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished">Von</translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>Until</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>How it began</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie er begann</translation>
     </message>
     <message>
         <source>Why the key is changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum der Schlüssel gewechselt wird</translation>
     </message>
     <message>
         <source>Change the key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel wechseln</translation>
     </message>
     <message>
         <source>in use</source>
-        <translation type="unfinished"></translation>
+        <translation>in Gebrauch</translation>
     </message>
     <message>
         <source>the first</source>
-        <translation type="unfinished"></translation>
+        <translation>der erste</translation>
     </message>
     <message>
         <source>✓ announced by the key before it</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ vom vorigen Schlüssel angekündigt</translation>
     </message>
     <message>
         <source>✕ not announced by the key before it</source>
-        <translation type="unfinished"></translation>
+        <translation>✕ vom vorigen Schlüssel nicht angekündigt</translation>
     </message>
     <message>
         <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsplatz unterschreibt von jetzt an mit dem Schlüssel %1. Bewahren Sie eine Kopie seiner Datei auf.</translation>
     </message>
 </context>
 <context>
@@ -14087,6 +14191,157 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::TraceImportCard</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Read the file</source>
+        <translation>Datei lesen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Column in the file</source>
+        <translation>Spalte in der Datei</translation>
+    </message>
+    <message>
+        <source>Unit in the file</source>
+        <translation>Einheit in der Datei</translation>
+    </message>
+    <message>
+        <source>Import a trace from elsewhere</source>
+        <translation>Aufzeichnung von anderswo importieren</translation>
+    </message>
+    <message>
+        <source>A recording of a box trainer, a robot or another simulator. It is measured and shown as external; no limits judge it and it counts for no standing.</source>
+        <translation>Eine Aufzeichnung eines Boxtrainers, eines Roboters oder eines anderen Simulators. Sie wird gemessen und als extern gezeigt; kein Grenzwert bewertet sie, und sie zählt für keinen Stand.</translation>
+    </message>
+    <message>
+        <source>Trace file</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Format of the file</source>
+        <translation>Format der Datei</translation>
+    </message>
+    <message>
+        <source>File …</source>
+        <translation>Datei …</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Performed at</source>
+        <translation>Durchgeführt am</translation>
+    </message>
+    <message>
+        <source>Choose a person</source>
+        <translation>Person wählen</translation>
+    </message>
+    <message>
+        <source>Fulcrum (CSV)</source>
+        <translation>Fulcrum (CSV)</translation>
+    </message>
+    <message>
+        <source>Another mapping file …</source>
+        <translation>Andere Zuordnungsdatei …</translation>
+    </message>
+    <message>
+        <source>Traces (*.csv *.txt *.tsv *.xml)</source>
+        <translation>Aufzeichnungen (*.csv *.txt *.tsv *.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mapping file</source>
+        <translation>Zuordnungsdatei</translation>
+    </message>
+    <message>
+        <source>Mappings (*.json)</source>
+        <translation>Zuordnungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Choose the file that was recorded.</source>
+        <translation>Wählen Sie die aufgezeichnete Datei.</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>rate unknown</source>
+        <translation>Abtastrate unbekannt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n Messpunkt</numerusform>
+            <numerusform>%n Messpunkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n metrics have a value</source>
+        <translation>
+            <numerusform>%n Kennzahl hat einen Wert</numerusform>
+            <numerusform>%n Kennzahlen haben einen Wert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not read: %1.</source>
+        <translation>Nicht gelesen: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples without a value were left out.</source>
+        <translation>
+            <numerusform>%n Messpunkt ohne Wert wurde ausgelassen.</numerusform>
+            <numerusform>%n Messpunkte ohne Wert wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of more than 0.1 s have no sample; nothing is measured across them.</source>
+        <translation>
+            <numerusform>Ein Abschnitt von mehr als 0,1 s (Anzahl: %n) hat keinen Messpunkt; darüber hinweg wird nicht gemessen.</numerusform>
+            <numerusform>%n Abschnitte von mehr als 0,1 s haben keinen Messpunkt; darüber hinweg wird nicht gemessen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose the person who performed it.</source>
+        <translation>Wählen Sie die Person, die es durchgeführt hat.</translation>
+    </message>
+    <message>
+        <source>Storing …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
+        <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::TracePanel</name>
     <message>
         <source>left hand</source>
@@ -14405,15 +14660,15 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>First row signed by the new key</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Zeile mit dem neuen Schlüssel</translation>
     </message>
     <message>
         <source>New key of the station announced</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Schlüssel des Arbeitsplatzes angekündigt</translation>
     </message>
     <message>
         <source>Keys of the station: all</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel des Arbeitsplatzes: alle</translation>
     </message>
 </context>
 <context>
@@ -14687,11 +14942,11 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>change the station&apos;s key</source>
-        <translation type="unfinished"></translation>
+        <translation>den Schlüssel des Arbeitsplatzes wechseln</translation>
     </message>
     <message>
         <source>erase this person</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Person löschen</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,37 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::TraceImportCard</name>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n metrics have a value</source>
+        <translation>
+            <numerusform>%n metric has a value</numerusform>
+            <numerusform>%n metrics have a value</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples without a value were left out.</source>
+        <translation>
+            <numerusform>%n sample without a value was left out.</numerusform>
+            <numerusform>%n samples without a value were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of more than 0.1 s have no sample; nothing is measured across them.</source>
+        <translation>
+            <numerusform>%n stretch of more than 0.1 s has no sample; nothing is measured across it.</numerusform>
+            <numerusform>%n stretches of more than 0.1 s have no sample; nothing is measured across them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::goals</name>
     <message numerus="yes">
         <source>%n days left.</source>

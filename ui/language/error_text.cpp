@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/page/error_text.h"
+#include "ui/language/error_text.h"
 
 #include <QCoreApplication>
 
 #include "database/rows/errors.h"
-#include "ui/style/text.h"
+#include "ui/language/words.h"
 
 namespace fulcrum::ui {
 namespace {

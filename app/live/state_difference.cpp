@@ -2,7 +2,7 @@
 // A difference: number of sections (a section goes from the beginning of one table to that of the next) and
 // the length of each in `to`; a bit for each block of what both have of a section, 1: it changed; the changed
 // blocks, each byte by exclusive or, and what `to` has more of each section.
-#include "app/services/state_difference.h"
+#include "app/live/state_difference.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names that are stored or used inside the program, and what errors say, in the reader's language.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <string>
+
+namespace fulcrum {
+class Sentence;
+}
+
+namespace fulcrum::ui {
+
+/// The words for one name that is stored or used inside the program.
+struct WordsOf {
+    const char* name;
+    const char* shown;  ///< marked with QT_TRANSLATE_NOOP
+};
+/// The words of the row with this name in the reader's language; empty if there is none.
+template <std::size_t N>
+QString words_in(const WordsOf (&table)[N], const std::string& name, const char* context) {
+    for (const WordsOf& row : table) {
+        if (name == row.name) return QCoreApplication::translate(context, row.shown);
+    }
+    return {};
+}
+
+/// What an error says, in the reader's language.
+QString sentence_text(const Sentence& sentence);
+QString role_text(const std::string& role);
+
+}  // namespace fulcrum::ui
