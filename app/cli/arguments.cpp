@@ -78,7 +78,7 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
         values_[option->name] = "";
         return;
     }
-    const Sentence hint(QT_TRANSLATE_NOOP("errors", "write %1 %2; %3"), name, option->argument,
+    const Sentence hint(QT_TRANSLATE_NOOP("errors", "write %1 %2; %3"), name, placeholders(option->argument),
                         see_help(command));
     if (!attached) {
         if (at + 1 >= words.size())
@@ -89,11 +89,13 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
     const auto& choices = option->choices;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), *attached) == choices.end()) {
         const std::string near = nearest(*attached, choices);
-        throw UsageError(
-            name, {QT_TRANSLATE_NOOP("errors", "'%1' is not a known %2"), *attached, option->argument},
-            near.empty() ? Sentence(QT_TRANSLATE_NOOP("errors", "use one of %1"), joined(choices))
-                         : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? Use one of %2"), near,
-                                    joined(choices)));
+        throw UsageError(name,
+                         {QT_TRANSLATE_NOOP("errors", "'%1' is not a known %2"), *attached,
+                          placeholders(option->argument)},
+                         near.empty()
+                             ? Sentence(QT_TRANSLATE_NOOP("errors", "use one of %1"), joined(choices))
+                             : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? Use one of %2"), near,
+                                        joined(choices)));
     }
     values_[option->name] = *attached;
 }

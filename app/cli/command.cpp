@@ -11,7 +11,8 @@
 namespace fulcrum::app {
 namespace {
 
-const Option help_option{"--help", "", "Print this help and exit.", "", {}, "-h"};
+const Option help_option{"--help", "", QT_TRANSLATE_NOOP("commands", "Print this help and exit."),
+                         "",       {}, "-h"};
 
 std::string group_of(const std::string& name) {
     const std::size_t space = name.find(' ');
@@ -90,8 +91,14 @@ const Option* Command::option(const std::string& word) const {
     return nullptr;
 }
 
-std::string Command::usage() const {
-    return "fulcrum " + name + (words.empty() ? "" : " " + words) + " [options]";
+Sentence Command::usage() const {
+    return words.empty() ? Sentence(QT_TRANSLATE_NOOP("commands", "fulcrum %1 [options]"), name)
+                         : Sentence(QT_TRANSLATE_NOOP("commands", "fulcrum %1 %2 [options]"), name,
+                                    placeholders(words));
+}
+
+bool Command::is_laboratory() const {
+    return group_of(name) == "lab";
 }
 
 namespace {
@@ -126,22 +133,31 @@ CommandTable::CommandTable(std::vector<Command> commands, std::string version)
          "SHELL",
          1,
          1,
-         "Prints a completion script for bash or zsh.",
+         QT_TRANSLATE_NOOP("commands", "Prints a completion script for bash or zsh."),
          {},
          {},
          false,
-         "For bash: fulcrum completion bash > ~/.local/share/bash-completion/completions/fulcrum"});
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "For bash: fulcrum completion bash > ~/.local/share/bash-completion/completions/fulcrum")});
     commands_.push_back(
-        {"help", "[COMMAND]", 0, 2, "Prints what the commands do, or one command's options.", {}, {}});
-    commands_.push_back({"manual",
-                         "",
-                         0,
-                         0,
-                         "Prints the manual page.",
-                         {},
-                         {},
-                         false,
-                         "To read it: fulcrum manual > fulcrum.1; man ./fulcrum.1"});
+        {"help",
+         "[COMMAND]",
+         0,
+         2,
+         QT_TRANSLATE_NOOP("commands", "Prints what the commands do, or one command's options."),
+         {},
+         {}});
+    commands_.push_back(
+        {"manual",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP("commands", "Prints the manual page."),
+         {},
+         {},
+         false,
+         QT_TRANSLATE_NOOP("commands", "To read it: fulcrum manual > fulcrum.1; man ./fulcrum.1")});
     for (Command& command : commands_) command.options.push_back(help_option);
 }
 

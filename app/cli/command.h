@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One table describes every command and its options. Parsing, --help, shell completion and the man page are
-// generated from it.
+// generated from it. What people read is marked QT_TRANSLATE_NOOP("commands", "...") and put into the
+// reader's language when it is printed; names of commands and options, choices and other values are not.
 #pragma once
 
 #include <functional>
@@ -11,11 +12,16 @@
 
 namespace fulcrum::app {
 
+/// The source of a text of the help in the language in use; `context` is not looked at.
+std::string help_words(const char* context, const char* source);
+/// "TRACE.csv", "LOGIN,LOGIN,...": the words in capitals stand for what the reader writes and are translated.
+Sentence placeholders(const std::string& text);
+
 struct Option {
     std::string name;                       ///< "--seed"
     std::string argument = {};              ///< "N"; empty: a flag
-    std::string help = {};                  ///< one sentence, shown by --help and in the man page
-    std::string fallback = {};              ///< the default value; shown if not empty
+    Sentence help = {};                     ///< one sentence, shown by --help and in the man page
+    Sentence fallback = {};                 ///< the default value; shown if not empty
     std::vector<std::string> choices = {};  ///< the allowed arguments; empty: any
     std::string letter = {};                ///< "-o"
 };
@@ -24,15 +30,16 @@ struct Command {
     std::string name;   ///< "db backup": a group and an action, or one word
     std::string words;  ///< "TASK", "FILE...", "[N]"
     std::size_t minimum_words = 0, maximum_words = 0;
-    std::string help;  ///< one sentence
+    Sentence help;  ///< one sentence
     std::vector<Option> options = {};
     std::function<int(const Arguments&)> run = {};
     bool draws = false;        ///< needs QApplication: fonts or OpenGL
-    std::string details = {};  ///< a paragraph for --help and the man page
+    Sentence details = {};     ///< a paragraph for --help and the man page
     std::string program = {};  ///< the program that runs it, in the folder of this one; empty: this one
 
     const Option* option(const std::string& word) const;
-    std::string usage() const;  ///< "fulcrum db backup TO [options]"
+    Sentence usage() const;      ///< "fulcrum db backup TO [options]"
+    bool is_laboratory() const;  ///< its help stays in English: it is for developers
 };
 
 /// One parsed command line.

@@ -92,18 +92,24 @@ int accept(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> asset_commands() {
-    return {{"assets list",
-             "",
-             0,
-             0,
-             "Lists the installed scenes, tasks, benchmark sets and curricula, and which of them assessed "
-             "attempts accept.",
-             {store_option(), json_option()},
-             list},
-            {"assets accept", "FILE", 1, 1,
-             "Accepts a file of the site, such as a benchmark set from its experts, for assessed attempts.",
-             joined({{"--reason", "TEXT", "The reason; recorded in the audit log."}}, session_options()),
-             accept}};
+    return {
+        {"assets list",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP("commands",
+                           "Lists the installed scenes, tasks, benchmark sets and curricula, and which of "
+                           "them assessed attempts accept."),
+         {store_option(), json_option()},
+         list},
+        {"assets accept", "FILE", 1, 1,
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Accepts a file of the site, such as a benchmark set from its experts, for assessed attempts."),
+         joined(
+             {{"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "The reason; recorded in the audit log.")}},
+             session_options()),
+         accept}};
 }
 
 }  // namespace fulcrum::app

@@ -331,30 +331,38 @@ int run_benchmark_build(const Arguments& arguments) {
 }  // namespace
 
 Command benchmark_command() {
-    return {
-        "benchmark build",
-        "[TASK]",
-        0,
-        1,
-        "Builds a benchmark set and prints the share of its own experts' attempts that would pass.",
-        joined({{"--operators", "", "Use synthetic operators; the set is provisional."},
-                {"--experts", "LOGIN,LOGIN,...", "Use the stored attempts of these people; needs --as."},
-                {"--device-class",
-                 "CLASS",
-                 "The class of devices that the set is for; operators work through a model of it.",
-                 "haptic",
-                 {"haptic", "tracked", "controller", "mouse-keyboard"}},
-                variant_option(),
-                {"--all", "", "Build the sets of all tasks and device classes, from operators."},
-                {"--output",
-                 "FILE",
-                 "Write the set to this file; with --all, the sets to this folder. The version of a set is "
-                 "one more than that of the one it replaces.",
-                 "",
-                 {},
-                 "-o"}},
-               session_options()),
-        run_benchmark_build};
+    return {"benchmark build",
+            "[TASK]",
+            0,
+            1,
+            QT_TRANSLATE_NOOP(
+                "commands",
+                "Builds a benchmark set and prints the share of its own experts' attempts that would pass."),
+            joined({{"--operators", "",
+                     QT_TRANSLATE_NOOP("commands", "Use synthetic operators; the set is provisional.")},
+                    {"--experts", "LOGIN,LOGIN,...",
+                     QT_TRANSLATE_NOOP("commands", "Use the stored attempts of these people; needs --as.")},
+                    {"--device-class",
+                     "CLASS",
+                     QT_TRANSLATE_NOOP(
+                         "commands",
+                         "The class of devices that the set is for; operators work through a model of it."),
+                     "haptic",
+                     {"haptic", "tracked", "controller", "mouse-keyboard"}},
+                    variant_option(),
+                    {"--all", "",
+                     QT_TRANSLATE_NOOP("commands",
+                                       "Build the sets of all tasks and device classes, from operators.")},
+                    {"--output",
+                     "FILE",
+                     QT_TRANSLATE_NOOP("commands",
+                                       "Write the set to this file; with --all, the sets to this folder. The "
+                                       "version of a set is one more than that of the one it replaces."),
+                     "",
+                     {},
+                     "-o"}},
+                   session_options()),
+            run_benchmark_build};
 }
 
 }  // namespace fulcrum::app

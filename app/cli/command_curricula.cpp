@@ -125,22 +125,27 @@ int run_move(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> curricula_commands() {
-    return {{"curriculum list",
-             "",
-             0,
-             0,
-             "Lists the installed versions of the curriculum; with --db also how many people follow each.",
-             {store_option(), json_option()},
-             run_list},
-            {"curriculum move", "", 0, 0,
-             "Moves a person or a cohort to another version of the curriculum; needs --as.",
-             joined({{"--person", "LOGIN", "Move this person."},
-                     {"--cohort", "NAME", "Move everybody in this cohort."},
-                     {"--to", "VERSION", "The version, such as rectal@2."},
-                     {"--dry-run", "", "Print which standings would change and move nobody."},
-                     {"--reason", "TEXT", "Why; kept in the audit log."}},
-                    session_options()),
-             run_move}};
+    return {
+        {"curriculum list",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Lists the installed versions of the curriculum; with --db also how many people follow each."),
+         {store_option(), json_option()},
+         run_list},
+        {"curriculum move", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands",
+                           "Moves a person or a cohort to another version of the curriculum; needs --as."),
+         joined({{"--person", "LOGIN", QT_TRANSLATE_NOOP("commands", "Move this person.")},
+                 {"--cohort", "NAME", QT_TRANSLATE_NOOP("commands", "Move everybody in this cohort.")},
+                 {"--to", "VERSION", QT_TRANSLATE_NOOP("commands", "The version, such as rectal@2.")},
+                 {"--dry-run", "",
+                  QT_TRANSLATE_NOOP("commands", "Print which standings would change and move nobody.")},
+                 {"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "Why; kept in the audit log.")}},
+                session_options()),
+         run_move}};
 }
 
 }  // namespace fulcrum::app

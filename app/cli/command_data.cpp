@@ -57,16 +57,15 @@ Trace read_trace(const Arguments& arguments, std::size_t& left_out) {
 /// What was not read, not joined, or replaced in the trace, on standard error.
 void print_notes(const nlohmann::json& document) {
     for (const auto& column : document["ignored_columns"])
-        std::cerr << "note: the column " << column.get<std::string>() << " is not known and was not read\n";
-    for (const auto& gap : document["gaps"])
-        std::cerr << "note: no samples from " << gap[0].dump() << " s to " << gap[1].dump()
-                  << " s; nothing is measured across this gap\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: the column %1 is not known and was not read"),
+                    column.get<std::string>()});
+    for (const auto& gap : document["gaps"]) print_gap(gap[0].dump(), gap[1].dump());
     if (document["samples_left_out"] != 0)
-        std::cerr << "note: " << document["samples_left_out"].dump()
-                  << " samples have a missing value and were left out\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: %1 samples have a missing value and were left out"),
+                    document["samples_left_out"].dump()});
     if (document["replaced_force_samples"] != 0)
-        std::cerr << "note: " << document["replaced_force_samples"].dump()
-                  << " force samples were spikes and were replaced\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: %1 force samples were spikes and were replaced"),
+                    document["replaced_force_samples"].dump()});
 }
 
 /// The verdict from a trace with its events.
@@ -220,20 +219,24 @@ Command metrics_command() {
         "TRACE.csv",
         1,
         1,
-        "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input. With "
-        "its events it also gives gates, pathology and verdict.",
+        QT_TRANSLATE_NOOP("commands",
+                          "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads "
+                          "standard input. With its events it also gives gates, pathology and verdict."),
         {{"--mapping", "MAPPING.json",
-          "The trace is of another program: which of its columns is which, and in which unit. Examples are "
-          "in "
-          "assets/mappings."},
+          QT_TRANSLATE_NOOP("commands",
+                            "The trace is of another program: which of its columns is which, and in which "
+                            "unit. Examples are in assets/mappings.")},
          {"--task", "TASK",
-          "The task that the trace belongs to; metrics that depend on its targets need it."},
-         {"--events", "EVENTS.csv", "The attempt's events."},
-         {"--device-class", "CLASS", "The class of the device; its limits are used.", "haptic",
+          QT_TRANSLATE_NOOP(
+              "commands", "The task that the trace belongs to; metrics that depend on its targets need it.")},
+         {"--events", "EVENTS.csv", QT_TRANSLATE_NOOP("commands", "The attempt's events.")},
+         {"--device-class", "CLASS",
+          QT_TRANSLATE_NOOP("commands", "The class of the device; its limits are used."), "haptic",
           device_class_names()},
          variant_option(),
-         {"--fidelity", "LEVEL", "The fidelity of the simulation; its limits are used.", "the scene's own",
-          fidelity_names()},
+         {"--fidelity", "LEVEL",
+          QT_TRANSLATE_NOOP("commands", "The fidelity of the simulation; its limits are used."),
+          QT_TRANSLATE_NOOP("commands", "the scene's own"), fidelity_names()},
          json_option()},
         run_metrics};
 }
@@ -243,8 +246,9 @@ Command check_command() {
             "FILE...",
             1,
             10000,
-            "Checks scenes, tasks, curricula, benchmark sets, observer forms, mappings and traces; - reads "
-            "standard input.",
+            QT_TRANSLATE_NOOP("commands",
+                              "Checks scenes, tasks, curricula, benchmark sets, observer forms, mappings and "
+                              "traces; - reads standard input."),
             {json_option()},
             run_check};
 }

@@ -112,8 +112,8 @@ int check(const Arguments& arguments) {
                          {"notes", english_of(item.notes)}});
         if (!arguments.has("--json")) {
             std::cout << item.name << ": " << (item.ok ? "ok" : "BROKEN") << " (" << item.count << ")\n";
-            for (const Sentence& problem : item.problems) std::cout << "  " << problem.words() << '\n';
-            for (const Sentence& note : item.notes) std::cout << "  note: " << note.words() << '\n';
+            for (const Sentence& problem : item.problems) std::cout << "  " << line_of(problem) << '\n';
+            for (const Sentence& note : item.notes) std::cout << "  note: " << line_of(note) << '\n';
         }
     }
     const int schema = store.found_schema(), current = database::Store::schema_version();
@@ -250,7 +250,7 @@ int audit(const Arguments& arguments) {
     filter.kind = arguments.value_or("--kind", "");
     if (!filter.kind.empty()) require_kind(filter.kind, log.kinds(session));
     const std::vector<database::AuditEntry> entries = log.entries(session, filter);
-    const std::vector<std::string> problems = english_of(log.verify());
+    const std::vector<Sentence> problems = log.verify();
     if (arguments.has("--json")) {
         nlohmann::json rows = nlohmann::json::array();
         for (const database::AuditEntry& entry : entries) rows.push_back(json_of(entry));
@@ -260,7 +260,7 @@ int audit(const Arguments& arguments) {
                       {"rows", log.count()},
                       {"head", log.head()},
                       {"key", log.signing_key()},
-                      {"problems", problems}}},
+                      {"problems", english_of(problems)}}},
                     {"entries", rows}});
     } else {
         for (const database::AuditEntry& entry : entries) {
@@ -272,7 +272,7 @@ int audit(const Arguments& arguments) {
         std::cout << "chain: " << (problems.empty() ? "intact" : "BROKEN") << ", " << log.count()
                   << " rows, head " << log.head()
                   << (log.signing_key().empty() ? "" : ", signed by key " + log.signing_key()) << '\n';
-        for (const std::string& problem : problems) std::cout << "  " << problem << '\n';
+        for (const Sentence& problem : problems) std::cout << "  " << line_of(problem) << '\n';
     }
     return problems.empty() ? 0 : 1;
 }
@@ -345,41 +345,63 @@ int score(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> store_commands() {
-    const Option person{"--person", "LOGIN", "Only entries about this person."};
+    const Option person{"--person", "LOGIN",
+                        QT_TRANSLATE_NOOP("commands", "Only entries about this person.")};
     return {
-        {"db create", "", 0, 0, "Creates an empty store.", {store_option(), json_option()}, create},
-        {"db check", "", 0, 0, "Checks that the store is complete and unchanged.",
-         joined({{"--against", "HEAD",
-                  "Also check that the audit log contains this head, which a report or `db audit` printed "
-                  "earlier: 16 to 64 hexadecimal digits."},
-                 {"--key", "FINGERPRINT",
-                  "Also check that the newest audit row is signed by this key, or by one to which announced "
-                  "keys "
-                  "lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them."}},
-                session_options()),
+        {"db create",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP("commands", "Creates an empty store."),
+         {store_option(), json_option()},
+         create},
+        {"db check", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands", "Checks that the store is complete and unchanged."),
+         joined(
+             {{"--against", "HEAD",
+               QT_TRANSLATE_NOOP("commands",
+                                 "Also check that the audit log contains this head, which a report or `db "
+                                 "audit` printed earlier: 16 to 64 hexadecimal digits.")},
+              {"--key", "FINGERPRINT",
+               QT_TRANSLATE_NOOP(
+                   "commands",
+                   "Also check that the newest audit row is signed by this key, or by one to which announced "
+                   "keys lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them.")}},
+             session_options()),
          check},
-        {"db backup", "TO", 1, 1, "Copies the store to a new file.", session_options(), backup},
+        {"db backup", "TO", 1, 1, QT_TRANSLATE_NOOP("commands", "Copies the store to a new file."),
+         session_options(), backup},
         {"db restore", "FROM", 1, 1,
-         "Puts a backup in the store's place, after checking it; the old store is kept.", session_options(),
-         restore},
+         QT_TRANSLATE_NOOP("commands",
+                           "Puts a backup in the store's place, after checking it; the old store is kept."),
+         session_options(), restore},
         {"db migrate",
          "",
          0,
          0,
-         "Brings an older store up to this program's schema, after checking it; the old file is kept.",
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Brings an older store up to this program's schema, after checking it; the old file is kept."),
          {store_option(), json_option()},
          migrate},
-        {"db audit", "", 0, 0, "Lists the audit log and checks its chain.",
+        {"db audit", "", 0, 0, QT_TRANSLATE_NOOP("commands", "Lists the audit log and checks its chain."),
          joined({person,
-                 {"--kind", "KIND", "Only entries of this operation, or of the group before its dot."},
-                 {"--from", "TIME", "From this day (2026-11-21) or time (2026-11-21T04:07:37Z), UTC."},
-                 {"--until", "TIME", "Up to this day or time, UTC."},
-                 {"--limit", "N", "Show at most this many of the newest entries.", "500"}},
+                 {"--kind", "KIND",
+                  QT_TRANSLATE_NOOP("commands",
+                                    "Only entries of this operation, or of the group before its dot.")},
+                 {"--from", "TIME",
+                  QT_TRANSLATE_NOOP("commands",
+                                    "From this day (2026-11-21) or time (2026-11-21T04:07:37Z), UTC.")},
+                 {"--until", "TIME", QT_TRANSLATE_NOOP("commands", "Up to this day or time, UTC.")},
+                 {"--limit", "N",
+                  QT_TRANSLATE_NOOP("commands", "Show at most this many of the newest entries."), "500"}},
                 session_options()),
          audit},
-        {"db score", "", 0, 0, "Scores interrupted attempts that have no score yet.", session_options(),
-         score},
-        {"db recompute", "", 0, 0, "Recomputes outdated scores; the scores in force stay unchanged.",
+        {"db score", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands", "Scores interrupted attempts that have no score yet."),
+         session_options(), score},
+        {"db recompute", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands", "Recomputes outdated scores; the scores in force stay unchanged."),
          joined({person}, session_options()), recompute}};
 }
 

@@ -42,22 +42,24 @@ int erase(const Arguments& arguments) {
 }  // namespace
 
 Command erase_command() {
-    Command erasing{"people erase",
-                    "LOGIN",
-                    1,
-                    1,
-                    "Erases a person of a programme without a server; needs --as, a director.",
-                    joined({{"--dry-run", "", "Only show what would be erased."},
-                            {"--reason", "TEXT", "Why; stored in the audit log."}},
-                           session_options()),
-                    erase};
+    Command erasing{
+        "people erase",
+        "LOGIN",
+        1,
+        1,
+        QT_TRANSLATE_NOOP("commands",
+                          "Erases a person of a programme without a server; needs --as, a director."),
+        joined({{"--dry-run", "", QT_TRANSLATE_NOOP("commands", "Only show what would be erased.")},
+                {"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "Why; stored in the audit log.")}},
+               session_options()),
+        erase};
     erasing.details =
-        "LOGIN is a login or an id. Name, login, password, cohorts, attempts with traces and scores, "
-        "comments "
-        "by and about the person and what the audit log says of them are deleted; accounts that were merged "
-        "into the person too. The rows of the audit log stay, and a row \"Erased person\" where others' "
-        "records "
-        "name the person. This cannot be undone. A programme with a server erases there (`server erase`).";
+        QT_TRANSLATE_NOOP("commands",
+                          "LOGIN is a login or an id. Name, login, password, cohorts, attempts with traces "
+                          "and scores, comments by and about the person and what the audit log says of them "
+                          "are deleted; accounts that were merged into the person too. The rows of the audit "
+                          "log stay, and a row \"Erased person\" where others' records name the person. This "
+                          "cannot be undone. A programme with a server erases there (`server erase`).");
     return erasing;
 }
 

@@ -52,7 +52,9 @@ Command forms_command() {
             "",
             0,
             0,
-            "Lists the installed observer forms with their items; fulcrum check FILE checks one.",
+            QT_TRANSLATE_NOOP(
+                "commands",
+                "Lists the installed observer forms with their items; fulcrum check FILE checks one."),
             {json_option()},
             run_forms};
 }

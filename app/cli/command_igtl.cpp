@@ -125,9 +125,10 @@ int run_serve(const Arguments& arguments) {
                            {scene.trocar[0].has_value(), scene.trocar[1].has_value()});
     igtl::Server server(address);
     const EndsOnInterrupt ends;
-    std::cerr << "fulcrum: sends attempt " << id << " at "
-              << igtl::Address{address.host, server.port()}.text()
-              << " as soon as a program connects; Ctrl-C ends it\n";
+    print_note(
+        {QT_TRANSLATE_NOOP("commands",
+                           "fulcrum: sends attempt %1 at %2 as soon as a program connects; Ctrl-C ends it"),
+         id, igtl::Address{address.host, server.port()}.text()});
     while (server.clients() == 0 && igtl_stopped == 0) server.step(look_ms);
     Served served(server, trace, scene, rate, speed);
     if (igtl_stopped == 0) served.run();
@@ -256,26 +257,36 @@ int run_record(const Arguments& arguments) {
 std::vector<Command> igtl_commands() {
     return {
         {"igtl serve", "ATTEMPT", 1, 1,
-         "Sends a stored attempt over OpenIGTLink, for example to 3D Slicer, as soon as a program connects.",
-         joined({{"--address", "ADDRESS:PORT", "Where to listen. Without it other computers cannot connect.",
-                  "127.0.0.1:18944"},
-                 {"--rate", "HZ", "Frames a second, 1 to 1000.", "60"},
-                 {"--speed", "N", "How many times as fast as it was performed, 1 to 1000.", "1"}},
-                session_options()),
+         QT_TRANSLATE_NOOP("commands",
+                           "Sends a stored attempt over OpenIGTLink, for example to 3D Slicer, as soon as a "
+                           "program connects."),
+         joined(
+             {{"--address", "ADDRESS:PORT",
+               QT_TRANSLATE_NOOP("commands", "Where to listen. Without it other computers cannot connect."),
+               "127.0.0.1:18944"},
+              {"--rate", "HZ", QT_TRANSLATE_NOOP("commands", "Frames a second, 1 to 1000."), "60"},
+              {"--speed", "N",
+               QT_TRANSLATE_NOOP("commands", "How many times as fast as it was performed, 1 to 1000."), "1"}},
+             session_options()),
          run_serve, false,
-         "Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, CameraToPatient; "
-         "mm, axes of 3D Slicer), the force of each instrument on tissue (SENSOR LeftForce, RightForce; "
-         "N) and its state (LeftState, RightState). docs/FORMATS.md has the details."},
+         QT_TRANSLATE_NOOP("commands",
+                           "Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, "
+                           "CameraToPatient; mm, axes of 3D Slicer), the force of each instrument on tissue "
+                           "(SENSOR LeftForce, RightForce; N) and its state (LeftState, RightState). "
+                           "docs/FORMATS.md has the details.")},
         {"igtl record",
          "[HOST:PORT]",
          0,
          1,
-         "Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md.",
-         {{"--output", "TRACE.csv", "The file to write.", "", {}, "-o"},
-          {"--left", "NAME", "The tool of the left hand.", tool_names[0]},
-          {"--right", "NAME", "The tool of the right hand.", tool_names[1]},
-          {"--camera", "NAME", "The tool of the scope.", tool_names[2]},
-          {"--seconds", "S", "Stop after this time, 1 to 7200.", "until the attempt ends, or Ctrl-C"},
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md."),
+         {{"--output", "TRACE.csv", QT_TRANSLATE_NOOP("commands", "The file to write."), "", {}, "-o"},
+          {"--left", "NAME", QT_TRANSLATE_NOOP("commands", "The tool of the left hand."), tool_names[0]},
+          {"--right", "NAME", QT_TRANSLATE_NOOP("commands", "The tool of the right hand."), tool_names[1]},
+          {"--camera", "NAME", QT_TRANSLATE_NOOP("commands", "The tool of the scope."), tool_names[2]},
+          {"--seconds", "S", QT_TRANSLATE_NOOP("commands", "Stop after this time, 1 to 7200."),
+           QT_TRANSLATE_NOOP("commands", "until the attempt ends, or Ctrl-C")},
           json_option()},
          run_record}};
 }

@@ -47,10 +47,9 @@ void print_import(const nlohmann::json& document) {
               << ", " << document["source"].get<std::string>() << ": " << document["samples"].dump()
               << " samples, " << document["duration_s"].dump() << " s, " << measured << " metric values\n";
     for (const auto& column : document["ignored_columns"])
-        std::cerr << "note: the column " << column.get<std::string>() << " is not mapped and was not read\n";
-    for (const auto& gap : document["gaps"])
-        std::cerr << "note: no samples from " << gap[0].dump() << " s to " << gap[1].dump()
-                  << " s; nothing is measured across this gap\n";
+        print_note({QT_TRANSLATE_NOOP("commands", "note: the column %1 is not mapped and was not read"),
+                    column.get<std::string>()});
+    for (const auto& gap : document["gaps"]) print_gap(gap[0].dump(), gap[1].dump());
     if (document["dry_run"] == true)
         std::cout << "dry run, nothing was stored\n";
     else
@@ -107,19 +106,28 @@ Command import_command() {
         "TRACE.csv",
         1,
         1,
-        "Stores a trace that was recorded elsewhere (box trainer, robot, another simulator) as an external "
-        "attempt of a person: measured, judged by no limits, never part of a standing.",
-        joined({{"--mapping", "MAPPING.json",
-                 "Which column of the trace is which, and in which unit; without it the trace is in the "
-                 "format of docs/FORMATS.md. Examples are in assets/mappings."},
-                {"--exercise", "NAME", "What was performed: letters, digits, dots, hyphens, underscores."},
-                {"--person", "LOGIN",
-                 "Who performed it: with --as a person of a cohort of that educator, else an external "
-                 "person of this station, created if missing (external-NAME)."},
-                {"--performed", "TIME", "When, in local time: 2026-11-20T14:05.", "now"},
-                {"--source", "TEXT", "What recorded it.", "the title of the mapping"},
-                {"--dry-run", "", "Read, measure and check, but store nothing."}},
-               session_options()),
+        QT_TRANSLATE_NOOP(
+            "commands",
+            "Stores a trace that was recorded elsewhere (box trainer, robot, another simulator) as an "
+            "external attempt of a person: measured, judged by no limits, never part of a standing."),
+        joined(
+            {{"--mapping", "MAPPING.json",
+              QT_TRANSLATE_NOOP("commands",
+                                "Which column of the trace is which, and in which unit; without it the trace "
+                                "is in the format of docs/FORMATS.md. Examples are in assets/mappings.")},
+             {"--exercise", "NAME",
+              QT_TRANSLATE_NOOP("commands",
+                                "What was performed: letters, digits, dots, hyphens, underscores.")},
+             {"--person", "LOGIN",
+              QT_TRANSLATE_NOOP("commands",
+                                "Who performed it: with --as a person of a cohort of that educator, else an "
+                                "external person of this station, created if missing (external-NAME).")},
+             {"--performed", "TIME", QT_TRANSLATE_NOOP("commands", "When, in local time: 2026-11-20T14:05."),
+              QT_TRANSLATE_NOOP("commands", "now")},
+             {"--source", "TEXT", QT_TRANSLATE_NOOP("commands", "What recorded it."),
+              QT_TRANSLATE_NOOP("commands", "the title of the mapping")},
+             {"--dry-run", "", QT_TRANSLATE_NOOP("commands", "Read, measure and check, but store nothing.")}},
+            session_options()),
         run_import};
 }
 

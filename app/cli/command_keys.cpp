@@ -65,24 +65,30 @@ int rotate(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> key_commands() {
-    Command listing{"db keys",
-                    "",
-                    0,
-                    0,
-                    "Lists the keys that signed the station's audit log, with their periods.",
-                    session_options(),
-                    keys};
-    Command rotating{"db rotate-key",
-                     "",
-                     0,
-                     0,
-                     "Makes a new key for the station's signatures; needs --as, an administrator.",
-                     joined({{"--reason", "TEXT", "Why; stored in the audit log."}}, session_options()),
-                     rotate};
-    rotating.details =
+    Command listing{
+        "db keys",
+        "",
+        0,
+        0,
+        QT_TRANSLATE_NOOP("commands",
+                          "Lists the keys that signed the station's audit log, with their periods."),
+        session_options(),
+        keys};
+    Command rotating{
+        "db rotate-key",
+        "",
+        0,
+        0,
+        QT_TRANSLATE_NOOP("commands",
+                          "Makes a new key for the station's signatures; needs --as, an administrator."),
+        joined({{"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "Why; stored in the audit log.")}},
+               session_options()),
+        rotate};
+    rotating.details = QT_TRANSLATE_NOOP(
+        "commands",
         "The new key signs from now on. The old one signs the row of the audit log that names the new one, "
         "then its secret half is deleted; what it signed stays valid, and nothing later is accepted from it. "
-        "Rotate the key when its file may have been copied, and when somebody who could read it leaves.";
+        "Rotate the key when its file may have been copied, and when somebody who could read it leaves.");
     return {listing, rotating};
 }
 

@@ -101,10 +101,11 @@ void use_language_or(ui::Language otherwise) {
 
 int run_command_line(const CommandTable& table, int& argc, char** argv, const MakeApplication& to_draw) {
     std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
+    const std::vector<std::string> words(argv + 1, argv + argc);
     std::optional<Invocation> call;
     std::exception_ptr refused;
     try {
-        call = table.parse(std::vector<std::string>(argv + 1, argv + argc));
+        call = table.parse(words);
     } catch (const std::exception&) {
         refused = std::current_exception();
     }
@@ -121,6 +122,7 @@ int run_command_line(const CommandTable& table, int& argc, char** argv, const Ma
         set_plain_formats();
         return guarded([&] {
             use_language_or(ui::Language::english);
+            if (call->command == nullptr) call = table.parse(words);  // its text, now in this language
             return run(*call);
         });
     }

@@ -79,34 +79,36 @@ int unmerge(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> merge_commands() {
-    const Option reason{"--reason", "TEXT", "Why; stored in the audit log."};
+    const Option reason{"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "Why; stored in the audit log.")};
     Command merging{
         "people merge",
         "LOGIN INTO",
         2,
         2,
-        "Merges an account into another account of the same person; needs --as, an administrator.",
-        joined({{"--dry-run", "", "Print what follows and change nothing."}, reason}, session_options()),
+        QT_TRANSLATE_NOOP(
+            "commands",
+            "Merges an account into another account of the same person; needs --as, an administrator."),
+        joined({{"--dry-run", "", QT_TRANSLATE_NOOP("commands", "Print what follows and change nothing.")},
+                reason},
+               session_options()),
         merge};
-    merging.details =
+    merging.details = QT_TRANSLATE_NOOP(
+        "commands",
         "LOGIN is the doubled account, INTO the one that stays. Attempts with their scores, comments and "
-        "ratings, "
-        "goals and decisions are read as INTO's from then on, on every station and on the programme server; "
-        "nothing "
-        "that is signed is changed. Cohorts and drafts move. LOGIN no longer signs in, and nobody else can "
-        "be given "
-        "it. INTO has to hold every role that LOGIN holds.";
+        "ratings, goals and decisions are read as INTO's from then on, on every station and on the programme "
+        "server; nothing that is signed is changed. Cohorts and drafts move. LOGIN no longer signs in, and "
+        "nobody else can be given it. INTO has to hold every role that LOGIN holds.");
     Command undoing{"people unmerge",
                     "LOGIN",
                     1,
                     1,
-                    "Undoes a merge; needs --as, an administrator.",
+                    QT_TRANSLATE_NOOP("commands", "Undoes a merge; needs --as, an administrator."),
                     joined({reason}, session_options()),
                     unmerge};
     undoing.details =
-        "What was done under LOGIN is its own again. The account stays deactivated; roles, cohorts and a "
-        "password are "
-        "given as to a new one.";
+        QT_TRANSLATE_NOOP("commands",
+                          "What was done under LOGIN is its own again. The account stays deactivated; roles, "
+                          "cohorts and a password are given as to a new one.");
     return {merging, undoing};
 }
 

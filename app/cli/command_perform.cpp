@@ -131,48 +131,66 @@ DeviceClass class_of(const Arguments& arguments, std::optional<OperatorLevel> le
     return level ? DeviceClass::synthetic : DeviceClass::external;
 }
 
-/// "standard 46.2 ms of processor time for one second; ..."
-std::string cost_text(const FidelityCost& cost) {
+/// Three significant digits, with a decimal point.
+std::string three_digits(double value, bool with_sign) {
     std::ostringstream text;
-    text << std::setprecision(3) << cost.fidelity << ' ' << cost.processor_ms
-         << " ms of processor time for one second";
-    if (cost.fidelity == finest_fidelity()) return text.str() + ", the reference";
-    if (cost.metric.empty() && cost.verdicts == 0) return text.str() + ", the same score";
-    if (!cost.metric.empty())
-        text << ", " << cost.metric << (cost.hand.empty() ? "" : " ") << cost.hand << ' ' << std::showpos
-             << cost.shift_percent << std::noshowpos << " %";
-    text << ", another verdict for " << cost.verdicts << " of " << cost.attempts;
+    text << std::setprecision(3) << (with_sign ? std::showpos : std::noshowpos) << value;
     return text.str();
+}
+
+/// "standard 46.2 ms of processor time for one second, ..."
+Sentence cost_text(const FidelityCost& cost) {
+    const std::string time = three_digits(cost.processor_ms, false);
+    if (cost.fidelity == finest_fidelity())
+        return {QT_TRANSLATE_NOOP("commands", "%1 %2 ms of processor time for one second, the reference"),
+                cost.fidelity, time};
+    if (cost.metric.empty() && cost.verdicts == 0)
+        return {QT_TRANSLATE_NOOP("commands", "%1 %2 ms of processor time for one second, the same score"),
+                cost.fidelity, time};
+    if (cost.metric.empty())
+        return {QT_TRANSLATE_NOOP("commands",
+                                  "%1 %2 ms of processor time for one second, another verdict for %3 of %4"),
+                cost.fidelity, time, cost.verdicts, cost.attempts};
+    return {
+        QT_TRANSLATE_NOOP("commands",
+                          "%1 %2 ms of processor time for one second, %3 %4 %, another verdict for %5 of %6"),
+        cost.fidelity,
+        time,
+        cost.metric + (cost.hand.empty() ? "" : " " + cost.hand),
+        three_digits(cost.shift_percent, true),
+        cost.verdicts,
+        cost.attempts};
 }
 
 std::string cost_text(const std::string& task, const std::string& fidelity) {
     if (const auto costs = fidelity_cost(task)) {
         for (const FidelityCost& cost : costs->levels)
-            if (cost.fidelity == fidelity) return cost_text(cost) + " (against " + finest_fidelity() + ")\n";
+            if (cost.fidelity == fidelity)
+                return cost_text(cost).words() + " (against " + finest_fidelity() + ")\n";
     }
     return fidelity + ": what it costs in score is not measured for this version\n";
 }
 
 /// For --help: what each fidelity costs at each task.
-std::string costs_text() {
+Sentence costs_text() {
     std::optional<FidelityCosts> costs;
     try {
         costs = fidelity_costs();
     } catch (const InputError&) {  // no assets: the commands that need them report it
     }
-    if (!costs) return "What a fidelity costs in score is not measured for this version.";
-    std::string text =
-        "What a fidelity costs: processor time, the assessed metric that differs most from " +
-        finest_fidelity() +
-        ", and verdicts that differ, measured with synthetic operators (fulcrum lab fidelity).";
+    if (!costs)
+        return QT_TRANSLATE_NOOP("commands",
+                                 "What a fidelity costs in score is not measured for this version.");
+    Sentence text(QT_TRANSLATE_NOOP(
+                      "commands",
+                      "What a fidelity costs: processor time, the assessed metric that differs most from %1, "
+                      "and verdicts that differ, measured with synthetic operators (fulcrum lab fidelity)."),
+                  finest_fidelity());
     for (const auto& [task, measured] : costs->tasks) {
-        text += " " + task + ":";
-        const char* between = " ";
-        for (const FidelityCost& cost : measured.levels) {
-            text += between + cost_text(cost);
-            between = "; ";
-        }
-        text += ".";
+        Sentence levels;
+        for (const FidelityCost& cost : measured.levels)
+            levels = levels.empty() ? cost_text(cost) : Sentence("%1; %2", levels, cost_text(cost));
+        text = Sentence("%1 %2: %3.", text, task, levels);
     }
     return text;
 }
@@ -214,7 +232,7 @@ int run_perform(const Arguments& arguments) {
     const std::vector<database::AssetFile> unknown = database::AcceptedAssets(store).unknown(meta.assets);
     if (meta.mode == AttemptMode::assessed && !unknown.empty()) {
         meta.mode = AttemptMode::practice;
-        std::cerr << "fulcrum: " << database::practice_only_words(unknown).words() << '\n';
+        std::cerr << "fulcrum: " << line_of(database::practice_only_words(unknown)) << '\n';
     }
     meta.person_id = person.id;
     meta.curriculum = database::Curricula(store).in_force(session, person.id, curriculum).name();
@@ -257,26 +275,34 @@ Command perform_command() {
         "TASK",
         1,
         1,
-        "Runs one attempt without a window, stores it and scores it.",
+        QT_TRANSLATE_NOOP("commands", "Runs one attempt without a window, stores it and scores it."),
         {{"--operator",
           "NAME",
-          "The synthetic operator that performs.",
+          QT_TRANSLATE_NOOP("commands", "The synthetic operator that performs."),
           "expert",
           {"novice", "intermediate", "expert"}},
-         {"--input", "TRACE.csv", "Perform the movements of a trace instead of those of an operator."},
+         {"--input", "TRACE.csv",
+          QT_TRANSLATE_NOOP("commands", "Perform the movements of a trace instead of those of an operator.")},
          seed_option(),
          variant_option(),
          {"--person", "LOGIN",
-          "The synthetic or external person to whom the attempt belongs; created if missing.",
-          "one person for each operator and seed"},
+          QT_TRANSLATE_NOOP(
+              "commands",
+              "The synthetic or external person to whom the attempt belongs; created if missing."),
+          QT_TRANSLATE_NOOP("commands", "one person for each operator and seed")},
          {"--device-class", "CLASS",
-          "The device that a trace was made with, or that an operator is to work through. A class that the "
-          "task does not name is practice only.",
-          "synthetic for an operator, external for a trace", device_class_names()},
-         {"--practice", "", "Perform in practice mode: measured, but not assessed."},
-         {"--fidelity", "LEVEL", "The level of detail of the models.", "the scene's own", fidelity_names()},
+          QT_TRANSLATE_NOOP("commands",
+                            "The device that a trace was made with, or that an operator is to work through. "
+                            "A class that the task does not name is practice only."),
+          QT_TRANSLATE_NOOP("commands", "synthetic for an operator, external for a trace"),
+          device_class_names()},
+         {"--practice", "",
+          QT_TRANSLATE_NOOP("commands", "Perform in practice mode: measured, but not assessed.")},
+         {"--fidelity", "LEVEL", QT_TRANSLATE_NOOP("commands", "The level of detail of the models."),
+          QT_TRANSLATE_NOOP("commands", "the scene's own"), fidelity_names()},
          {"--realtime", "",
-          "Run in real time with the threads of the window instead of as fast as possible."},
+          QT_TRANSLATE_NOOP(
+              "commands", "Run in real time with the threads of the window instead of as fast as possible.")},
          store_option(),
          json_option()},
         run_perform,

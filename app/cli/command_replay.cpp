@@ -106,14 +106,17 @@ int run_replay(const Arguments& arguments) {
 }  // namespace
 
 Command replay_command() {
-    return {"replay",
-            "ATTEMPT",
-            1,
-            1,
-            "Simulates a stored attempt again from its record.",
-            joined({{"--verify", "", "Exit with 1 if state hash, forces or metrics differ from the record."}},
-                   session_options()),
-            run_replay};
+    return {
+        "replay",
+        "ATTEMPT",
+        1,
+        1,
+        QT_TRANSLATE_NOOP("commands", "Simulates a stored attempt again from its record."),
+        joined({{"--verify", "",
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Exit with 1 if state hash, forces or metrics differ from the record.")}},
+               session_options()),
+        run_replay};
 }
 
 }  // namespace fulcrum::app

@@ -48,19 +48,21 @@ Command research_command() {
         "",
         0,
         0,
-        "Writes the programme's attempts for research, without names; needs --as, a director.",
-        joined({{"--output", "FOLDER", "The folder to write to.", "", {}, "-o"}}, session_options()),
+        QT_TRANSLATE_NOOP(
+            "commands",
+            "Writes the programme's attempts for research, without names; needs --as, a director."),
+        joined(
+            {{"--output", "FOLDER", QT_TRANSLATE_NOOP("commands", "The folder to write to."), "", {}, "-o"}},
+            session_options()),
         run_export};
-    command.details =
+    command.details = QT_TRANSLATE_NOOP(
+        "commands",
         "Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and "
-        "attempts have ids "
-        "that are drawn again at each export, days count from a person's first attempt, values have three "
-        "significant "
-        "digits. What fewer than 5 people did is put together with other rows or left out, and so is every "
-        "count "
-        "from which a smaller one would follow. Somebody who knows a person's attempts well may still "
-        "recognise them: "
-        "give the files to researchers, and do not publish them.";
+        "attempts have ids that are drawn again at each export, days count from a person's first attempt, "
+        "values have three significant digits. What fewer than 5 people did is put together with other rows "
+        "or left out, and so is every count from which a smaller one would follow. Somebody who knows a "
+        "person's attempts well may still recognise them: give the files to researchers, and do not publish "
+        "them.");
     return command;
 }
 

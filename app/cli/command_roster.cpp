@@ -38,7 +38,7 @@ json role_names(const std::vector<database::Role>& roles) {
 }
 
 void print_left_out(const Roster& roster) {
-    for (const Sentence& line : roster.left_out) std::cout << "left out: " << line.words() << '\n';
+    for (const Sentence& line : roster.left_out) std::cout << "left out: " << line_of(line) << '\n';
 }
 
 void print_people(const std::vector<PersonImport>& steps, bool dry, bool with_passwords) {
@@ -149,30 +149,35 @@ int import_cohorts(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> roster_commands() {
-    const std::string details =
+    const std::string details = QT_TRANSLATE_NOOP(
+        "commands",
         "PATH is a folder with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or "
         "one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is "
-        "renamed, "
-        "deactivated or removed, so an import can be repeated.";
-    Command people{
-        "people import",
-        "PATH",
-        1,
-        1,
-        "Makes accounts for the people of a list; needs --as, an administrator.",
-        joined({{"--dry-run", "", "Print what would be done and change nothing."},
-                {"--passwords", "FILE",
-                 "Write the one-time passwords to this new file instead of printing them; only you "
-                 "can read it."}},
-               session_options()),
-        import_people};
+        "renamed, deactivated or removed, so an import can be repeated.");
+    Command people{"people import",
+                   "PATH",
+                   1,
+                   1,
+                   QT_TRANSLATE_NOOP(
+                       "commands", "Makes accounts for the people of a list; needs --as, an administrator."),
+                   joined({{"--dry-run", "",
+                            QT_TRANSLATE_NOOP("commands", "Print what would be done and change nothing.")},
+                           {"--passwords", "FILE",
+                            QT_TRANSLATE_NOOP("commands",
+                                              "Write the one-time passwords to this new file instead of "
+                                              "printing them; only you can read it.")}},
+                          session_options()),
+                   import_people};
     Command cohorts{
         "cohort import",
         "PATH",
         1,
         1,
-        "Makes the cohorts of a list and adds people to them; needs --as, a director.",
-        joined({{"--dry-run", "", "Print what would be done and change nothing."}}, session_options()),
+        QT_TRANSLATE_NOOP("commands",
+                          "Makes the cohorts of a list and adds people to them; needs --as, a director."),
+        joined({{"--dry-run", "",
+                 QT_TRANSLATE_NOOP("commands", "Print what would be done and change nothing.")}},
+               session_options()),
         import_cohorts};
     people.details = cohorts.details = details;
     return {people, cohorts};

@@ -47,8 +47,7 @@ void print_sync(const database::SyncResult& result) {
         std::cout << one.title << ": " << one.pushed << " sent, " << one.pulled << " received\n";
     if (result.erased > 0) std::cout << "people erased here, as on the server: " << result.erased << '\n';
     if (result.audit_rows > 0) std::cout << "audit rows: " << result.audit_rows << " sent\n";
-    for (const Sentence& conflict : result.conflicts)
-        std::cout << "conflict: " << line_of(WordedError(conflict)) << '\n';
+    for (const Sentence& conflict : result.conflicts) std::cout << "conflict: " << line_of(conflict) << '\n';
     if (std::abs(result.clock_ahead_s) > database::clock_tolerance_s)
         std::cout << "this station's clock is " << std::llround(std::abs(result.clock_ahead_s)) << " s "
                   << (result.clock_ahead_s > 0 ? "ahead of" : "behind") << " the server's: set it\n";
@@ -130,8 +129,8 @@ int check_server(const Arguments& arguments) {
                   << " stations: " << (check.problems.empty() ? "intact" : "BROKEN") << ", "
                   << check.audit_rows << " rows, " << check.signatures << " signatures\n"
                   << "audit head, as reports from this server print it: " << check.audit_head << '\n';
-        for (const Sentence& problem : check.problems) std::cout << "  " << problem.words() << '\n';
-        for (const Sentence& note : check.notes) std::cout << "  note: " << note.words() << '\n';
+        for (const Sentence& problem : check.problems) std::cout << "  " << line_of(problem) << '\n';
+        for (const Sentence& note : check.notes) std::cout << "  note: " << line_of(note) << '\n';
     }
     return check.problems.empty() ? 0 : 1;
 }
@@ -185,45 +184,59 @@ int erase_at_server(const Arguments& arguments) {
 std::vector<Command> server_commands() {
     const Option to{
         "--to", "ADDRESS",
-        "The programme server: postgresql://USER@HOST:PORT/DATABASE. The password comes from ~/.pgpass "
-        "or the file named in PGPASSFILE, never from the command line."};
+        QT_TRANSLATE_NOOP("commands",
+                          "The programme server: postgresql://USER@HOST:PORT/DATABASE. The password comes "
+                          "from ~/.pgpass or the file named in PGPASSFILE, never from the command line.")};
     return {
-        {"sync", "", 0, 0, "Exchanges people, attempts, scores and reviews with the programme server.",
+        {"sync", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands",
+                           "Exchanges people, attempts, scores and reviews with the programme server."),
          joined({to}, session_options()), sync, false,
-         "An administrator signs in with --as; a store without people needs no sign-in for its first "
-         "sync, which "
-         "brings them. Can be cut off at any time (Ctrl-C too): the next sync completes it."},
+         QT_TRANSLATE_NOOP("commands",
+                           "An administrator signs in with --as; a store without people needs no sign-in for "
+                           "its first sync, which brings them. Can be cut off at any time (Ctrl-C too): the "
+                           "next sync completes it.")},
         {"server create",
          "",
          0,
          0,
-         "Makes the tables of a programme server in an empty PostgreSQL database, or upgrades them.",
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Makes the tables of a programme server in an empty PostgreSQL database, or upgrades them."),
          {to, json_option()},
          create_server},
         {"server check",
          "",
          0,
          0,
-         "Checks the audit logs of all stations on the server, their signatures, and what was signed.",
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Checks the audit logs of all stations on the server, their signatures, and what was signed."),
          {to, json_option()},
          check_server},
         {"server grant",
          "LOGIN",
          1,
          1,
-         "Makes the server's account of a person who is to look at reports and pages there, or brings its "
-         "roles up to date.",
+         QT_TRANSLATE_NOOP("commands",
+                           "Makes the server's account of a person who is to look at reports and pages "
+                           "there, or brings its roles up to date."),
          {to, json_option()},
          grant_at_server,
          false,
-         "The account's name is the person's id. It reads what the person may see as trainee, educator or "
-         "director, and changes nothing. Give it its password with psql."},
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "The account's name is the person's id. It reads what the person may see as trainee, educator "
+             "or director, and changes nothing. Give it its password with psql.")},
         {"server erase",
          "PERSON",
          1,
          1,
-         "Erases a person (by id) on the server; each station follows at its next sync.",
-         {to, {"--dry-run", "", "Only show what would be erased."}, json_option()},
+         QT_TRANSLATE_NOOP("commands",
+                           "Erases a person (by id) on the server; each station follows at its next sync."),
+         {to,
+          {"--dry-run", "", QT_TRANSLATE_NOOP("commands", "Only show what would be erased.")},
+          json_option()},
          erase_at_server}};
 }
 

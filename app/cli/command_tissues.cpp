@@ -88,17 +88,21 @@ int run_tissues(const Arguments& arguments) {
 }  // namespace
 
 Command tissues_command() {
-    return {"tissues",
-            "TASK",
-            1,
-            1,
-            "Shows or sets the site's cutting parameters of a task's tissues.",
-            joined({{"--set", "LIST",
-                     "New values: TISSUE.KEY=NUMBER, separated by commas. Numbers have a decimal point."},
-                    {"--scene-values", "", "Restore the values of the scene file."},
-                    {"--reason", "TEXT", "The reason; recorded in the audit log."}},
-                   session_options()),
-            run_tissues};
+    return {
+        "tissues",
+        "TASK",
+        1,
+        1,
+        QT_TRANSLATE_NOOP("commands", "Shows or sets the site's cutting parameters of a task's tissues."),
+        joined(
+            {{"--set", "LIST",
+              QT_TRANSLATE_NOOP(
+                  "commands",
+                  "New values: TISSUE.KEY=NUMBER, separated by commas. Numbers have a decimal point.")},
+             {"--scene-values", "", QT_TRANSLATE_NOOP("commands", "Restore the values of the scene file.")},
+             {"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "The reason; recorded in the audit log.")}},
+            session_options()),
+        run_tissues};
 }
 
 }  // namespace fulcrum::app

@@ -27,33 +27,37 @@ std::vector<Command> headless_commands() {
 }
 
 Option json_option() {
-    return {"--json", "", "Print one JSON document on standard output."};
+    return {"--json", "", QT_TRANSLATE_NOOP("commands", "Print one JSON document on standard output.")};
 }
 
 Option store_option() {
     return {"--db", "FILE",
-            "The store to use; for reports also the address of a programme server, "
-            "postgresql://ACCOUNT@HOST:PORT/DATABASE.",
-            "the store of this user account"};
+            QT_TRANSLATE_NOOP("commands",
+                              "The store to use; for reports also the address of a programme server, "
+                              "postgresql://ACCOUNT@HOST:PORT/DATABASE."),
+            QT_TRANSLATE_NOOP("commands", "the store of this user account")};
 }
 
 Option variant_option() {
-    return {"--variant", "ID", "The variant of the task.", standard_variant};
+    return {"--variant", "ID", QT_TRANSLATE_NOOP("commands", "The variant of the task."), standard_variant};
 }
 
 Option seed_option() {
-    return {"--seed", "N", "The seed, from 0 to 4000000000.", "1"};
+    return {"--seed", "N", QT_TRANSLATE_NOOP("commands", "The seed, from 0 to 4000000000."), "1"};
 }
 
 std::vector<Option> session_options() {
     return {store_option(),
-            {"--as", "LOGIN", "Sign in as this person.", "the station, which may see synthetic people only"},
+            {"--as", "LOGIN", QT_TRANSLATE_NOOP("commands", "Sign in as this person."),
+             QT_TRANSLATE_NOOP("commands", "the station, which may see synthetic people only")},
             {"--role",
              "ROLE",
-             "The role to act in.",
-             "the person's first role",
+             QT_TRANSLATE_NOOP("commands", "The role to act in."),
+             QT_TRANSLATE_NOOP("commands", "the person's first role"),
              {"trainee", "educator", "director", "administrator"}},
-            {"--password-file", "FILE", "A file with the password on its first line.", "ask at the terminal"},
+            {"--password-file", "FILE",
+             QT_TRANSLATE_NOOP("commands", "A file with the password on its first line."),
+             QT_TRANSLATE_NOOP("commands", "ask at the terminal")},
             json_option()};
 }
 
@@ -63,12 +67,27 @@ std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& 
 }
 
 std::string line_of(const std::exception& error) {
-    std::string line = sentence_of(error).words([](const char* context, const char* source) {
-        return QCoreApplication::translate(context, source).toStdString();
+    return line_of(sentence_of(error));
+}
+
+std::string line_of(const Sentence& sentence) {
+    std::string line = sentence.words([](const char* context, const char* source) {
+        const std::string words = QCoreApplication::translate(context, source).toStdString();
+        return words == source ? help_words(context, source) : words;  // a usage with its placeholders
     });
     for (char& c : line)
         if (c == '\n' || c == '\r') c = ' ';
     return line;
+}
+
+void print_note(const Sentence& line) {
+    std::cerr << line.words(help_words) << '\n';
+}
+
+void print_gap(const std::string& from, const std::string& to) {
+    print_note({QT_TRANSLATE_NOOP("commands",
+                                  "note: no samples from %1 s to %2 s; nothing is measured across this gap"),
+                from, to});
 }
 
 void print_json(const nlohmann::json& document) {

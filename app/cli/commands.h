@@ -51,6 +51,11 @@ std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& 
 
 /// What an error says, in one line and in the language in use.
 std::string line_of(const std::exception& error);
+std::string line_of(const Sentence& sentence);
+/// A line on standard error in the language in use; `line`: marked for "commands".
+void print_note(const Sentence& line);
+/// The note on a gap between samples, with its times (s).
+void print_gap(const std::string& from, const std::string& to);
 /// One JSON document on standard output.
 void print_json(const nlohmann::json& document);
 std::string store_path(const Arguments& arguments);

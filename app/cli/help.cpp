@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Help, manual page and shell completion, written from the table of commands.
+#include <QCoreApplication>
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "app/cli/command.h"
@@ -8,7 +10,25 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t width = 79;
+constexpr std::size_t width = 79, usage_width = 29;
+
+/// In the reader's language; a command of the laboratory in English.
+std::string text_of(const Sentence& sentence, Translate translate = help_words) {
+    return sentence.words(translate);
+}
+Translate language_of(const Command& command) {
+    return command.is_laboratory() ? in_english : help_words;
+}
+
+/// Characters of UTF-8, each as wide as a column.
+std::size_t columns(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t to) {
+    return text + std::string(to - std::min(to, columns(text)), ' ');
+}
 
 /// `text` in lines of at most `width`, every line after the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
@@ -16,7 +36,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     std::string result;
     std::size_t column = indent;
     for (std::string word; words >> word;) {
-        if (!result.empty() && column + word.size() + 1 > width) {
+        if (!result.empty() && column + columns(word) + 1 > width) {
             result += "\n" + std::string(indent, ' ');
             column = indent;
         } else if (!result.empty()) {
@@ -24,40 +44,75 @@ std::string wrapped(const std::string& text, std::size_t indent) {
             ++column;
         }
         result += word;
-        column += word.size();
+        column += columns(word);
     }
     return result;
 }
 
 std::string row(const std::string& left, const std::string& text, std::size_t indent) {
     std::string line = "  " + left;
-    line +=
-        line.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - line.size(), ' ');
+    line = columns(line) + 2 > indent ? line + "\n" + std::string(indent, ' ') : padded(line, indent);
     return line + wrapped(text, indent) + "\n";
 }
 
-std::string written(const Option& option) {
+std::string written(const Option& option, Translate translate) {
     return (option.letter.empty() ? "" : option.letter + ", ") + option.name +
-           (option.argument.empty() ? "" : " " + option.argument);
+           (option.argument.empty() ? "" : " " + text_of(placeholders(option.argument), translate));
 }
 
-std::string explained(const Option& option) {
-    std::string text = option.help;
-    if (!option.choices.empty()) {
-        text += " One of";
-        for (std::size_t i = 0; i < option.choices.size(); ++i)
-            text += (i == 0 ? " " : ", ") + option.choices[i];
-        text += ".";
-    }
-    if (!option.fallback.empty()) text += " Default: " + option.fallback + ".";
+/// The name from its character `from` on, and what follows it.
+std::string written(const Command& command, std::size_t from = 0) {
+    return command.name.substr(from) +
+           (command.words.empty() ? "" : " " + text_of(placeholders(command.words), language_of(command)));
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
     return text;
 }
 
+std::string explained(const Option& option, Translate translate) {
+    std::string text = text_of(option.help, translate);
+    if (!option.choices.empty())
+        text += " " + text_of({QT_TRANSLATE_NOOP("commands", "One of %1."), joined(option.choices, ", ")},
+                              translate);
+    if (!option.fallback.empty())
+        text += " " + text_of({QT_TRANSLATE_NOOP("commands", "Default: %1."), option.fallback}, translate);
+    return text;
+}
+
+/// What stands for a word of the reader. Others (N, HOST, HZ) are the same in every language.
+constexpr const char* placeholder_words[] = {
+    QT_TRANSLATE_NOOP("commands", "ADDRESS"),     QT_TRANSLATE_NOOP("commands", "ATTEMPT"),
+    QT_TRANSLATE_NOOP("commands", "CLASS"),       QT_TRANSLATE_NOOP("commands", "CODE"),
+    QT_TRANSLATE_NOOP("commands", "COMMAND"),     QT_TRANSLATE_NOOP("commands", "DEVICE"),
+    QT_TRANSLATE_NOOP("commands", "EVENTS"),      QT_TRANSLATE_NOOP("commands", "FILE"),
+    QT_TRANSLATE_NOOP("commands", "FINGERPRINT"), QT_TRANSLATE_NOOP("commands", "FOLDER"),
+    QT_TRANSLATE_NOOP("commands", "FORMAT"),      QT_TRANSLATE_NOOP("commands", "FROM"),
+    QT_TRANSLATE_NOOP("commands", "HEAD"),        QT_TRANSLATE_NOOP("commands", "ID"),
+    QT_TRANSLATE_NOOP("commands", "INTO"),        QT_TRANSLATE_NOOP("commands", "KIND"),
+    QT_TRANSLATE_NOOP("commands", "LEVEL"),       QT_TRANSLATE_NOOP("commands", "LIST"),
+    QT_TRANSLATE_NOOP("commands", "LOGIN"),       QT_TRANSLATE_NOOP("commands", "MAPPING"),
+    QT_TRANSLATE_NOOP("commands", "NAME"),        QT_TRANSLATE_NOOP("commands", "PATH"),
+    QT_TRANSLATE_NOOP("commands", "PERSON"),      QT_TRANSLATE_NOOP("commands", "RATINGS"),
+    QT_TRANSLATE_NOOP("commands", "ROLE"),        QT_TRANSLATE_NOOP("commands", "RULE"),
+    QT_TRANSLATE_NOOP("commands", "SCALE"),       QT_TRANSLATE_NOOP("commands", "SHELL"),
+    QT_TRANSLATE_NOOP("commands", "TASK"),        QT_TRANSLATE_NOOP("commands", "TEXT"),
+    QT_TRANSLATE_NOOP("commands", "TIME"),        QT_TRANSLATE_NOOP("commands", "TO"),
+    QT_TRANSLATE_NOOP("commands", "TRACE"),       QT_TRANSLATE_NOOP("commands", "VALUES"),
+    QT_TRANSLATE_NOOP("commands", "VERSION")};
+
+const char* const usage_heading = QT_TRANSLATE_NOOP("commands", "usage:");
+
 std::string help_of(const Command& command) {
-    std::string text = "usage: " + command.usage() + "\n\n" + wrapped(command.help, 0) + "\n";
-    if (!command.details.empty()) text += "\n" + wrapped(command.details, 0) + "\n";
-    text += "\noptions:\n";
-    for (const Option& option : command.options) text += row(written(option), explained(option), 28);
+    const Translate translate = language_of(command);
+    std::string text = text_of(usage_heading, translate) + " " + text_of(command.usage(), translate) +
+                       "\n\n" + wrapped(text_of(command.help, translate), 0) + "\n";
+    if (!command.details.empty()) text += "\n" + wrapped(text_of(command.details, translate), 0) + "\n";
+    text += "\n" + text_of(QT_TRANSLATE_NOOP("commands", "options:"), translate) + "\n";
+    for (const Option& option : command.options)
+        text += row(written(option, translate), explained(option, translate), 28);
     return text;
 }
 
@@ -78,15 +133,10 @@ std::string roff(const std::string& text) {
     return result;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
 const char* const exit_statuses =
-    "0: success. 1: the command failed, or a check found an error. 2: wrong usage or invalid input; one line "
-    "on standard error says what is wrong, where, and what to do.";
+    QT_TRANSLATE_NOOP("commands",
+                      "0: success. 1: the command failed, or a check found an error. 2: wrong usage or "
+                      "invalid input; one line on standard error says what is wrong, where, and what to do.");
 
 /// The case branch that completes one command.
 std::string completion_of(const Command& command) {
@@ -110,16 +160,49 @@ std::string completion_of(const Command& command) {
 
 }  // namespace
 
+std::string help_words(const char* /*context*/, const char* source) {
+    return QCoreApplication::translate("commands", source).toStdString();
+}
+
+Sentence placeholders(const std::string& text) {
+    const auto capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    std::string source;
+    std::vector<Sentence> parts;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && capital(text[end])) ++end;
+        const std::string word = text.substr(at, end - at);
+        if (std::find(std::begin(placeholder_words), std::end(placeholder_words), word) !=
+            std::end(placeholder_words)) {
+            parts.push_back(Sentence::from_parts(word, true, {}));
+            source += "%" + std::to_string(parts.size());
+        } else {
+            source += word.empty() ? text.substr(end++, 1) : word;
+        }
+        at = end;
+    }
+    return Sentence::from_parts(source, false, parts);
+}
+
 std::string CommandTable::help() const {
+    const std::string usage = text_of(usage_heading) + " ";
     std::string text =
-        "usage: fulcrum [--db STORE]         the application; STORE: a file, or a programme server's "
-        "address\n"
-        "       fulcrum COMMAND [options]    one command, without the window\n\n"
-        "commands:\n";
+        usage + padded(text_of(QT_TRANSLATE_NOOP("commands", "fulcrum [--db STORE]")), usage_width) +
+        text_of(QT_TRANSLATE_NOOP("commands",
+                                  "the application; STORE: a file, or a programme server's address")) +
+        "\n" + std::string(columns(usage), ' ') +
+        padded(text_of(QT_TRANSLATE_NOOP("commands", "fulcrum COMMAND [options]")), usage_width) +
+        text_of(QT_TRANSLATE_NOOP("commands", "one command, without the window")) + "\n\n" +
+        text_of(QT_TRANSLATE_NOOP("commands", "commands:")) + "\n";
     for (const Command& command : commands_)
-        text += row(command.name + (command.words.empty() ? "" : " " + command.words), command.help, 32);
-    text += "\nfulcrum COMMAND --help shows a command's options, fulcrum --version the version.\n";
-    return text + "exit status: " + wrapped(exit_statuses, 13) + "\n";
+        text += row(written(command), text_of(command.help, language_of(command)), 32);
+    text +=
+        "\n" +
+        text_of(QT_TRANSLATE_NOOP(
+            "commands", "fulcrum COMMAND --help shows a command's options, fulcrum --version the version.")) +
+        "\n";
+    const std::string status = text_of(QT_TRANSLATE_NOOP("commands", "exit status:")) + " ";
+    return text + status + wrapped(text_of(exit_statuses), columns(status)) + "\n";
 }
 
 std::string CommandTable::help(const std::string& name) const {
@@ -132,39 +215,60 @@ std::string CommandTable::help(const std::string& name) const {
                 ? Sentence(QT_TRANSLATE_NOOP("errors", "see fulcrum --help"))
                 : Sentence(QT_TRANSLATE_NOOP("errors", "did you mean %1? see fulcrum --help"), near));
     }
-    std::string text = "usage: fulcrum " + name + " ACTION [options]\n\nactions:\n";
+    const Translate translate = name == "lab" ? in_english : help_words;
+    std::string text =
+        text_of(usage_heading, translate) + " " +
+        text_of({QT_TRANSLATE_NOOP("commands", "fulcrum %1 ACTION [options]"), name}, translate) + "\n\n" +
+        text_of(QT_TRANSLATE_NOOP("commands", "actions:"), translate) + "\n";
     for (const Command& command : commands_) {
         if (command.name.rfind(name + " ", 0) == 0)
-            text +=
-                row(command.name.substr(name.size() + 1) + (command.words.empty() ? "" : " " + command.words),
-                    command.help, 32);
+            text += row(written(command, name.size() + 1), text_of(command.help, translate), 32);
     }
-    return text + "\nfulcrum " + name + " ACTION --help shows an action's options.\n";
+    return text + "\n" +
+           text_of(
+               {QT_TRANSLATE_NOOP("commands", "fulcrum %1 ACTION --help shows an action's options."), name},
+               translate) +
+           "\n";
 }
 
 std::string CommandTable::manual() const {
+    const auto section = [](const char* heading) { return ".SH " + text_of(heading) + "\n"; };
     std::string text =
-        ".TH FULCRUM 1 \"\" \"fulcrum " + roff(version_) +
-        "\" \"User Commands\"\n.SH NAME\nfulcrum \\- trainer "
-        "for laparoscopic bowel surgery\n.SH SYNOPSIS\n.B fulcrum\n[\\-\\-db STORE]\n.br\n.B fulcrum\n.I "
-        "COMMAND\n[options]\n"
-        ".SH DESCRIPTION\nWithout a command the window opens, with the store STORE (a file, or the address "
-        "of a "
-        "programme server, which is only read). With a command the program runs it without a "
-        "window.\nEvery command that takes \\fB\\-\\-json\\fR prints one JSON document on standard output "
-        "and "
-        "everything else on standard error.\n.SH COMMANDS\n";
+        ".TH FULCRUM 1 \"\" \"fulcrum " + roff(version_) + "\" \"" +
+        text_of(QT_TRANSLATE_NOOP("commands", "User Commands")) + "\"\n" +
+        section(QT_TRANSLATE_NOOP("commands", "NAME")) + "fulcrum \\- " +
+        roff(text_of(QT_TRANSLATE_NOOP("commands", "trainer for laparoscopic bowel surgery"))) + "\n" +
+        section(QT_TRANSLATE_NOOP("commands", "SYNOPSIS")) + ".B fulcrum\n" +
+        roff(text_of(QT_TRANSLATE_NOOP("commands", "[--db STORE]"))) + "\n.br\n.B fulcrum\n.I " +
+        text_of(placeholders("COMMAND")) + "\n" + text_of(QT_TRANSLATE_NOOP("commands", "[options]")) + "\n" +
+        section(QT_TRANSLATE_NOOP("commands", "DESCRIPTION")) +
+        roff(text_of(QT_TRANSLATE_NOOP(
+            "commands",
+            "Without a command the window opens, with the store STORE (a file, or the address of a programme "
+            "server, which is only read). With a command the program runs it without a window."))) +
+        "\n" +
+        text_of({QT_TRANSLATE_NOOP("commands",
+                                   "Every command that takes %1 prints one JSON document on standard output "
+                                   "and everything else on standard error."),
+                 std::string("\\fB\\-\\-json\\fR")}) +
+        "\n" + section(QT_TRANSLATE_NOOP("commands", "COMMANDS"));
     for (const Command& command : commands_) {
-        text += ".SS \"" + roff(command.name) + (command.words.empty() ? "" : " " + roff(command.words)) +
-                "\"\n" + roff(command.help) + "\n";
-        if (!command.details.empty()) text += ".PP\n" + roff(command.details) + "\n";
+        const Translate translate = language_of(command);
+        text += ".SS \"" + roff(written(command)) + "\"\n" + roff(text_of(command.help, translate)) + "\n";
+        if (!command.details.empty()) text += ".PP\n" + roff(text_of(command.details, translate)) + "\n";
         for (const Option& option : command.options)
-            text += ".TP\n.B " + roff(written(option)) + "\n" + roff(explained(option)) + "\n";
+            text += ".TP\n.B " + roff(written(option, translate)) + "\n" +
+                    roff(explained(option, translate)) + "\n";
     }
-    return text + ".SH OPTIONS\n.TP\n.B \\-\\-version\nPrint the version and exit.\n.SH EXIT STATUS\n" +
-           roff(exit_statuses) +
-           "\n.SH ENVIRONMENT\n.TP\n.B FULCRUM_DATA\nFolder of the window's stores.\n.TP\n.B "
-           "FULCRUM_ASSETS\nFolder of tasks, scenes and benchmarks, if it is not next to the program.\n";
+    return text + section(QT_TRANSLATE_NOOP("commands", "OPTIONS")) + ".TP\n.B \\-\\-version\n" +
+           roff(text_of(QT_TRANSLATE_NOOP("commands", "Print the version and exit."))) + "\n" +
+           section(QT_TRANSLATE_NOOP("commands", "EXIT STATUS")) + roff(text_of(exit_statuses)) + "\n" +
+           section(QT_TRANSLATE_NOOP("commands", "ENVIRONMENT")) + ".TP\n.B FULCRUM_DATA\n" +
+           roff(text_of(QT_TRANSLATE_NOOP("commands", "Folder of the window's stores."))) +
+           "\n.TP\n.B FULCRUM_ASSETS\n" +
+           roff(text_of(QT_TRANSLATE_NOOP(
+               "commands", "Folder of tasks, scenes and benchmarks, if it is not next to the program."))) +
+           "\n";
 }
 
 std::string CommandTable::completion(const std::string& shell) const {

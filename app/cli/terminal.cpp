@@ -11,7 +11,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "app/cli/arguments.h"
+#include "app/cli/command.h"
 
 namespace fulcrum::app {
 namespace {
@@ -84,7 +84,8 @@ std::string ask_password(const std::string& login) {
         throw UsageError("--as", QT_TRANSLATE_NOOP("errors", "there is no terminal to ask for a password"),
                          QT_TRANSLATE_NOOP("errors", "give --password-file FILE"));
     for (;;) {
-        std::cerr << "Password of " << login << ": " << std::flush;
+        std::cerr << Sentence(QT_TRANSLATE_NOOP("commands", "Password of %1:"), login).words(help_words)
+                  << ' ' << std::flush;
         std::string line;
         {
             const SilentTerminal silent;

@@ -115,17 +115,19 @@ int run_demonstrate(const Arguments& arguments) {
 }  // namespace
 
 Command demonstrate_command() {
-    return {"demonstrate",
-            "[TASK]",
-            0,
-            1,
-            "Lets a synthetic expert perform a task (B1) and writes its report and a picture.",
-            {{"--output", "FOLDER", "The folder to write to.", "out", {}, "-o"},
-             seed_option(),
-             variant_option(),
-             json_option()},
-            run_demonstrate,
-            true};
+    return {
+        "demonstrate",
+        "[TASK]",
+        0,
+        1,
+        QT_TRANSLATE_NOOP("commands",
+                          "Lets a synthetic expert perform a task (B1) and writes its report and a picture."),
+        {{"--output", "FOLDER", QT_TRANSLATE_NOOP("commands", "The folder to write to."), "out", {}, "-o"},
+         seed_option(),
+         variant_option(),
+         json_option()},
+        run_demonstrate,
+        true};
 }
 
 }  // namespace fulcrum::app

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum devices: what is connected, what is not and why; and a test of one device.
+#include <QCoreApplication>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -13,12 +14,24 @@
 #include "app/services/devices.h"
 #include "app/services/program.h"
 #include "sim_core/numerics/number_text.h"
+#include "ui/shell/devices_card.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::app {
 namespace {
 
 constexpr double gentle_n = 0.3;
+constexpr const char* slot_words[device_slots] = {QT_TRANSLATE_NOOP("commands", "left"),
+                                                  QT_TRANSLATE_NOOP("commands", "right"),
+                                                  QT_TRANSLATE_NOOP("commands", "scope")};
+
+/// A line in the language in use.
+void say(const Sentence& line) {
+    std::cout << line.words(help_words) << '\n';
+}
+std::string device_text(const std::string& english) {
+    return ui::plain(ui::device_words(english));
+}
 
 nlohmann::json to_json(const Durations& durations) {
     return {{"p50", durations.p50_us},
@@ -29,12 +42,17 @@ nlohmann::json to_json(const Durations& durations) {
 
 void print_list(const std::vector<ListedDevice>& devices) {
     for (const ListedDevice& device : devices) {
-        std::cout << device.title << ": " << row_of(device_states, device.state).title << '\n';
-        for (const std::string& found : device.found) std::cout << "    " << found << '\n';
+        std::cout << device_text(device.title) << ": "
+                  << ui::plain(QCoreApplication::translate("fulcrum::device_states",
+                                                           row_of(device_states, device.state).title))
+                  << '\n';
+        for (const std::string& found : device.found) std::cout << "    " << device_text(found) << '\n';
         if (!device.why.empty())
-            std::cout << "    why: " << device.why
-                      << (device.detail.empty() ? std::string() : " (" + device.detail + ")") << '\n';
-        if (!device.what_to_do.empty()) std::cout << "    what to do: " << device.what_to_do << '\n';
+            say({QT_TRANSLATE_NOOP("commands", "    why: %1"),
+                 device_text(device.why) +
+                     (device.detail.empty() ? std::string() : " (" + device.detail + ")")});
+        if (!device.what_to_do.empty())
+            say({QT_TRANSLATE_NOOP("commands", "    what to do: %1"), device_text(device.what_to_do)});
     }
 }
 
@@ -65,35 +83,34 @@ nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) 
 
 void print_trial(const DaemonClient& client, const DeviceTrial& trial) {
     const auto row = [](const char* what, const Durations& durations) {
-        std::cout << what << ": median " << decimal_text(durations.p50_us, 0) << " us, 99.9 % "
-                  << decimal_text(durations.p999_us, 0) << " us, worst "
-                  << decimal_text(durations.worst_us, 0) << " us\n";
+        say({QT_TRANSLATE_NOOP("commands", "%1: median %2 us, 99.9 % %3 us, worst %4 us"), Sentence(what),
+             decimal_text(durations.p50_us, 0), decimal_text(durations.p999_us, 0),
+             decimal_text(durations.worst_us, 0)});
     };
-    std::cout << client.facts().title << '\n'
-              << "rate: " << decimal_text(trial.rate, 1) << " readings a second of "
-              << decimal_text(client.facts().rate, 0) << "; " << trial.device_late << " of "
-              << trial.device_ticks << " ticks a period late or more\n";
-    row("jitter of the device's readings", trial.device_wake);
-    row("age of a pose when it is used", trial.pose_age);
+    std::cout << client.facts().title << '\n';
+    say({QT_TRANSLATE_NOOP("commands",
+                           "rate: %1 readings a second of %2; %3 of %4 ticks a period late or more"),
+         decimal_text(trial.rate, 1), decimal_text(client.facts().rate, 0), trial.device_late,
+         trial.device_ticks});
+    row(QT_TRANSLATE_NOOP("commands", "jitter of the device's readings"), trial.device_wake);
+    row(QT_TRANSLATE_NOOP("commands", "age of a pose when it is used"), trial.pose_age);
     if (trial.force_sent > 0) {
-        row("force, from command to motors", trial.force_delay);
-        std::cout << "force: sent up to " << decimal_text(trial.force_sent, 2) << " N, rendered up to "
-                  << decimal_text(trial.force_rendered, 2) << " N\n";
+        row(QT_TRANSLATE_NOOP("commands", "force, from command to motors"), trial.force_delay);
+        say({QT_TRANSLATE_NOOP("commands", "force: sent up to %1 N, rendered up to %2 N"),
+             decimal_text(trial.force_sent, 2), decimal_text(trial.force_rendered, 2)});
     }
     for (int i = 0; i < device_slots; ++i) {
         if (!client.facts().slot[i]) continue;
         const DevicePose& pose = trial.newest[i];
-        std::cout << device_slot_names[i] << ": ";
-        if (pose.present == 0) {
-            std::cout << "does not answer\n";
-            continue;
-        }
-        std::cout << "at (" << decimal_text(1e3 * pose.position[0], 1) << ", "
-                  << decimal_text(1e3 * pose.position[1], 1) << ", "
-                  << decimal_text(1e3 * pose.position[2], 1) << ") mm, jaws "
-                  << decimal_text(100 * pose.jaw, 0) << " % open, buttons " << pose.buttons << '\n';
+        const Sentence slot(slot_words[i]);
+        if (pose.present == 0)
+            say({QT_TRANSLATE_NOOP("commands", "%1: does not answer"), slot});
+        else
+            say({QT_TRANSLATE_NOOP("commands", "%1: at (%2, %3, %4) mm, jaws %5 % open, buttons %6"), slot,
+                 decimal_text(1e3 * pose.position[0], 1), decimal_text(1e3 * pose.position[1], 1),
+                 decimal_text(1e3 * pose.position[2], 1), decimal_text(100 * pose.jaw, 0), pose.buttons});
     }
-    for (const std::string& note : client.notes()) std::cout << "note: " << note << '\n';
+    for (const std::string& note : client.notes()) say({QT_TRANSLATE_NOOP("commands", "note: %1"), note});
 }
 
 /// No slot of the device answers.
@@ -193,19 +210,26 @@ int run_devices(const Arguments& arguments) {
 }  // namespace
 
 Command devices_command() {
-    return {"devices",
-            "",
-            0,
-            0,
-            "Lists the devices for the hands: what is connected, what is not, why and what to do.",
-            {{"--test", "DEVICE",
+    return {
+        "devices",
+        "",
+        0,
+        0,
+        QT_TRANSLATE_NOOP(
+            "commands",
+            "Lists the devices for the hands: what is connected, what is not, why and what to do."),
+        {{"--test", "DEVICE",
+          QT_TRANSLATE_NOOP(
+              "commands",
               "Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, "
-              "space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays."},
-             {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
-             {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},
-             {"--rumble", "", "Let a game controller rumble for half a second."},
-             json_option()},
-            run_devices};
+              "space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.")},
+         {"--seconds", "S", QT_TRANSLATE_NOOP("commands", "How long the test lasts: 1 to 3600."), "5"},
+         {"--force", "",
+          QT_TRANSLATE_NOOP("commands",
+                            "Also send a force that rises slowly to 0.3 N along each axis in turn.")},
+         {"--rumble", "", QT_TRANSLATE_NOOP("commands", "Let a game controller rumble for half a second.")},
+         json_option()},
+        run_devices};
 }
 
 }  // namespace fulcrum::app

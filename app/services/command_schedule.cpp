@@ -101,7 +101,7 @@ int run_due(const Arguments& arguments) {
     json failed = json::array();
     for (const auto& one : run.failed) {
         failed.push_back({{"id", one.id}, {"cohort", one.cohort}, {"problem", one.problem}});
-        std::cerr << one.id << ": " << one.problem << '\n';
+        std::cerr << one.id << ": " << one.words << '\n';
     }
     if (arguments.has("--json")) {
         print_json({{"written", run.written},
@@ -125,26 +125,38 @@ std::vector<Command> schedule_commands() {
         "",
         0,
         0,
-        "Schedules a report of a cohort; needs --as, a director.",
-        joined({{"--cohort", "NAME", "The cohort."},
-                {"--folder", "FOLDER", "The folder to write to, as a path from /."},
-                {"--every", "TIME", "How often.", "week", {"day", "week"}},
-                {"--format", "FORMAT", "The kind of file.", "pdf", {"pdf", "csv", "xlsx", "json"}}},
+        QT_TRANSLATE_NOOP("commands", "Schedules a report of a cohort; needs --as, a director."),
+        joined({{"--cohort", "NAME", QT_TRANSLATE_NOOP("commands", "The cohort.")},
+                {"--folder", "FOLDER",
+                 QT_TRANSLATE_NOOP("commands", "The folder to write to, as a path from /.")},
+                {"--every", "TIME", QT_TRANSLATE_NOOP("commands", "How often."), "week", {"day", "week"}},
+                {"--format",
+                 "FORMAT",
+                 QT_TRANSLATE_NOOP("commands", "The kind of file."),
+                 "pdf",
+                 {"pdf", "csv", "xlsx", "json"}}},
                session_options()),
         add};
-    Command running{
-        "schedule run",    "",      0,   0, "Writes the reports that are due; needs --as, a director.",
-        session_options(), run_due, true};
+    Command running{"schedule run",
+                    "",
+                    0,
+                    0,
+                    QT_TRANSLATE_NOOP("commands", "Writes the reports that are due; needs --as, a director."),
+                    session_options(),
+                    run_due,
+                    true};
     running.details =
-        "Meant for cron or a systemd timer, any number of times a day: each report is written once in its "
-        "day or week "
-        "(UTC), and again where its file is gone. One that fails is tried again at the next run; the exit "
-        "status is 1 "
-        "then, and `fulcrum schedule list` shows why. The password is read from --password-file.";
+        QT_TRANSLATE_NOOP("commands",
+                          "Meant for cron or a systemd timer, any number of times a day: each report is "
+                          "written once in its day or week (UTC), and again where its file is gone. One that "
+                          "fails is tried again at the next run; the exit status is 1 then, and `fulcrum "
+                          "schedule list` shows why. The password is read from --password-file.");
     return {adding,
-            {"schedule list", "", 0, 0, "Lists the scheduled reports; needs --as, a director.",
+            {"schedule list", "", 0, 0,
+             QT_TRANSLATE_NOOP("commands", "Lists the scheduled reports; needs --as, a director."),
              session_options(), list},
-            {"schedule remove", "ID", 1, 1, "Ends a schedule; needs --as, a director.", session_options(),
+            {"schedule remove", "ID", 1, 1,
+             QT_TRANSLATE_NOOP("commands", "Ends a schedule; needs --as, a director."), session_options(),
              remove},
             running};
 }

@@ -168,24 +168,33 @@ int run_list(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> xapi_commands() {
-    return {{"xapi send", "", 0, 0, "Sends statements on attempts and ratings to a learning record store.",
-             joined({{"--to", "ADDRESS", "The record store, such as https://lrs.example/xapi."},
-                     {"--credentials", "FILE",
-                      "A file with one line KEY:SECRET that only its owner can read (chmod 600)."},
-                     {"--cohort", "NAME", "Queue the statements of this cohort first."},
-                     {"--person", "LOGIN", "Queue the statements of this person first."},
-                     {"--home-page", "ADDRESS", "The web address that the ids of your people belong to."},
-                     {"--again", "", "Try what is quarantined once more."},
-                     {"--timeout", "S", "How long an answer may take.", "20"}},
-                    session_options()),
-             run_send, true,
-             "A director signs in with --as. Without --cohort and --person what waits is sent. Each "
-             "statement has "
-             "its id for good, so that it can be cut off and repeated at any time. Exit status 1 while "
-             "statements "
-             "wait or are quarantined."},
-            {"xapi list", "", 0, 0, "Lists how many statements wait, are done or quarantined, and why.",
-             session_options(), run_list}};
+    return {
+        {"xapi send", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands",
+                           "Sends statements on attempts and ratings to a learning record store."),
+         joined(
+             {{"--to", "ADDRESS",
+               QT_TRANSLATE_NOOP("commands", "The record store, such as https://lrs.example/xapi.")},
+              {"--credentials", "FILE",
+               QT_TRANSLATE_NOOP(
+                   "commands", "A file with one line KEY:SECRET that only its owner can read (chmod 600).")},
+              {"--cohort", "NAME",
+               QT_TRANSLATE_NOOP("commands", "Queue the statements of this cohort first.")},
+              {"--person", "LOGIN",
+               QT_TRANSLATE_NOOP("commands", "Queue the statements of this person first.")},
+              {"--home-page", "ADDRESS",
+               QT_TRANSLATE_NOOP("commands", "The web address that the ids of your people belong to.")},
+              {"--again", "", QT_TRANSLATE_NOOP("commands", "Try what is quarantined once more.")},
+              {"--timeout", "S", QT_TRANSLATE_NOOP("commands", "How long an answer may take."), "20"}},
+             session_options()),
+         run_send, true,
+         QT_TRANSLATE_NOOP("commands",
+                           "A director signs in with --as. Without --cohort and --person what waits is sent. "
+                           "Each statement has its id for good, so that it can be cut off and repeated at "
+                           "any time. Exit status 1 while statements wait or are quarantined.")},
+        {"xapi list", "", 0, 0,
+         QT_TRANSLATE_NOOP("commands", "Lists how many statements wait, are done or quarantined, and why."),
+         session_options(), run_list}};
 }
 
 }  // namespace fulcrum::app

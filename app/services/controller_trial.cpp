@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/cli/command.h"
 #include "sim_core/devices/device_page.h"
 #include "sim_core/numerics/number_text.h"
 
@@ -15,10 +16,17 @@ namespace {
 
 constexpr const char* side_names[2] = {"left", "right"};
 constexpr const char* axis_names[2] = {"to_the_right", "up"};
-constexpr const char* button_names[] = {"south",       "east",          "west",           "north",
-                                        "back",        "guide",         "start",          "left stick",
-                                        "right stick", "left shoulder", "right shoulder", "pad up",
-                                        "pad down",    "pad left",      "pad right"};
+constexpr const char* button_names[] = {
+    QT_TRANSLATE_NOOP("commands", "south"),          QT_TRANSLATE_NOOP("commands", "east"),
+    QT_TRANSLATE_NOOP("commands", "west"),           QT_TRANSLATE_NOOP("commands", "north"),
+    QT_TRANSLATE_NOOP("commands", "back"),           QT_TRANSLATE_NOOP("commands", "guide"),
+    QT_TRANSLATE_NOOP("commands", "start"),          QT_TRANSLATE_NOOP("commands", "left stick"),
+    QT_TRANSLATE_NOOP("commands", "right stick"),    QT_TRANSLATE_NOOP("commands", "left shoulder"),
+    QT_TRANSLATE_NOOP("commands", "right shoulder"), QT_TRANSLATE_NOOP("commands", "pad up"),
+    QT_TRANSLATE_NOOP("commands", "pad down"),       QT_TRANSLATE_NOOP("commands", "pad left"),
+    QT_TRANSLATE_NOOP("commands", "pad right")};
+constexpr const char* stick_names[2] = {QT_TRANSLATE_NOOP("commands", "left stick"),
+                                        QT_TRANSLATE_NOOP("commands", "right stick")};
 
 void widen(ControllerTrial::Range& range, double value) {
     range.least = std::min(range.least, value);
@@ -29,10 +37,10 @@ nlohmann::json range_json(const ControllerTrial::Range& range) {
     return {range.least, range.most};
 }
 
-std::vector<std::string> pressed(const ControllerTrial& trial) {
-    std::vector<std::string> names;
+std::vector<const char*> pressed(const ControllerTrial& trial) {
+    std::vector<const char*> names;
     for (std::size_t i = 0; i < std::size(button_names); ++i)
-        if ((trial.buttons >> i & 1U) != 0) names.emplace_back(button_names[i]);
+        if ((trial.buttons >> i & 1U) != 0) names.push_back(button_names[i]);
     return names;
 }
 
@@ -92,23 +100,29 @@ nlohmann::json controller_json(const ControllerTrial& trial) {
 }
 
 void print_controller(const ControllerTrial& trial) {
-    std::cout << trial.name << '\n'
-              << "rate: " << decimal_text(trial.rate, 1) << " readings a second; longest gap "
-              << decimal_text(1e3 * trial.worst_gap, 1) << " ms\n";
+    const auto say = [](const Sentence& line) { std::cout << line.words(help_words) << '\n'; };
+    std::cout << trial.name << '\n';
+    say({QT_TRANSLATE_NOOP("commands", "rate: %1 readings a second; longest gap %2 ms"),
+         decimal_text(trial.rate, 1), decimal_text(1e3 * trial.worst_gap, 1)});
     for (int h = 0; h < 2; ++h) {
         const auto& stick = trial.stick[h];
-        std::cout << side_names[h] << " stick: " << percent(stick[0].least) << " to "
-                  << percent(stick[0].most) << " % to the right, " << percent(stick[1].least) << " to "
-                  << percent(stick[1].most) << " % up"
-                  << (trial.in_middle[h] ? "" : "; never in its middle: it moves nothing")
-                  << "; trigger up to " << percent(trial.trigger[h].most) << " %\n";
+        const Sentence still =
+            trial.in_middle[h]
+                ? Sentence()
+                : Sentence(QT_TRANSLATE_NOOP("commands", "; never in its middle: it moves nothing"));
+        say({QT_TRANSLATE_NOOP("commands",
+                               "%1: %2 to %3 % to the right, %4 to %5 % up%6; trigger up to %7 %"),
+             Sentence(stick_names[h]), percent(stick[0].least), percent(stick[0].most),
+             percent(stick[1].least), percent(stick[1].most), still, percent(trial.trigger[h].most)});
     }
-    const std::vector<std::string> buttons = pressed(trial);
-    std::cout << "buttons pressed:";
-    for (const std::string& one : buttons) std::cout << (&one == buttons.data() ? " " : ", ") << one;
-    std::cout << (buttons.empty() ? " none\n" : "\n");
+    Sentence buttons;
+    for (const char* one : pressed(trial))
+        buttons = buttons.empty() ? Sentence(one) : Sentence("%1, %2", buttons, Sentence(one));
+    if (buttons.empty()) buttons = QT_TRANSLATE_NOOP("commands", "none");
+    say({QT_TRANSLATE_NOOP("commands", "buttons pressed: %1"), buttons});
     if (trial.rumble_asked)
-        std::cout << "rumble: " << (trial.rumbled ? "sent\n" : "refused by the controller\n");
+        say(trial.rumbled ? Sentence(QT_TRANSLATE_NOOP("commands", "rumble: sent"))
+                          : Sentence(QT_TRANSLATE_NOOP("commands", "rumble: refused by the controller")));
 }
 
 }  // namespace fulcrum::app

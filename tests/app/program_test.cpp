@@ -346,7 +346,7 @@ TEST_F(Program, RefusesToWriteForARealPersonWithoutOne) {
     EXPECT_EQ(run({"report", "--person", "x", "-o", path("x.pdf")}).status, 2);
 }
 
-TEST_F(Program, SaysErrorsInTheLanguageOfTheStation) {
+TEST_F(Program, SaysErrorsAndHelpInTheLanguageOfTheStation) {
     QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
     german.insert(QStringLiteral("FULCRUM_LANGUAGE"), QStringLiteral("de"));
     write("scene.json", "{\"id\": ");
@@ -358,6 +358,7 @@ TEST_F(Program, SaysErrorsInTheLanguageOfTheStation) {
         {{"preform", "A2"},
          "fulcrum: preform: unbekannter Befehl; meinten Sie perform? siehe fulcrum --help",
          2},
+        {{"perform"}, "perform: zu wenige Argumente; Aufruf: fulcrum perform AUFGABE [Optionen]", 2},
         {{"perform", "A9"}, "Befehlszeile:task: es gibt keine Aufgabe „A9“; nennen Sie eine von A1", 2},
         {{"db", "check", "--db", path("none.db")},
          "none.db: Dort ist kein Datenbestand; legen Sie einen mit",
@@ -370,6 +371,20 @@ TEST_F(Program, SaysErrorsInTheLanguageOfTheStation) {
         EXPECT_NE(outcome.errors.find(one.said), std::string::npos)
             << outcome.errors << "without: " << one.said;
     }
+    const Outcome help = run({"perform", "--help"}, german);
+    EXPECT_EQ(help.status, 0) << help.errors;
+    EXPECT_EQ(
+        help.output.rfind("Aufruf: fulcrum perform AUFGABE [Optionen]\n\nFührt einen Versuch ohne Fenster "
+                          "durch, speichert und bewertet ihn.\n",
+                          0),
+        0U)
+        << help.output;
+    EXPECT_NE(help.output.find("\n  --json                    Ein JSON-Dokument auf der Standardausgabe"),
+              std::string::npos)
+        << help.output;
+    EXPECT_NE(run({"--help"}, german).output.find("\nBefehle:\n  perform AUFGABE "), std::string::npos);
+    EXPECT_NE(run({"manual"}, german).output.find("\n.SH BESCHREIBUNG\n"), std::string::npos);
+    EXPECT_EQ(run({"perform", "--help"}).output.rfind("usage: fulcrum perform TASK [options]\n", 0), 0U);
     german.insert(QStringLiteral("FULCRUM_LANGUAGE"), QStringLiteral("deutsch"));
     EXPECT_NE(run({"preform"}, german).errors.find("\"deutsch\" is not the name of a language"),
               std::string::npos);

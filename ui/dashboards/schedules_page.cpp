@@ -267,8 +267,7 @@ void SchedulesPage::write(const std::string& only) {
                 });
                 context().say(tr("Another run is under way and writes what is due."));
             } else if (!run->failed.empty())
-                context().complain(
-                    tr("%1: %2").arg(text(run->failed[0].cohort), text(run->failed[0].problem)));
+                context().complain(tr("%1: %2").arg(text(run->failed[0].cohort), text(run->failed[0].words)));
             else
                 context().say(tr("%n files written.", nullptr, static_cast<int>(run->written.size())));
         },

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sim_core/numerics/worded_error.h"
 #include "ui/language/error_text.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
 
-std::string one_line(const std::exception& error) {
-    std::string line = plain(error_text(error));
+std::string one_line(std::string line) {
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return line;
@@ -68,8 +68,9 @@ ScheduledRun run_schedules(const database::Store& store, const database::Session
             run.written.insert(run.written.end(), files.begin(), files.end());
             schedules.note(director, one.id, period, {});
         } catch (const std::exception& error) {
-            run.failed.push_back({one.id, one.cohort_name, one_line(error)});
-            schedules.note(director, one.id, period, one_line(error));
+            const std::string english = one_line(sentence_of(error).words());
+            run.failed.push_back({one.id, one.cohort_name, english, one_line(plain(error_text(error)))});
+            schedules.note(director, one.id, period, english);
         }
     }
     return run;

@@ -13,7 +13,9 @@ namespace fulcrum::ui {
 
 struct ScheduledRun {
     struct Failed {
-        std::string id, cohort, problem;
+        std::string id, cohort;
+        std::string problem;  ///< in English, as it is stored
+        std::string words;    ///< in the language in use
     };
     std::vector<std::string> written;  ///< files
     std::vector<Failed> failed;

@@ -12,15 +12,15 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
-namespace {
 
-constexpr int look_every_ms = 3000, read_every_ms = 200;
-
-/// A text of the list of devices in the reader's language; what the system says stays as it is.
 QString device_words(const std::string& english) {
     const QString words = QCoreApplication::translate("fulcrum::device_list", english.c_str());
     return words != text(english) ? words : QCoreApplication::translate("errors", english.c_str());
 }
+
+namespace {
+
+constexpr int look_every_ms = 3000, read_every_ms = 200;
 
 /// The state as sign and words; never by colour alone.
 QString state_words(const ListedDevice& device) {

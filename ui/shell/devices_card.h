@@ -18,6 +18,9 @@ namespace fulcrum::ui {
 class BackgroundJob;
 class DeviceTest;
 
+/// A text of the list of devices in the reader's language; what the system says stays as it is.
+QString device_words(const std::string& english);
+
 class DevicesCard : public QFrame {
     Q_OBJECT
   public:

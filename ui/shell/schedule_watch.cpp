@@ -64,7 +64,7 @@ void ScheduleWatch::look() {
             if (run->busy) not_before_.erase(due);
             for (const ScheduledRun::Failed& one : run->failed)
                 context_.complain(tr("The scheduled report of %1 was not written: %2")
-                                      .arg(text(one.cohort), text(one.problem)));
+                                      .arg(text(one.cohort), text(one.words)));
             if (!run->written.empty()) {
                 not_before_.erase(due);
                 context_.say(tr("A scheduled report was written: %1").arg(text(run->written.front())));

@@ -4,13 +4,22 @@
 
 #include <gtest/gtest.h>
 
+#include <QFile>
+#include <QString>
+#include <QXmlStreamReader>
 #include <algorithm>
+#include <cctype>
 #include <fstream>
+#include <iostream>
 #include <set>
+#include <sstream>
 
 #include "app/lab/commands.h"
+#include "app/services/controller_trial.h"
 #include "app/services/program.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/support.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::app {
 namespace {
@@ -128,6 +137,195 @@ TEST(ProgramCommands, HelpManualAndCompletionNameEveryCommandAndOption) {
         }
     }
     EXPECT_GE(names.size(), 27U);
+}
+
+/// Texts are in German during its lifetime.
+struct GermanHelp {
+    GermanHelp() { ui::use_language(ui::Language::german); }
+    ~GermanHelp() { ui::use_language(ui::Language::english); }
+    GermanHelp(const GermanHelp&) = delete;
+    GermanHelp& operator=(const GermanHelp&) = delete;
+};
+
+/// The texts of commands that have a German translation.
+std::set<std::string> translated_texts() {
+    QFile file(QString::fromStdString(test::source_path("ui/style/translations/fulcrum_de.ts")));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    std::set<std::string> texts;
+    std::string context, source;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QLatin1String("name")) context = xml.readElementText().toStdString();
+        if (xml.name() == QLatin1String("source")) source = xml.readElementText().toStdString();
+        if (xml.name() == QLatin1String("translation") && context == "commands" &&
+            !xml.attributes().hasAttribute(QLatin1String("type")))
+            texts.insert(source);
+    }
+    return texts;
+}
+
+/// The sources in a sentence that have letters, without places of other sentences.
+void collect_sources(const Sentence& sentence, std::vector<std::string>& found) {
+    const bool letters = std::any_of(sentence.source().begin(), sentence.source().end(),
+                                     [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (sentence.marked() && letters) found.push_back(sentence.source());
+    for (const Sentence& part : sentence.parts()) collect_sources(part, found);
+}
+
+/// A text of the table has its translation; every word in capitals as well, unless it is a unit or a part of
+/// an address.
+void expect_translated(const std::set<std::string>& known, const Sentence& text, const std::string& where) {
+    std::vector<std::string> sources;
+    collect_sources(text, sources);
+    for (const std::string& source : sources)
+        EXPECT_EQ(known.count(source), 1U) << where << ": \"" << source << '"';
+}
+void expect_translated_words(const std::set<std::string>& known, const std::string& words,
+                             const std::string& where) {
+    const std::set<std::string> same = {"HOST", "PORT", "HZ", "N", "Q", "S", ""};
+    expect_translated(known, placeholders(words), where);
+    std::string word;
+    for (const char c : words + " ") {
+        if (c >= 'A' && c <= 'Z') {
+            word += c;
+            continue;
+        }
+        EXPECT_TRUE(same.count(word) != 0 || known.count(word) != 0) << where << ": " << word;
+        word.clear();
+    }
+}
+
+TEST(ProgramCommands, EveryTextOfTheHelpHasAGermanTranslation) {
+    const std::set<std::string> known = translated_texts();
+    const std::set<std::string> values = {"1",
+                                          "5",
+                                          "20",
+                                          "30",
+                                          "60",
+                                          "500",
+                                          "pdf",
+                                          "raw",
+                                          "out",
+                                          "week",
+                                          "haptic",
+                                          "expert",
+                                          "standard",
+                                          "127.0.0.1:18944",
+                                          "LeftTipToPatient",
+                                          "RightTipToPatient",
+                                          "CameraToPatient"};
+    int options = 0;
+    for (const Command& command : program_commands().commands()) {
+        if (command.is_laboratory()) continue;
+        expect_translated(known, command.help, command.name);
+        expect_translated(known, command.details, command.name);
+        expect_translated_words(known, command.words, command.name);
+        for (const Option& option : command.options) {
+            ++options;
+            const std::string where = command.name + " " + option.name;
+            expect_translated(known, option.help, where);
+            expect_translated_words(known, option.argument, where);
+            if (values.count(option.fallback.source()) == 0) expect_translated(known, option.fallback, where);
+        }
+    }
+    EXPECT_GT(options, 150);
+}
+
+TEST(ProgramCommands, GermanHelpHasAlignedColumns) {
+    const CommandTable& table = program_commands();
+    const std::string english = table.help("perform"), laboratory = table.help("lab bench"),
+                      laboratory_actions = table.help("lab");
+    const GermanHelp german;
+    EXPECT_NE(table.help("perform"), english);
+    EXPECT_EQ(table.help("lab bench"), laboratory) << "the laboratory stays in English";
+    EXPECT_EQ(table.help("lab"), laboratory_actions);
+    int umlauts = 0;
+    for (const Command& command : table.commands()) {
+        if (command.is_laboratory()) continue;
+        const QStringList lines = QString::fromStdString(table.help(command.name)).split(QLatin1Char('\n'));
+        EXPECT_EQ(lines[0].left(16), QStringLiteral("Aufruf: fulcrum ")) << command.name;
+        const int heading = lines.indexOf(QStringLiteral("Optionen:"));
+        ASSERT_GT(heading, 0) << command.name;
+        for (int i = heading + 1; i + 1 < lines.size(); ++i) {
+            const QString& line = lines[i];
+            const std::string where = command.name + ": " + line.toStdString();
+            EXPECT_LE(line.size(), 79) << where;
+            const bool long_name = line.startsWith(QLatin1String("  -")) && line.size() <= 40 &&
+                                   !line.mid(2).contains(QLatin1String("  ")) &&
+                                   lines[i + 1].startsWith(QString(28, QLatin1Char(' ')));
+            if (long_name && line.size() > 26) continue;
+            ASSERT_GT(line.size(), 28) << where;
+            EXPECT_EQ(line.mid(26, 2), QStringLiteral("  ")) << where;
+            EXPECT_NE(line[28], QLatin1Char(' ')) << where;
+            EXPECT_TRUE(line.startsWith(QLatin1String("  -")) || line.left(28).trimmed().isEmpty()) << where;
+            umlauts += line.contains(QChar(0x00fc)) || line.contains(QChar(0x00e4));
+        }
+    }
+    EXPECT_GT(umlauts, 30);
+}
+
+TEST(CommandTable, EnglishHelpIsAsWrittenInTheTable) {
+    EXPECT_EQ(small_table().help("perform"),
+              "usage: fulcrum perform TASK [options]\n\nPerforms.\n\noptions:\n"
+              "  --seed N                  The seed. Default: 1.\n"
+              "  --practice                For practice.\n"
+              "  -h, --help                Print this help and exit.\n");
+    EXPECT_EQ(small_table().help("db").substr(0, 77),
+              "usage: fulcrum db ACTION [options]\n\nactions:\n  check                         ");
+    EXPECT_EQ(refusal({"perform"}), "perform: too few arguments; usage: fulcrum perform TASK [options]");
+    EXPECT_EQ(refusal({"db", "check", "-o"}),
+              "-o: its argument is missing; write -o FILE; see fulcrum db check --help");
+}
+
+TEST(CommandTable, WrapsHelpByCharactersNotBytes) {
+    std::string words;
+    for (int i = 0; i < 21; ++i) words += (i == 0 ? "" : " ") + std::string("\u00e4\u00f6\u00fc");
+    const CommandTable table({{"perform", "", 0, 0, words, {}, [](const Arguments&) { return 0; }}}, "1");
+    const QStringList lines = QString::fromStdString(table.help("perform")).split(QLatin1Char('\n'));
+    EXPECT_EQ(lines[2].size(), 79);
+    EXPECT_EQ(lines[3].size(), 3);
+}
+
+TEST(CommandTable, OnlyKnownWordsInCapitalsAreTranslated) {
+    const GermanHelp german;
+    const std::pair<const char*, const char*> cases[] = {{"TRACE.csv", "AUFZEICHNUNG.csv"},
+                                                         {"LOGIN,LOGIN,...", "ANMELDENAME,ANMELDENAME,..."},
+                                                         {"[HOST:PORT]", "[HOST:PORT]"},
+                                                         {"FILENAME", "FILENAME"},
+                                                         {"", ""}};
+    for (const auto& [english, expected] : cases)
+        EXPECT_EQ(placeholders(english).words(help_words), expected);
+}
+
+TEST(ProgramCommands, PrintTheTestOfAControllerInTheReadersLanguage) {
+    ControllerTrial trial;
+    trial.name = "Pad";
+    trial.rate = 250;
+    trial.in_middle[1] = true;
+    trial.buttons = 3;
+    const auto printed = [&] {
+        std::ostringstream output;
+        std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+        print_controller(trial);
+        std::cout.rdbuf(before);
+        return output.str();
+    };
+    EXPECT_EQ(
+        printed(),
+        "Pad\nrate: 250.0 readings a second; longest gap 0.0 ms\n"
+        "left stick: 0 to 0 % to the right, 0 to 0 % up; never in its middle: it moves nothing; trigger up "
+        "to 0 %\n"
+        "right stick: 0 to 0 % to the right, 0 to 0 % up; trigger up to 0 %\n"
+        "buttons pressed: south, east\n");
+    const GermanHelp german;
+    EXPECT_EQ(
+        printed(),
+        "Pad\nRate: 250.0 Messwerte je Sekunde; l\u00e4ngste L\u00fccke 0.0 ms\n"
+        "linker Stick: 0 bis 0 % nach rechts, 0 bis 0 % nach oben; nie in der Mitte: er bewegt nichts; Abzug "
+        "bis 0 %\n"
+        "rechter Stick: 0 bis 0 % nach rechts, 0 bis 0 % nach oben; Abzug bis 0 %\n"
+        "gedr\u00fcckte Tasten: unten, rechts\n");
 }
 
 TEST(ProgramCommands, BashCompletesFromTheScript) {

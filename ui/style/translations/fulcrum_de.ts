@@ -61,6 +61,1133 @@
     </message>
 </context>
 <context>
+    <name>commands</name>
+    <message>
+        <source>Print this help and exit.</source>
+        <translation>Diese Hilfe ausgeben und beenden.</translation>
+    </message>
+    <message>
+        <source>fulcrum %1 [options]</source>
+        <translation>fulcrum %1 [Optionen]</translation>
+    </message>
+    <message>
+        <source>fulcrum %1 %2 [options]</source>
+        <translation>fulcrum %1 %2 [Optionen]</translation>
+    </message>
+    <message>
+        <source>Prints a completion script for bash or zsh.</source>
+        <translation>Gibt ein Skript aus, mit dem bash oder zsh Befehle ergänzt.</translation>
+    </message>
+    <message>
+        <source>For bash: fulcrum completion bash &gt; ~/.local/share/bash-completion/completions/fulcrum</source>
+        <translation>Für bash: fulcrum completion bash &gt; ~/.local/share/bash-completion/completions/fulcrum</translation>
+    </message>
+    <message>
+        <source>Prints what the commands do, or one command&apos;s options.</source>
+        <translation>Gibt aus, was die Befehle tun, oder die Optionen eines Befehls.</translation>
+    </message>
+    <message>
+        <source>Prints the manual page.</source>
+        <translation>Gibt die Handbuchseite aus.</translation>
+    </message>
+    <message>
+        <source>To read it: fulcrum manual &gt; fulcrum.1; man ./fulcrum.1</source>
+        <translation>Um sie zu lesen: fulcrum manual &gt; fulcrum.1; man ./fulcrum.1</translation>
+    </message>
+    <message>
+        <source>Lists the installed scenes, tasks, benchmark sets and curricula, and which of them assessed attempts accept.</source>
+        <translation>Listet die installierten Szenen, Aufgaben, Richtwertsätze und Curricula auf und nennt, welche davon für bewertete Versuche zugelassen sind.</translation>
+    </message>
+    <message>
+        <source>Accepts a file of the site, such as a benchmark set from its experts, for assessed attempts.</source>
+        <translation>Lässt eine Datei des Standorts, etwa einen Richtwertsatz seiner Experten, für bewertete Versuche zu.</translation>
+    </message>
+    <message>
+        <source>The reason; recorded in the audit log.</source>
+        <translation>Der Grund; er wird im Protokoll gespeichert.</translation>
+    </message>
+    <message>
+        <source>Builds a benchmark set and prints the share of its own experts&apos; attempts that would pass.</source>
+        <translation>Erstellt einen Richtwertsatz und gibt aus, welcher Anteil der Versuche seiner eigenen Experten bestehen würde.</translation>
+    </message>
+    <message>
+        <source>Use synthetic operators; the set is provisional.</source>
+        <translation>Simulierte Operateure verwenden; der Satz ist vorläufig.</translation>
+    </message>
+    <message>
+        <source>Use the stored attempts of these people; needs --as.</source>
+        <translation>Die gespeicherten Versuche dieser Personen verwenden; braucht --as.</translation>
+    </message>
+    <message>
+        <source>The class of devices that the set is for; operators work through a model of it.</source>
+        <translation>Die Geräteklasse, für die der Satz gilt; die Operateure arbeiten mit einem Modell davon.</translation>
+    </message>
+    <message>
+        <source>Build the sets of all tasks and device classes, from operators.</source>
+        <translation>Die Sätze aller Aufgaben und Geräteklassen mit simulierten Operateuren erstellen.</translation>
+    </message>
+    <message>
+        <source>Write the set to this file; with --all, the sets to this folder. The version of a set is one more than that of the one it replaces.</source>
+        <translation>Den Satz in diese Datei schreiben; mit --all die Sätze in diesen Ordner. Die Version eines Satzes ist um eins höher als die des Satzes, den er ersetzt.</translation>
+    </message>
+    <message>
+        <source>Lists the installed versions of the curriculum; with --db also how many people follow each.</source>
+        <translation>Listet die installierten Versionen des Curriculums auf; mit --db auch, wie viele Personen nach jeder lernen.</translation>
+    </message>
+    <message>
+        <source>Moves a person or a cohort to another version of the curriculum; needs --as.</source>
+        <translation>Stellt eine Person oder eine Gruppe auf eine andere Version des Curriculums um; braucht --as.</translation>
+    </message>
+    <message>
+        <source>Move this person.</source>
+        <translation>Diese Person umstellen.</translation>
+    </message>
+    <message>
+        <source>Move everybody in this cohort.</source>
+        <translation>Alle Personen dieser Gruppe umstellen.</translation>
+    </message>
+    <message>
+        <source>The version, such as rectal@2.</source>
+        <translation>Die Version, zum Beispiel rectal@2.</translation>
+    </message>
+    <message>
+        <source>Print which standings would change and move nobody.</source>
+        <translation>Ausgeben, welcher Stand sich ändern würde, und niemanden umstellen.</translation>
+    </message>
+    <message>
+        <source>Why; kept in the audit log.</source>
+        <translation>Der Grund; er wird im Protokoll gespeichert.</translation>
+    </message>
+    <message>
+        <source>Prints how likely a rule declares a trainee proficient who passes each attempt with the same chance. Learning and the condition of two days are left out.</source>
+        <translation>Gibt aus, mit welcher Wahrscheinlichkeit eine Regel eine Aufgabe für sicher beherrscht erklärt, wenn jeder Versuch mit derselben Wahrscheinlichkeit bestanden wird. Lernen und die Bedingung zweier Tage sind nicht berücksichtigt.</translation>
+    </message>
+    <message>
+        <source>row:K, of:K,N or lc-cusum:P0,P1,H.</source>
+        <translation>row:K, of:K,N oder lc-cusum:P0,P1,H.</translation>
+    </message>
+    <message>
+        <source>The chance of a pass, from 0 to 1.</source>
+        <translation>Die Wahrscheinlichkeit zu bestehen, von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The number of attempts, from 1 to 1000.</source>
+        <translation>Die Zahl der Versuche, von 1 bis 1000.</translation>
+    </message>
+    <message>
+        <source>Fits learning curves to the values of attempts 1, 2, 3, ...: columns x and y.</source>
+        <translation>Passt Lernkurven an die Werte der Versuche 1, 2, 3, ... an: Spalten x und y.</translation>
+    </message>
+    <message>
+        <source>Prints how far raters agree: columns target, rater and score.</source>
+        <translation>Gibt aus, wie weit Beurteiler übereinstimmen: Spalten target, rater und score.</translation>
+    </message>
+    <message>
+        <source>Prints mean and standard deviation of experts as a benchmark set uses them: columns expert and value.</source>
+        <translation>Gibt Mittelwert und Standardabweichung von Experten aus, wie ein Richtwertsatz sie verwendet: Spalten expert und value.</translation>
+    </message>
+    <message>
+        <source>The scale of the values.</source>
+        <translation>Die Skala der Werte.</translation>
+    </message>
+    <message>
+        <source>Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input. With its events it also gives gates, pathology and verdict.</source>
+        <translation>Berechnet die Kennzahlen einer Aufzeichnung im CSV-Format von docs/FORMATS.md; - liest die Standardeingabe. Mit ihren Ereignissen auch Kriterien, Pathologie und Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The trace is of another program: which of its columns is which, and in which unit. Examples are in assets/mappings.</source>
+        <translation>Die Aufzeichnung stammt von einem anderen Programm: welche ihrer Spalten was enthält und in welcher Einheit. Beispiele sind in assets/mappings.</translation>
+    </message>
+    <message>
+        <source>The task that the trace belongs to; metrics that depend on its targets need it.</source>
+        <translation>Die Aufgabe, zu der die Aufzeichnung gehört; Kennzahlen, die von ihren Zielen abhängen, brauchen sie.</translation>
+    </message>
+    <message>
+        <source>The attempt&apos;s events.</source>
+        <translation>Die Ereignisse des Versuchs.</translation>
+    </message>
+    <message>
+        <source>The class of the device; its limits are used.</source>
+        <translation>Die Geräteklasse; ihre Grenzwerte gelten.</translation>
+    </message>
+    <message>
+        <source>The fidelity of the simulation; its limits are used.</source>
+        <translation>Die Genauigkeit der Simulation; ihre Grenzwerte gelten.</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s own</source>
+        <translation>die der Szene</translation>
+    </message>
+    <message>
+        <source>Checks scenes, tasks, curricula, benchmark sets, observer forms, mappings and traces; - reads standard input.</source>
+        <translation>Prüft Szenen, Aufgaben, Curricula, Richtwertsätze, Beurteilungsbögen, Zuordnungen und Aufzeichnungen; - liest die Standardeingabe.</translation>
+    </message>
+    <message>
+        <source>Only entries about this person.</source>
+        <translation>Nur Einträge zu dieser Person.</translation>
+    </message>
+    <message>
+        <source>Creates an empty store.</source>
+        <translation>Legt einen leeren Datenbestand an.</translation>
+    </message>
+    <message>
+        <source>Checks that the store is complete and unchanged.</source>
+        <translation>Prüft, ob der Datenbestand vollständig und unverändert ist.</translation>
+    </message>
+    <message>
+        <source>Also check that the audit log contains this head, which a report or `db audit` printed earlier: 16 to 64 hexadecimal digits.</source>
+        <translation>Auch prüfen, ob das Protokoll diesen Kopf enthält, den ein Bericht oder `db audit` früher genannt hat: 16 bis 64 Hexadezimalziffern.</translation>
+    </message>
+    <message>
+        <source>Copies the store to a new file.</source>
+        <translation>Kopiert den Datenbestand in eine neue Datei.</translation>
+    </message>
+    <message>
+        <source>Puts a backup in the store&apos;s place, after checking it; the old store is kept.</source>
+        <translation>Setzt eine Sicherung nach einer Prüfung an die Stelle des Datenbestands; der alte bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Brings an older store up to this program&apos;s schema, after checking it; the old file is kept.</source>
+        <translation>Bringt einen älteren Datenbestand nach einer Prüfung auf das Schema dieser Software; die alte Datei bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Lists the audit log and checks its chain.</source>
+        <translation>Listet das Protokoll auf und prüft seine Kette.</translation>
+    </message>
+    <message>
+        <source>Only entries of this operation, or of the group before its dot.</source>
+        <translation>Nur Einträge dieses Vorgangs oder der Gruppe vor seinem Punkt.</translation>
+    </message>
+    <message>
+        <source>From this day (2026-11-21) or time (2026-11-21T04:07:37Z), UTC.</source>
+        <translation>Ab diesem Tag (2026-11-21) oder Zeitpunkt (2026-11-21T04:07:37Z), UTC.</translation>
+    </message>
+    <message>
+        <source>Up to this day or time, UTC.</source>
+        <translation>Bis zu diesem Tag oder Zeitpunkt, UTC.</translation>
+    </message>
+    <message>
+        <source>Show at most this many of the newest entries.</source>
+        <translation>Höchstens so viele der neuesten Einträge zeigen.</translation>
+    </message>
+    <message>
+        <source>Scores interrupted attempts that have no score yet.</source>
+        <translation>Bewertet unterbrochene Versuche, die noch keine Bewertung haben.</translation>
+    </message>
+    <message>
+        <source>Recomputes outdated scores; the scores in force stay unchanged.</source>
+        <translation>Berechnet veraltete Bewertungen neu; die geltenden Bewertungen bleiben unverändert.</translation>
+    </message>
+    <message>
+        <source>Lists the installed observer forms with their items; fulcrum check FILE checks one.</source>
+        <translation>Listet die installierten Beurteilungsbögen mit ihren Punkten auf; fulcrum check DATEI prüft einen.</translation>
+    </message>
+    <message>
+        <source>Sends a stored attempt over OpenIGTLink, for example to 3D Slicer, as soon as a program connects.</source>
+        <translation>Sendet einen gespeicherten Versuch über OpenIGTLink, zum Beispiel an 3D Slicer, sobald sich ein Programm verbindet.</translation>
+    </message>
+    <message>
+        <source>Where to listen. Without it other computers cannot connect.</source>
+        <translation>Wo auf Verbindungen gewartet wird. Ohne diese Angabe können sich andere Computer nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>Frames a second, 1 to 1000.</source>
+        <translation>Bilder je Sekunde, 1 bis 1000.</translation>
+    </message>
+    <message>
+        <source>How many times as fast as it was performed, 1 to 1000.</source>
+        <translation>Wievielfach so schnell wie bei der Durchführung, 1 bis 1000.</translation>
+    </message>
+    <message>
+        <source>Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, CameraToPatient; mm, axes of 3D Slicer), the force of each instrument on tissue (SENSOR LeftForce, RightForce; N) and its state (LeftState, RightState). docs/FORMATS.md has the details.</source>
+        <translation>Jedes Bild hat ein TRANSFORM für jedes Werkzeug (LeftTipToPatient, RightTipToPatient, CameraToPatient; mm, Achsen von 3D Slicer), die Kraft jedes Instruments auf Gewebe (SENSOR LeftForce, RightForce; N) und seinen Zustand (LeftState, RightState). Die Einzelheiten sind in docs/FORMATS.md.</translation>
+    </message>
+    <message>
+        <source>Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md.</source>
+        <translation>Nimmt auf, was ein OpenIGTLink-Server sendet, als Aufzeichnung im CSV-Format von docs/FORMATS.md.</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>Die Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>The tool of the left hand.</source>
+        <translation>Das Werkzeug der linken Hand.</translation>
+    </message>
+    <message>
+        <source>The tool of the right hand.</source>
+        <translation>Das Werkzeug der rechten Hand.</translation>
+    </message>
+    <message>
+        <source>The tool of the scope.</source>
+        <translation>Das Werkzeug der Optik.</translation>
+    </message>
+    <message>
+        <source>Stop after this time, 1 to 7200.</source>
+        <translation>Nach dieser Zeit aufhören, 1 bis 7200.</translation>
+    </message>
+    <message>
+        <source>until the attempt ends, or Ctrl-C</source>
+        <translation>bis der Versuch endet, oder Strg-C</translation>
+    </message>
+    <message>
+        <source>Stores a trace that was recorded elsewhere (box trainer, robot, another simulator) as an external attempt of a person: measured, judged by no limits, never part of a standing.</source>
+        <translation>Speichert eine Aufzeichnung, die anderswo entstand (Boxtrainer, Roboter, anderer Simulator), als externen Versuch einer Person: gemessen, an keinen Grenzwerten geprüft, nie Teil eines Stands.</translation>
+    </message>
+    <message>
+        <source>Which column of the trace is which, and in which unit; without it the trace is in the format of docs/FORMATS.md. Examples are in assets/mappings.</source>
+        <translation>Welche Spalte der Aufzeichnung was enthält und in welcher Einheit; ohne diese Angabe hat die Aufzeichnung das Format von docs/FORMATS.md. Beispiele sind in assets/mappings.</translation>
+    </message>
+    <message>
+        <source>What was performed: letters, digits, dots, hyphens, underscores.</source>
+        <translation>Was durchgeführt wurde: Buchstaben, Ziffern, Punkte, Bindestriche, Unterstriche.</translation>
+    </message>
+    <message>
+        <source>Who performed it: with --as a person of a cohort of that educator, else an external person of this station, created if missing (external-NAME).</source>
+        <translation>Wer ihn durchgeführt hat: mit --as eine Person aus einer Gruppe dieses Ausbilders, sonst eine externe Person dieser Station, die angelegt wird, wenn es sie nicht gibt (external-NAME).</translation>
+    </message>
+    <message>
+        <source>When, in local time: 2026-11-20T14:05.</source>
+        <translation>Wann, in Ortszeit: 2026-11-20T14:05.</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>What recorded it.</source>
+        <translation>Womit aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>the title of the mapping</source>
+        <translation>der Titel der Zuordnung</translation>
+    </message>
+    <message>
+        <source>Read, measure and check, but store nothing.</source>
+        <translation>Lesen, messen und prüfen, aber nichts speichern.</translation>
+    </message>
+    <message>
+        <source>Why; stored in the audit log.</source>
+        <translation>Der Grund; er wird im Protokoll gespeichert.</translation>
+    </message>
+    <message>
+        <source>Merges an account into another account of the same person; needs --as, an administrator.</source>
+        <translation>Führt ein Konto mit einem anderen Konto derselben Person zusammen; braucht --as, einen Administrator.</translation>
+    </message>
+    <message>
+        <source>Print what follows and change nothing.</source>
+        <translation>Ausgeben, was folgt, und nichts ändern.</translation>
+    </message>
+    <message>
+        <source>LOGIN is the doubled account, INTO the one that stays. Attempts with their scores, comments and ratings, goals and decisions are read as INTO&apos;s from then on, on every station and on the programme server; nothing that is signed is changed. Cohorts and drafts move. LOGIN no longer signs in, and nobody else can be given it. INTO has to hold every role that LOGIN holds.</source>
+        <translation>ANMELDENAME ist das doppelte Konto, ZIEL das Konto, das bleibt. Versuche mit ihren Bewertungen, Kommentare und Beurteilungen, Ziele und Entscheidungen gehören von da an zu ZIEL, an jeder Station und auf dem Programmserver; nichts Signiertes wird geändert. Gruppen und Entwürfe ziehen um. Mit ANMELDENAME meldet sich niemand mehr an, und niemand sonst kann ihn bekommen. ZIEL muss jede Rolle haben, die ANMELDENAME hat.</translation>
+    </message>
+    <message>
+        <source>Undoes a merge; needs --as, an administrator.</source>
+        <translation>Macht das Zusammenführen rückgängig; braucht --as, einen Administrator.</translation>
+    </message>
+    <message>
+        <source>What was done under LOGIN is its own again. The account stays deactivated; roles, cohorts and a password are given as to a new one.</source>
+        <translation>Was unter ANMELDENAME geschah, gehört wieder zu diesem Konto. Es bleibt deaktiviert; Rollen, Gruppen und ein Passwort bekommt es wie ein neues.</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms of processor time for one second, the reference</source>
+        <translation>%1 %2 ms Prozessorzeit für eine Sekunde, der Vergleichswert</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms of processor time for one second, the same score</source>
+        <translation>%1 %2 ms Prozessorzeit für eine Sekunde, dieselbe Bewertung</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms of processor time for one second, another verdict for %3 of %4</source>
+        <translation>%1 %2 ms Prozessorzeit für eine Sekunde, ein anderes Ergebnis bei %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms of processor time for one second, %3 %4 %, another verdict for %5 of %6</source>
+        <translation>%1 %2 ms Prozessorzeit für eine Sekunde, %3 %4 %, ein anderes Ergebnis bei %5 von %6</translation>
+    </message>
+    <message>
+        <source>What a fidelity costs in score is not measured for this version.</source>
+        <translation>Wie sich die Genauigkeit auf die Bewertung auswirkt, ist für diese Version nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>What a fidelity costs: processor time, the assessed metric that differs most from %1, and verdicts that differ, measured with synthetic operators (fulcrum lab fidelity).</source>
+        <translation>Was eine Genauigkeit kostet: Prozessorzeit, die bewertete Kennzahl, die am meisten von %1 abweicht, und abweichende Ergebnisse, gemessen mit simulierten Operateuren (fulcrum lab fidelity).</translation>
+    </message>
+    <message>
+        <source>Runs one attempt without a window, stores it and scores it.</source>
+        <translation>Führt einen Versuch ohne Fenster durch, speichert und bewertet ihn.</translation>
+    </message>
+    <message>
+        <source>The synthetic operator that performs.</source>
+        <translation>Der simulierte Operateur, der ihn durchführt.</translation>
+    </message>
+    <message>
+        <source>Perform the movements of a trace instead of those of an operator.</source>
+        <translation>Die Bewegungen einer Aufzeichnung statt der eines simulierten Operateurs ausführen.</translation>
+    </message>
+    <message>
+        <source>The synthetic or external person to whom the attempt belongs; created if missing.</source>
+        <translation>Die synthetische oder externe Person, der der Versuch gehört; sie wird angelegt, wenn es sie nicht gibt.</translation>
+    </message>
+    <message>
+        <source>one person for each operator and seed</source>
+        <translation>eine Person für jeden Operateur und Startwert</translation>
+    </message>
+    <message>
+        <source>The device that a trace was made with, or that an operator is to work through. A class that the task does not name is practice only.</source>
+        <translation>Das Gerät, mit dem eine Aufzeichnung entstand oder mit dem ein simulierter Operateur arbeiten soll. Mit einer Klasse, die die Aufgabe nicht nennt, ist der Versuch nur Übung.</translation>
+    </message>
+    <message>
+        <source>synthetic for an operator, external for a trace</source>
+        <translation>synthetic bei einem simulierten Operateur, external bei einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Perform in practice mode: measured, but not assessed.</source>
+        <translation>Als Übung durchführen: gemessen, aber nicht bewertet.</translation>
+    </message>
+    <message>
+        <source>The level of detail of the models.</source>
+        <translation>Wie genau die Modelle rechnen.</translation>
+    </message>
+    <message>
+        <source>Run in real time with the threads of the window instead of as fast as possible.</source>
+        <translation>In Echtzeit mit den Threads des Fensters rechnen statt so schnell wie möglich.</translation>
+    </message>
+    <message>
+        <source>Simulates a stored attempt again from its record.</source>
+        <translation>Simuliert einen gespeicherten Versuch noch einmal aus seiner Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Exit with 1 if state hash, forces or metrics differ from the record.</source>
+        <translation>Mit 1 enden, wenn Zustandsprüfsumme, Kräfte oder Kennzahlen von der Aufzeichnung abweichen.</translation>
+    </message>
+    <message>
+        <source>Writes the programme&apos;s attempts for research, without names; needs --as, a director.</source>
+        <translation>Schreibt die Versuche des Programms für die Forschung, ohne Namen; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>The folder to write to.</source>
+        <translation>Der Zielordner.</translation>
+    </message>
+    <message>
+        <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. What fewer than 5 people did is put together with other rows or left out, and so is every count from which a smaller one would follow. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them.</source>
+        <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Was weniger als 5 Personen getan haben, wird mit anderen Zeilen zusammengefasst oder weggelassen, ebenso jede Zahl, aus der eine kleinere folgen würde. Wer die Versuche einer Person gut kennt, erkennt sie vielleicht trotzdem: Geben Sie die Dateien Forschenden, und veröffentlichen Sie sie nicht.</translation>
+    </message>
+    <message>
+        <source>PATH is a folder with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
+        <translation>PFAD ist ein Ordner mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann deshalb wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>Makes accounts for the people of a list; needs --as, an administrator.</source>
+        <translation>Legt Konten für die Personen einer Liste an; braucht --as, einen Administrator.</translation>
+    </message>
+    <message>
+        <source>Print what would be done and change nothing.</source>
+        <translation>Ausgeben, was geschehen würde, und nichts ändern.</translation>
+    </message>
+    <message>
+        <source>Write the one-time passwords to this new file instead of printing them; only you can read it.</source>
+        <translation>Die Einmalpasswörter in diese neue Datei schreiben, statt sie auszugeben; nur Sie können sie lesen.</translation>
+    </message>
+    <message>
+        <source>Makes the cohorts of a list and adds people to them; needs --as, a director.</source>
+        <translation>Legt die Gruppen einer Liste an und fügt ihnen Personen hinzu; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>The programme server: postgresql://USER@HOST:PORT/DATABASE. The password comes from ~/.pgpass or the file named in PGPASSFILE, never from the command line.</source>
+        <translation>Der Programmserver: postgresql://USER@HOST:PORT/DATABASE. Das Passwort kommt aus ~/.pgpass oder der Datei, die PGPASSFILE nennt, nie aus der Befehlszeile.</translation>
+    </message>
+    <message>
+        <source>Exchanges people, attempts, scores and reviews with the programme server.</source>
+        <translation>Tauscht Personen, Versuche, Bewertungen und Beurteilungen mit dem Programmserver aus.</translation>
+    </message>
+    <message>
+        <source>An administrator signs in with --as; a store without people needs no sign-in for its first sync, which brings them. Can be cut off at any time (Ctrl-C too): the next sync completes it.</source>
+        <translation>Ein Administrator meldet sich mit --as an; ein Datenbestand ohne Personen braucht für den ersten Abgleich, der sie bringt, keine Anmeldung. Kann jederzeit abgebrochen werden (auch mit Strg-C): Der nächste Abgleich vervollständigt ihn.</translation>
+    </message>
+    <message>
+        <source>Makes the tables of a programme server in an empty PostgreSQL database, or upgrades them.</source>
+        <translation>Legt die Tabellen eines Programmservers in einer leeren PostgreSQL-Datenbank an oder bringt sie auf den neuesten Stand.</translation>
+    </message>
+    <message>
+        <source>Checks the audit logs of all stations on the server, their signatures, and what was signed.</source>
+        <translation>Prüft die Protokolle aller Stationen auf dem Server, ihre Signaturen und was signiert wurde.</translation>
+    </message>
+    <message>
+        <source>Makes the server&apos;s account of a person who is to look at reports and pages there, or brings its roles up to date.</source>
+        <translation>Legt auf dem Server das Konto einer Person an, die dort Berichte und Seiten ansehen soll, oder bringt seine Rollen auf den neuesten Stand.</translation>
+    </message>
+    <message>
+        <source>The account&apos;s name is the person&apos;s id. It reads what the person may see as trainee, educator or director, and changes nothing. Give it its password with psql.</source>
+        <translation>Der Name des Kontos ist die Kennung der Person. Es liest, was die Person als trainee, educator oder director sehen darf, und ändert nichts. Geben Sie ihm sein Passwort mit psql.</translation>
+    </message>
+    <message>
+        <source>Erases a person (by id) on the server; each station follows at its next sync.</source>
+        <translation>Löscht eine Person (nach ihrer Kennung) auf dem Server; jede Station folgt bei ihrem nächsten Abgleich.</translation>
+    </message>
+    <message>
+        <source>Only show what would be erased.</source>
+        <translation>Nur zeigen, was gelöscht würde.</translation>
+    </message>
+    <message>
+        <source>Shows or sets the site&apos;s cutting parameters of a task&apos;s tissues.</source>
+        <translation>Zeigt oder setzt die Schnittparameter des Standorts für die Gewebe einer Aufgabe.</translation>
+    </message>
+    <message>
+        <source>New values: TISSUE.KEY=NUMBER, separated by commas. Numbers have a decimal point.</source>
+        <translation>Neue Werte: TISSUE.KEY=NUMBER, durch Kommas getrennt. Zahlen haben einen Dezimalpunkt.</translation>
+    </message>
+    <message>
+        <source>Restore the values of the scene file.</source>
+        <translation>Die Werte der Szenendatei wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Print one JSON document on standard output.</source>
+        <translation>Ein JSON-Dokument auf der Standardausgabe ausgeben.</translation>
+    </message>
+    <message>
+        <source>The store to use; for reports also the address of a programme server, postgresql://ACCOUNT@HOST:PORT/DATABASE.</source>
+        <translation>Der Datenbestand; für Berichte auch die Adresse eines Programmservers, postgresql://ACCOUNT@HOST:PORT/DATABASE.</translation>
+    </message>
+    <message>
+        <source>the store of this user account</source>
+        <translation>der Datenbestand dieses Benutzerkontos</translation>
+    </message>
+    <message>
+        <source>The variant of the task.</source>
+        <translation>Die Variante der Aufgabe.</translation>
+    </message>
+    <message>
+        <source>The seed, from 0 to 4000000000.</source>
+        <translation>Der Startwert der Zufallszahlen, von 0 bis 4000000000.</translation>
+    </message>
+    <message>
+        <source>Sign in as this person.</source>
+        <translation>Als diese Person anmelden.</translation>
+    </message>
+    <message>
+        <source>the station, which may see synthetic people only</source>
+        <translation>die Station, die nur synthetische Personen sehen darf</translation>
+    </message>
+    <message>
+        <source>The role to act in.</source>
+        <translation>Die Rolle, in der gehandelt wird.</translation>
+    </message>
+    <message>
+        <source>the person&apos;s first role</source>
+        <translation>die erste Rolle der Person</translation>
+    </message>
+    <message>
+        <source>A file with the password on its first line.</source>
+        <translation>Eine Datei mit dem Passwort in der ersten Zeile.</translation>
+    </message>
+    <message>
+        <source>ask at the terminal</source>
+        <translation>Frage am Terminal</translation>
+    </message>
+    <message>
+        <source>One of %1.</source>
+        <translation>Möglich: %1.</translation>
+    </message>
+    <message>
+        <source>Default: %1.</source>
+        <translation>Vorgabe: %1.</translation>
+    </message>
+    <message>
+        <source>usage:</source>
+        <translation>Aufruf:</translation>
+    </message>
+    <message>
+        <source>options:</source>
+        <translation>Optionen:</translation>
+    </message>
+    <message>
+        <source>0: success. 1: the command failed, or a check found an error. 2: wrong usage or invalid input; one line on standard error says what is wrong, where, and what to do.</source>
+        <translation>0: Erfolg. 1: Der Befehl schlug fehl, oder eine Prüfung fand einen Fehler. 2: falscher Aufruf oder ungültige Eingabe; eine Zeile auf der Standardfehlerausgabe sagt, was falsch ist, wo, und was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>fulcrum [--db STORE]</source>
+        <translation>fulcrum [--db BESTAND]</translation>
+    </message>
+    <message>
+        <source>the application; STORE: a file, or a programme server&apos;s address</source>
+        <translation>die Anwendung; BESTAND: eine Datei oder die Adresse eines Programmservers</translation>
+    </message>
+    <message>
+        <source>fulcrum COMMAND [options]</source>
+        <translation>fulcrum BEFEHL [Optionen]</translation>
+    </message>
+    <message>
+        <source>one command, without the window</source>
+        <translation>ein Befehl, ohne das Fenster</translation>
+    </message>
+    <message>
+        <source>commands:</source>
+        <translation>Befehle:</translation>
+    </message>
+    <message>
+        <source>fulcrum COMMAND --help shows a command&apos;s options, fulcrum --version the version.</source>
+        <translation>fulcrum BEFEHL --help zeigt die Optionen eines Befehls, fulcrum --version die Version.</translation>
+    </message>
+    <message>
+        <source>exit status:</source>
+        <translation>Endstatus:</translation>
+    </message>
+    <message>
+        <source>fulcrum %1 ACTION [options]</source>
+        <translation>fulcrum %1 AKTION [Optionen]</translation>
+    </message>
+    <message>
+        <source>actions:</source>
+        <translation>Aktionen:</translation>
+    </message>
+    <message>
+        <source>fulcrum %1 ACTION --help shows an action&apos;s options.</source>
+        <translation>fulcrum %1 AKTION --help zeigt die Optionen einer Aktion.</translation>
+    </message>
+    <message>
+        <source>User Commands</source>
+        <translation>Dienstprogramme für Benutzer</translation>
+    </message>
+    <message>
+        <source>NAME</source>
+        <translation>NAME</translation>
+    </message>
+    <message>
+        <source>trainer for laparoscopic bowel surgery</source>
+        <translation>Trainer für laparoskopische Darmchirurgie</translation>
+    </message>
+    <message>
+        <source>SYNOPSIS</source>
+        <translation>ÜBERSICHT</translation>
+    </message>
+    <message>
+        <source>[--db STORE]</source>
+        <translation>[--db BESTAND]</translation>
+    </message>
+    <message>
+        <source>[options]</source>
+        <translation>[Optionen]</translation>
+    </message>
+    <message>
+        <source>DESCRIPTION</source>
+        <translation>BESCHREIBUNG</translation>
+    </message>
+    <message>
+        <source>Without a command the window opens, with the store STORE (a file, or the address of a programme server, which is only read). With a command the program runs it without a window.</source>
+        <translation>Ohne Befehl öffnet sich das Fenster, mit dem Datenbestand BESTAND (einer Datei oder der Adresse eines Programmservers, der nur gelesen wird). Mit einem Befehl führt die Software ihn ohne Fenster aus.</translation>
+    </message>
+    <message>
+        <source>Every command that takes %1 prints one JSON document on standard output and everything else on standard error.</source>
+        <translation>Jeder Befehl, der %1 kennt, gibt damit ein JSON-Dokument auf der Standardausgabe aus und alles andere auf der Standardfehlerausgabe.</translation>
+    </message>
+    <message>
+        <source>COMMANDS</source>
+        <translation>BEFEHLE</translation>
+    </message>
+    <message>
+        <source>OPTIONS</source>
+        <translation>OPTIONEN</translation>
+    </message>
+    <message>
+        <source>Print the version and exit.</source>
+        <translation>Die Version ausgeben und beenden.</translation>
+    </message>
+    <message>
+        <source>EXIT STATUS</source>
+        <translation>ENDSTATUS</translation>
+    </message>
+    <message>
+        <source>ENVIRONMENT</source>
+        <translation>UMGEBUNGSVARIABLEN</translation>
+    </message>
+    <message>
+        <source>Folder of the window&apos;s stores.</source>
+        <translation>Ordner der Datenbestände des Fensters.</translation>
+    </message>
+    <message>
+        <source>Folder of tasks, scenes and benchmarks, if it is not next to the program.</source>
+        <translation>Ordner der Aufgaben, Szenen und Richtwerte, wenn er nicht neben dem Programm ist.</translation>
+    </message>
+    <message>
+        <source>Password of %1:</source>
+        <translation>Passwort von %1:</translation>
+    </message>
+    <message>
+        <source>Writes the certificate of a completed stage, or verifies its check code; needs --as.</source>
+        <translation>Schreibt das Zertifikat einer abgeschlossenen Stufe oder prüft seinen Prüfcode; braucht --as.</translation>
+    </message>
+    <message>
+        <source>Says whether a certificate with this code is in force.</source>
+        <translation>Sagt, ob ein Zertifikat mit diesem Code gültig ist.</translation>
+    </message>
+    <message>
+        <source>The certificate of this person.</source>
+        <translation>Das Zertifikat dieser Person.</translation>
+    </message>
+    <message>
+        <source>The completed stage, for example A.</source>
+        <translation>Die abgeschlossene Stufe, zum Beispiel A.</translation>
+    </message>
+    <message>
+        <source>The PDF to write.</source>
+        <translation>Die PDF-Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Lets a synthetic expert perform a task (B1) and writes its report and a picture.</source>
+        <translation>Lässt einen simulierten Experten eine Aufgabe durchführen (B1) und schreibt den Bericht dazu und ein Bild.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>scope</source>
+        <translation>Optik</translation>
+    </message>
+    <message>
+        <source>    why: %1</source>
+        <translation>    warum: %1</translation>
+    </message>
+    <message>
+        <source>    what to do: %1</source>
+        <translation>    was zu tun ist: %1</translation>
+    </message>
+    <message>
+        <source>%1: median %2 us, 99.9 % %3 us, worst %4 us</source>
+        <translation>%1: Median %2 us, 99.9 % %3 us, längste %4 us</translation>
+    </message>
+    <message>
+        <source>rate: %1 readings a second of %2; %3 of %4 ticks a period late or more</source>
+        <translation>Rate: %1 Messwerte je Sekunde von %2; %3 von %4 Takten um eine Periode oder mehr verspätet</translation>
+    </message>
+    <message>
+        <source>jitter of the device&apos;s readings</source>
+        <translation>Schwankung der Messwerte des Geräts</translation>
+    </message>
+    <message>
+        <source>age of a pose when it is used</source>
+        <translation>Alter einer Lage, wenn sie verwendet wird</translation>
+    </message>
+    <message>
+        <source>force, from command to motors</source>
+        <translation>Kraft, vom Befehl bis zu den Motoren</translation>
+    </message>
+    <message>
+        <source>force: sent up to %1 N, rendered up to %2 N</source>
+        <translation>Kraft: bis zu %1 N gesendet, bis zu %2 N ausgegeben</translation>
+    </message>
+    <message>
+        <source>%1: does not answer</source>
+        <translation>%1: antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: at (%2, %3, %4) mm, jaws %5 % open, buttons %6</source>
+        <translation>%1: bei (%2, %3, %4) mm, Maul %5 % offen, Tasten %6</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>Lists the devices for the hands: what is connected, what is not, why and what to do.</source>
+        <translation>Listet die Geräte für die Hände auf: was angeschlossen ist, was nicht, warum und was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>How long the test lasts: 1 to 3600.</source>
+        <translation>Wie lange der Test dauert: 1 bis 3600.</translation>
+    </message>
+    <message>
+        <source>Also send a force that rises slowly to 0.3 N along each axis in turn.</source>
+        <translation>Auch eine Kraft senden, die nacheinander entlang jeder Achse langsam auf 0,3 N steigt.</translation>
+    </message>
+    <message>
+        <source>Let a game controller rumble for half a second.</source>
+        <translation>Einen Gamecontroller eine halbe Sekunde lang vibrieren lassen.</translation>
+    </message>
+    <message>
+        <source>Writes a progress report of a person, a cohort or an attempt; needs --as, or a programme server.</source>
+        <translation>Schreibt einen Bericht über den Fortschritt einer Person, einer Gruppe oder über einen Versuch; braucht --as oder einen Programmserver.</translation>
+    </message>
+    <message>
+        <source>A report of this person.</source>
+        <translation>Ein Bericht über diese Person.</translation>
+    </message>
+    <message>
+        <source>A report of this cohort.</source>
+        <translation>Ein Bericht über diese Gruppe.</translation>
+    </message>
+    <message>
+        <source>A report of this attempt.</source>
+        <translation>Ein Bericht über diesen Versuch.</translation>
+    </message>
+    <message>
+        <source>The kind of file.</source>
+        <translation>Die Art der Datei.</translation>
+    </message>
+    <message>
+        <source>With --format xapi: the web address that the ids of your people belong to.</source>
+        <translation>Mit --format xapi: die Webadresse, zu der die Kennungen Ihrer Personen gehören.</translation>
+    </message>
+    <message>
+        <source>The file to write; with --format trace the folder.</source>
+        <translation>Die Datei, die geschrieben wird; mit --format trace der Ordner.</translation>
+    </message>
+    <message>
+        <source>Schedules a report of a cohort; needs --as, a director.</source>
+        <translation>Plant einen Bericht über eine Gruppe; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>The cohort.</source>
+        <translation>Die Gruppe.</translation>
+    </message>
+    <message>
+        <source>The folder to write to, as a path from /.</source>
+        <translation>Der Zielordner, als Pfad ab /.</translation>
+    </message>
+    <message>
+        <source>How often.</source>
+        <translation>Wie oft.</translation>
+    </message>
+    <message>
+        <source>Writes the reports that are due; needs --as, a director.</source>
+        <translation>Schreibt die fälligen Berichte; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>Meant for cron or a systemd timer, any number of times a day: each report is written once in its day or week (UTC), and again where its file is gone. One that fails is tried again at the next run; the exit status is 1 then, and `fulcrum schedule list` shows why. The password is read from --password-file.</source>
+        <translation>Für cron oder einen systemd-Timer gedacht, beliebig oft am Tag: Jeder Bericht wird einmal in seinem Tag oder seiner Woche (UTC) geschrieben, und noch einmal, wo seine Datei fehlt. Misslingt einer, wird er beim nächsten Lauf noch einmal versucht; der Endstatus ist dann 1, und `fulcrum schedule list` zeigt den Grund. Das Passwort wird aus --password-file gelesen.</translation>
+    </message>
+    <message>
+        <source>Lists the scheduled reports; needs --as, a director.</source>
+        <translation>Listet die geplanten Berichte auf; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>Ends a schedule; needs --as, a director.</source>
+        <translation>Beendet eine Planung; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>Sends statements on attempts and ratings to a learning record store.</source>
+        <translation>Sendet Aussagen zu Versuchen und Beurteilungen an einen Learning Record Store.</translation>
+    </message>
+    <message>
+        <source>The record store, such as https://lrs.example/xapi.</source>
+        <translation>Der Record Store, zum Beispiel https://lrs.example/xapi.</translation>
+    </message>
+    <message>
+        <source>A file with one line KEY:SECRET that only its owner can read (chmod 600).</source>
+        <translation>Eine Datei mit einer Zeile KEY:SECRET, die nur ihr Eigentümer lesen kann (chmod 600).</translation>
+    </message>
+    <message>
+        <source>Queue the statements of this cohort first.</source>
+        <translation>Vorher die Aussagen dieser Gruppe einreihen.</translation>
+    </message>
+    <message>
+        <source>Queue the statements of this person first.</source>
+        <translation>Vorher die Aussagen dieser Person einreihen.</translation>
+    </message>
+    <message>
+        <source>The web address that the ids of your people belong to.</source>
+        <translation>Die Webadresse, zu der die Kennungen Ihrer Personen gehören.</translation>
+    </message>
+    <message>
+        <source>Try what is quarantined once more.</source>
+        <translation>Zurückgestellte Aussagen noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>How long an answer may take.</source>
+        <translation>Wie lange eine Antwort dauern darf.</translation>
+    </message>
+    <message>
+        <source>A director signs in with --as. Without --cohort and --person what waits is sent. Each statement has its id for good, so that it can be cut off and repeated at any time. Exit status 1 while statements wait or are quarantined.</source>
+        <translation>Eine Programmleitung meldet sich mit --as an. Ohne --cohort und --person wird gesendet, was wartet. Jede Aussage behält ihre Kennung; der Befehl kann deshalb jederzeit abgebrochen und wiederholt werden. Endstatus 1, solange Aussagen warten oder zurückgestellt sind.</translation>
+    </message>
+    <message>
+        <source>Lists how many statements wait, are done or quarantined, and why.</source>
+        <translation>Listet auf, wie viele Aussagen warten, erledigt oder zurückgestellt sind, und warum.</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>left stick</source>
+        <translation>linker Stick</translation>
+    </message>
+    <message>
+        <source>right stick</source>
+        <translation>rechter Stick</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schultertaste</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>rechte Schultertaste</translation>
+    </message>
+    <message>
+        <source>pad up</source>
+        <translation>Steuerkreuz oben</translation>
+    </message>
+    <message>
+        <source>pad down</source>
+        <translation>Steuerkreuz unten</translation>
+    </message>
+    <message>
+        <source>pad left</source>
+        <translation>Steuerkreuz links</translation>
+    </message>
+    <message>
+        <source>pad right</source>
+        <translation>Steuerkreuz rechts</translation>
+    </message>
+    <message>
+        <source>rate: %1 readings a second; longest gap %2 ms</source>
+        <translation>Rate: %1 Messwerte je Sekunde; längste Lücke %2 ms</translation>
+    </message>
+    <message>
+        <source>; never in its middle: it moves nothing</source>
+        <translation>; nie in der Mitte: er bewegt nichts</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 % to the right, %4 to %5 % up%6; trigger up to %7 %</source>
+        <translation>%1: %2 bis %3 % nach rechts, %4 bis %5 % nach oben%6; Abzug bis %7 %</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>buttons pressed: %1</source>
+        <translation>gedrückte Tasten: %1</translation>
+    </message>
+    <message>
+        <source>rumble: sent</source>
+        <translation>Vibrieren: gesendet</translation>
+    </message>
+    <message>
+        <source>rumble: refused by the controller</source>
+        <translation>Vibrieren: vom Controller abgelehnt</translation>
+    </message>
+    <message>
+        <source>ADDRESS</source>
+        <translation>ADRESSE</translation>
+    </message>
+    <message>
+        <source>ATTEMPT</source>
+        <translation>VERSUCH</translation>
+    </message>
+    <message>
+        <source>CLASS</source>
+        <translation>KLASSE</translation>
+    </message>
+    <message>
+        <source>CODE</source>
+        <translation>CODE</translation>
+    </message>
+    <message>
+        <source>COMMAND</source>
+        <translation>BEFEHL</translation>
+    </message>
+    <message>
+        <source>DEVICE</source>
+        <translation>GERÄT</translation>
+    </message>
+    <message>
+        <source>EVENTS</source>
+        <translation>EREIGNISSE</translation>
+    </message>
+    <message>
+        <source>FILE</source>
+        <translation>DATEI</translation>
+    </message>
+    <message>
+        <source>FINGERPRINT</source>
+        <translation>FINGERABDRUCK</translation>
+    </message>
+    <message>
+        <source>FOLDER</source>
+        <translation>ORDNER</translation>
+    </message>
+    <message>
+        <source>FORMAT</source>
+        <translation>FORMAT</translation>
+    </message>
+    <message>
+        <source>FROM</source>
+        <translation>QUELLE</translation>
+    </message>
+    <message>
+        <source>HEAD</source>
+        <translation>KOPF</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>KENNUNG</translation>
+    </message>
+    <message>
+        <source>INTO</source>
+        <translation>ZIEL</translation>
+    </message>
+    <message>
+        <source>KIND</source>
+        <translation>ART</translation>
+    </message>
+    <message>
+        <source>LEVEL</source>
+        <translation>STUFE</translation>
+    </message>
+    <message>
+        <source>LIST</source>
+        <translation>LISTE</translation>
+    </message>
+    <message>
+        <source>LOGIN</source>
+        <translation>ANMELDENAME</translation>
+    </message>
+    <message>
+        <source>MAPPING</source>
+        <translation>ZUORDNUNG</translation>
+    </message>
+    <message>
+        <source>PATH</source>
+        <translation>PFAD</translation>
+    </message>
+    <message>
+        <source>PERSON</source>
+        <translation>PERSON</translation>
+    </message>
+    <message>
+        <source>RATINGS</source>
+        <translation>BEURTEILUNGEN</translation>
+    </message>
+    <message>
+        <source>ROLE</source>
+        <translation>ROLLE</translation>
+    </message>
+    <message>
+        <source>RULE</source>
+        <translation>REGEL</translation>
+    </message>
+    <message>
+        <source>SCALE</source>
+        <translation>SKALA</translation>
+    </message>
+    <message>
+        <source>SHELL</source>
+        <translation>SHELL</translation>
+    </message>
+    <message>
+        <source>TASK</source>
+        <translation>AUFGABE</translation>
+    </message>
+    <message>
+        <source>TEXT</source>
+        <translation>TEXT</translation>
+    </message>
+    <message>
+        <source>TIME</source>
+        <translation>ZEIT</translation>
+    </message>
+    <message>
+        <source>TO</source>
+        <translation>ZIEL</translation>
+    </message>
+    <message>
+        <source>TRACE</source>
+        <translation>AUFZEICHNUNG</translation>
+    </message>
+    <message>
+        <source>VALUES</source>
+        <translation>WERTE</translation>
+    </message>
+    <message>
+        <source>VERSION</source>
+        <translation>VERSION</translation>
+    </message>
+    <message>
+        <source>note: the column %1 is not known and was not read</source>
+        <translation>Hinweis: Die Spalte %1 ist nicht bekannt und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>note: %1 samples have a missing value and were left out</source>
+        <translation>Hinweis: %1 Messwerten fehlte ein Wert; sie wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>note: %1 force samples were spikes and were replaced</source>
+        <translation>Hinweis: %1 Kraftmesswerte waren Ausreißer und wurden ersetzt</translation>
+    </message>
+    <message>
+        <source>fulcrum: sends attempt %1 at %2 as soon as a program connects; Ctrl-C ends it</source>
+        <translation>fulcrum: sendet Versuch %1 an %2, sobald sich ein Programm verbindet; Strg-C beendet das</translation>
+    </message>
+    <message>
+        <source>note: the column %1 is not mapped and was not read</source>
+        <translation>Hinweis: Die Spalte %1 ist nicht zugeordnet und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>note: no samples from %1 s to %2 s; nothing is measured across this gap</source>
+        <translation>Hinweis: keine Messwerte von %1 s bis %2 s; über diese Lücke hinweg wird nichts gemessen</translation>
+    </message>
+    <message>
+        <source>Also check that the newest audit row is signed by this key, or by one to which announced keys lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them.</source>
+        <translation>Auch prüfen, ob die neueste Protokollzeile mit diesem Schlüssel signiert ist oder mit einem, zu dem angekündigte Schlüssel von ihm aus führen: 16 bis 32 Hexadezimalziffern, wie Berichte und `db audit` sie nennen.</translation>
+    </message>
+    <message>
+        <source>Erases a person of a programme without a server; needs --as, a director.</source>
+        <translation>Löscht eine Person eines Programms ohne Server; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>LOGIN is a login or an id. Name, login, password, cohorts, attempts with traces and scores, comments by and about the person and what the audit log says of them are deleted; accounts that were merged into the person too. The rows of the audit log stay, and a row &quot;Erased person&quot; where others&apos; records name the person. This cannot be undone. A programme with a server erases there (`server erase`).</source>
+        <translation>ANMELDENAME ist ein Anmeldename oder eine Kennung. Name, Anmeldename, Passwort, Gruppen, Versuche mit Aufzeichnungen und Bewertungen, Kommentare von der Person und über sie und was das Protokoll über sie sagt, werden gelöscht; auch Konten, die mit der Person zusammengeführt wurden. Die Zeilen des Protokolls bleiben, und eine Zeile „Erased person“, wo Einträge anderer die Person nennen. Das kann nicht rückgängig gemacht werden. Ein Programm mit Server löscht dort (`server erase`).</translation>
+    </message>
+    <message>
+        <source>Lists the keys that signed the station&apos;s audit log, with their periods.</source>
+        <translation>Listet die Schlüssel auf, mit denen das Protokoll der Station signiert wurde, mit ihren Zeiträumen.</translation>
+    </message>
+    <message>
+        <source>Makes a new key for the station&apos;s signatures; needs --as, an administrator.</source>
+        <translation>Erzeugt einen neuen Schlüssel für die Signaturen der Station; braucht --as, einen Administrator.</translation>
+    </message>
+    <message>
+        <source>The new key signs from now on. The old one signs the row of the audit log that names the new one, then its secret half is deleted; what it signed stays valid, and nothing later is accepted from it. Rotate the key when its file may have been copied, and when somebody who could read it leaves.</source>
+        <translation>Der neue Schlüssel signiert von jetzt an. Der alte signiert die Protokollzeile, die den neuen nennt, dann wird seine geheime Hälfte gelöscht; was er signiert hat, bleibt gültig, und nichts Späteres wird von ihm angenommen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann und wenn jemand geht, der sie lesen konnte.</translation>
+    </message>
+    <message>
+        <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
+        <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>a bowel of this length does not fit this cavity</source>
@@ -2612,7 +3739,7 @@
     </message>
     <message>
         <source>practice only: these files are neither part of this program nor accepted by the programme: %1; an educator accepts a file with `fulcrum assets accept FILE --reason TEXT`</source>
-        <translation>nur Übung: Diese Dateien gehören weder zu dieser Software, noch sind sie vom Programm zugelassen: %1; ein Ausbilder lässt eine Datei mit `fulcrum assets accept FILE --reason TEXT` zu</translation>
+        <translation>nur Übung: Diese Dateien gehören weder zu dieser Software, noch sind sie vom Programm zugelassen: %1; ein Ausbilder lässt eine Datei mit `fulcrum assets accept DATEI --reason TEXT` zu</translation>
     </message>
     <message>
         <source>a score is passed, failed, or not scored with a reason</source>
@@ -2736,7 +3863,7 @@
     </message>
     <message>
         <source>use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)</source>
-        <translation>verwenden Sie eine andere Sicherung; geändert wurde nichts (`fulcrum db check --db FILE` führt alles auf)</translation>
+        <translation>verwenden Sie eine andere Sicherung; geändert wurde nichts (`fulcrum db check --db DATEI` führt alles auf)</translation>
     </message>
     <message>
         <source>%1: the copy could not be completed</source>
@@ -3108,7 +4235,7 @@
     </message>
     <message>
         <source>name it: --task TASK</source>
-        <translation>nennen Sie sie: --task TASK</translation>
+        <translation>nennen Sie sie: --task AUFGABE</translation>
     </message>
     <message>
         <source>cannot be used with --events</source>
@@ -3156,7 +4283,7 @@
     </message>
     <message>
         <source>sign in with --as LOGIN, and --password-file FILE where there is no terminal</source>
-        <translation>melden Sie sich mit --as LOGIN an, und mit --password-file FILE, wo es kein Terminal gibt</translation>
+        <translation>melden Sie sich mit --as ANMELDENAME an, und mit --password-file DATEI, wo es kein Terminal gibt</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a time</source>
@@ -3220,7 +4347,7 @@
     </message>
     <message>
         <source>name the person who signs in: --as LOGIN</source>
-        <translation>nennen Sie die Person, die sich anmeldet: --as LOGIN</translation>
+        <translation>nennen Sie die Person, die sich anmeldet: --as ANMELDENAME</translation>
     </message>
     <message>
         <source>is missing; this command reads personal data</source>
@@ -3256,7 +4383,7 @@
     </message>
     <message>
         <source>give --password-file FILE</source>
-        <translation>geben Sie --password-file FILE an</translation>
+        <translation>geben Sie --password-file DATEI an</translation>
     </message>
     <message>
         <source>no password was entered</source>
@@ -3360,7 +4487,7 @@
     </message>
     <message>
         <source>name the file to write: -o FILE</source>
-        <translation>nennen Sie die Datei, die geschrieben werden soll: -o FILE</translation>
+        <translation>nennen Sie die Datei, die geschrieben werden soll: -o DATEI</translation>
     </message>
     <message>
         <source>this person has not completed the stage</source>
@@ -3388,7 +4515,7 @@
     </message>
     <message>
         <source>name a device: --test DEVICE</source>
-        <translation>nennen Sie ein Gerät: --test DEVICE</translation>
+        <translation>nennen Sie ein Gerät: --test GERÄT</translation>
     </message>
     <message>
         <source>standard output: not everything could be written; check the pipe or free some space</source>
@@ -4944,7 +6071,7 @@
     </message>
     <message>
         <source>the server&apos;s account &quot;%1&quot; %2; have the owner of the server&apos;s database run `fulcrum server grant LOGIN`, and connect with the account that it names</source>
-        <translation>das Konto „%1“ des Servers %2; lassen Sie den Eigentümer der Datenbank `fulcrum server grant LOGIN` ausführen, und verbinden Sie sich mit dem Konto, das dieser Befehl nennt</translation>
+        <translation>das Konto „%1“ des Servers %2; lassen Sie den Eigentümer der Datenbank `fulcrum server grant ANMELDENAME` ausführen, und verbinden Sie sich mit dem Konto, das dieser Befehl nennt</translation>
     </message>
     <message>
         <source>is not that of an active person</source>
@@ -5328,7 +6455,7 @@
     </message>
     <message>
         <source>name the file of the trace: -o TRACE.csv</source>
-        <translation>nennen Sie die Datei der Aufzeichnung: -o TRACE.csv</translation>
+        <translation>nennen Sie die Datei der Aufzeichnung: -o AUFZEICHNUNG.csv</translation>
     </message>
     <message>
         <source>The tracker sends poses that cannot be used. Bring the instrument into its view, and calibrate it where that does not help.</source>
@@ -5559,120 +6686,96 @@
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
     </message>
     <message>
-        <source>the title is missing or too long</source>
-        <translation>der Titel fehlt oder ist zu lang</translation>
+        <source>&lt;%1&gt; has no attribute %2</source>
+        <translation>&lt;%1&gt; hat kein Attribut %2</translation>
     </message>
     <message>
-        <source>give a title of 1 to 120 characters</source>
-        <translation>geben Sie einen Titel von 1 bis 120 Zeichen an</translation>
+        <source>record it again with PerkTutor, or remove this element</source>
+        <translation>nehmen Sie es mit PerkTutor neu auf, oder entfernen Sie dieses Element</translation>
     </message>
     <message>
-        <source>the curriculum has no task</source>
-        <translation>das Curriculum hat keine Aufgabe</translation>
+        <source>the file ends within an element</source>
+        <translation>die Datei endet mitten in einem Element</translation>
     </message>
     <message>
-        <source>add one</source>
-        <translation>fügen Sie eine hinzu</translation>
+        <source>the recording was cut off: copy the file again</source>
+        <translation>die Aufzeichnung ist abgeschnitten: kopieren Sie die Datei noch einmal</translation>
     </message>
     <message>
-        <source>the curriculum has no stage</source>
-        <translation>das Curriculum hat keine Stufe</translation>
+        <source>the attributes of &lt;%1&gt; cannot be read</source>
+        <translation>die Attribute von &lt;%1&gt; sind nicht lesbar</translation>
     </message>
     <message>
-        <source>the curriculum is too large</source>
-        <translation>das Curriculum ist zu groß</translation>
+        <source>choose a recording that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung, die PerkTutor als XML gespeichert hat</translation>
     </message>
     <message>
-        <source>keep it to 12 stages and 60 tasks</source>
-        <translation>höchstens 12 Stufen und 60 Aufgaben sind möglich</translation>
+        <source>attribute %1 has more than %2 bytes</source>
+        <translation>Attribut %1 hat mehr als %2 Bytes</translation>
     </message>
     <message>
-        <source>the stage has no short name, or a long one</source>
-        <translation>die Stufe hat keinen oder einen zu langen Kurznamen</translation>
+        <source>poses have a time already</source>
+        <translation>Posen haben schon eine Zeit</translation>
     </message>
     <message>
-        <source>give a short name of 1 to 8 characters, such as A</source>
-        <translation>geben Sie einen Kurznamen von 1 bis 8 Zeichen an, zum Beispiel A</translation>
+        <source>does not name a device and an entry of its pose</source>
+        <translation>nennt kein Gerät mit einem Eintrag seiner Pose</translation>
     </message>
     <message>
-        <source>the title of stage %1 is missing or too long</source>
-        <translation>der Titel der Stufe %1 fehlt oder ist zu lang</translation>
+        <source>write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x</source>
+        <translation>schreiben Sie GERÄT.x, .y oder .z, oder für eine Achse GERÄT.z_axis.x</translation>
     </message>
     <message>
-        <source>give a title of 1 to 60 characters</source>
-        <translation>geben Sie einen Titel von 1 bis 60 Zeichen an</translation>
+        <source>has no meaning for a recording of poses</source>
+        <translation>hat bei einer Aufzeichnung von Posen keine Bedeutung</translation>
     </message>
     <message>
-        <source>stage %1 has no task</source>
-        <translation>die Stufe %1 hat keine Aufgabe</translation>
+        <source>%1 is not a number: &quot;%2&quot;</source>
+        <translation>%1 ist keine Zahl: „%2“</translation>
     </message>
     <message>
-        <source>move a task to it, or remove it</source>
-        <translation>ordnen Sie ihr eine Aufgabe zu oder entfernen Sie sie</translation>
+        <source>remove this element, or record again</source>
+        <translation>entfernen Sie dieses Element, oder nehmen Sie neu auf</translation>
     </message>
     <message>
-        <source>remove it, or have its file installed first</source>
-        <translation>entfernen Sie sie oder lassen Sie zuerst ihre Datei installieren</translation>
+        <source>the time is out of range</source>
+        <translation>die Zeit liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>choose one of the stages, or add it</source>
-        <translation>wählen Sie eine der Stufen oder fügen Sie sie hinzu</translation>
+        <source>transform has not 16 numbers by rows, the last four of them 0 0 0 1 (numbers: %1)</source>
+        <translation>transform hat nicht 16 Zahlen zeilenweise, die letzten vier davon 0 0 0 1 (Zahlen: %1)</translation>
     </message>
     <message>
-        <source>asks for passes on %1 variants, but %2 has %3</source>
-        <translation>verlangt Bestehen an %1 Varianten, aber %2 hat %3</translation>
+        <source>choose a recording of rigid tools that PerkTutor stored as XML</source>
+        <translation>wählen Sie eine Aufzeichnung starrer Werkzeuge, die PerkTutor als XML gespeichert hat</translation>
     </message>
     <message>
-        <source>ask for fewer, or the rule is never met</source>
-        <translation>verlangen Sie weniger, sonst wird die Regel nie erfüllt</translation>
+        <source>more than %1 devices</source>
+        <translation>mehr als %1 Geräte</translation>
     </message>
     <message>
-        <source>add it, or take it out of the prerequisites</source>
-        <translation>fügen Sie sie hinzu oder streichen Sie sie aus den Voraussetzungen</translation>
+        <source>does not begin with &lt;TransformRecorderLog&gt;</source>
+        <translation>beginnt nicht mit &lt;TransformRecorderLog&gt;</translation>
     </message>
     <message>
-        <source>no class of devices is chosen</source>
-        <translation>es ist keine Geräteklasse gewählt</translation>
+        <source>DeviceName is empty, too long or not UTF-8</source>
+        <translation>DeviceName ist leer, zu lang oder kein UTF-8</translation>
     </message>
     <message>
-        <source>choose at least one, or no attempt counts</source>
-        <translation>wählen Sie mindestens eine, sonst zählt kein Versuch</translation>
+        <source>name the device in 3D Slicer and record again</source>
+        <translation>benennen Sie das Gerät in 3D Slicer und nehmen Sie neu auf</translation>
     </message>
     <message>
-        <source>%1 has no benchmark for the class of devices %2</source>
-        <translation>für %1 gibt es keinen Benchmark mit der Geräteklasse %2</translation>
+        <source>the file ends without &lt;/TransformRecorderLog&gt;</source>
+        <translation>die Datei endet ohne &lt;/TransformRecorderLog&gt;</translation>
     </message>
     <message>
-        <source>gates based on the experts&apos; range are not judged with it until a set is installed</source>
-        <translation>Kriterien nach dem Bereich der Experten werden damit nicht beurteilt, bis ein Satz installiert ist</translation>
+        <source>there is no pose of the device %1</source>
+        <translation>es gibt keine Pose des Geräts %1</translation>
     </message>
     <message>
-        <source>another version was published in the meantime: %1</source>
-        <translation>inzwischen wurde eine andere Version veröffentlicht: %1</translation>
-    </message>
-    <message>
-        <source>save your draft, start the program again and open the draft</source>
-        <translation>speichern Sie den Entwurf, starten Sie das Programm neu und öffnen Sie den Entwurf</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written (%2)</source>
-        <translation>%1: kann nicht geschrieben werden (%2)</translation>
-    </message>
-    <message>
-        <source>save the draft; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
-        <translation>speichern Sie den Entwurf; die Administration legt die Datei dort ab, und eine Lehrperson nimmt sie mit `fulcrum assets accept` an</translation>
-    </message>
-    <message>
-        <source>make the store&apos;s folder writable and free some space on the disk</source>
-        <translation>machen Sie den Ordner des Datenspeichers beschreibbar und schaffen Sie Platz auf der Festplatte</translation>
-    </message>
-    <message>
-        <source>is another curriculum: %1</source>
-        <translation>ist ein anderes Curriculum: %1</translation>
-    </message>
-    <message>
-        <source>open a draft of %1</source>
-        <translation>öffnen Sie einen Entwurf von %1</translation>
+        <source>name one of these in the mapping: %1</source>
+        <translation>nennen Sie eines davon in der Zuordnung: %1</translation>
     </message>
     <message>
         <source>The Inverse service of Haply ended or closed the connection. Start it again, and end other programs that use the device.</source>
@@ -5773,98 +6876,6 @@
     <message>
         <source>install the package libwebsockets17 again</source>
         <translation>installieren Sie das Paket libwebsockets17 neu</translation>
-    </message>
-    <message>
-        <source>&lt;%1&gt; has no attribute %2</source>
-        <translation>&lt;%1&gt; hat kein Attribut %2</translation>
-    </message>
-    <message>
-        <source>record it again with PerkTutor, or remove this element</source>
-        <translation>nehmen Sie es mit PerkTutor neu auf, oder entfernen Sie dieses Element</translation>
-    </message>
-    <message>
-        <source>the file ends within an element</source>
-        <translation>die Datei endet mitten in einem Element</translation>
-    </message>
-    <message>
-        <source>the recording was cut off: copy the file again</source>
-        <translation>die Aufzeichnung ist abgeschnitten: kopieren Sie die Datei noch einmal</translation>
-    </message>
-    <message>
-        <source>the attributes of &lt;%1&gt; cannot be read</source>
-        <translation>die Attribute von &lt;%1&gt; sind nicht lesbar</translation>
-    </message>
-    <message>
-        <source>choose a recording that PerkTutor stored as XML</source>
-        <translation>wählen Sie eine Aufzeichnung, die PerkTutor als XML gespeichert hat</translation>
-    </message>
-    <message>
-        <source>attribute %1 has more than %2 bytes</source>
-        <translation>Attribut %1 hat mehr als %2 Bytes</translation>
-    </message>
-    <message>
-        <source>poses have a time already</source>
-        <translation>Posen haben schon eine Zeit</translation>
-    </message>
-    <message>
-        <source>does not name a device and an entry of its pose</source>
-        <translation>nennt kein Gerät mit einem Eintrag seiner Pose</translation>
-    </message>
-    <message>
-        <source>write DEVICE.x, .y or .z, or for an axis DEVICE.z_axis.x</source>
-        <translation>schreiben Sie GERÄT.x, .y oder .z, oder für eine Achse GERÄT.z_axis.x</translation>
-    </message>
-    <message>
-        <source>has no meaning for a recording of poses</source>
-        <translation>hat bei einer Aufzeichnung von Posen keine Bedeutung</translation>
-    </message>
-    <message>
-        <source>%1 is not a number: &quot;%2&quot;</source>
-        <translation>%1 ist keine Zahl: „%2“</translation>
-    </message>
-    <message>
-        <source>remove this element, or record again</source>
-        <translation>entfernen Sie dieses Element, oder nehmen Sie neu auf</translation>
-    </message>
-    <message>
-        <source>the time is out of range</source>
-        <translation>die Zeit liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>transform has not 16 numbers by rows, the last four of them 0 0 0 1 (numbers: %1)</source>
-        <translation>transform hat nicht 16 Zahlen zeilenweise, die letzten vier davon 0 0 0 1 (Zahlen: %1)</translation>
-    </message>
-    <message>
-        <source>choose a recording of rigid tools that PerkTutor stored as XML</source>
-        <translation>wählen Sie eine Aufzeichnung starrer Werkzeuge, die PerkTutor als XML gespeichert hat</translation>
-    </message>
-    <message>
-        <source>more than %1 devices</source>
-        <translation>mehr als %1 Geräte</translation>
-    </message>
-    <message>
-        <source>does not begin with &lt;TransformRecorderLog&gt;</source>
-        <translation>beginnt nicht mit &lt;TransformRecorderLog&gt;</translation>
-    </message>
-    <message>
-        <source>DeviceName is empty, too long or not UTF-8</source>
-        <translation>DeviceName ist leer, zu lang oder kein UTF-8</translation>
-    </message>
-    <message>
-        <source>name the device in 3D Slicer and record again</source>
-        <translation>benennen Sie das Gerät in 3D Slicer und nehmen Sie neu auf</translation>
-    </message>
-    <message>
-        <source>the file ends without &lt;/TransformRecorderLog&gt;</source>
-        <translation>die Datei endet ohne &lt;/TransformRecorderLog&gt;</translation>
-    </message>
-    <message>
-        <source>there is no pose of the device %1</source>
-        <translation>es gibt keine Pose des Geräts %1</translation>
-    </message>
-    <message>
-        <source>name one of these in the mapping: %1</source>
-        <translation>nennen Sie eines davon in der Zuordnung: %1</translation>
     </message>
     <message>
         <source>%1: signed by the key %2, but the key %3 was announced</source>
@@ -5993,6 +7004,122 @@
     <message>
         <source>use one of %1; `fulcrum devices` lists what is connected</source>
         <translation>verwenden Sie eines von %1; `fulcrum devices` listet auf, was angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>the title is missing or too long</source>
+        <translation>der Titel fehlt oder ist zu lang</translation>
+    </message>
+    <message>
+        <source>give a title of 1 to 120 characters</source>
+        <translation>geben Sie einen Titel von 1 bis 120 Zeichen an</translation>
+    </message>
+    <message>
+        <source>the curriculum has no task</source>
+        <translation>das Curriculum hat keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>add one</source>
+        <translation>fügen Sie eine hinzu</translation>
+    </message>
+    <message>
+        <source>the curriculum has no stage</source>
+        <translation>das Curriculum hat keine Stufe</translation>
+    </message>
+    <message>
+        <source>the curriculum is too large</source>
+        <translation>das Curriculum ist zu groß</translation>
+    </message>
+    <message>
+        <source>keep it to 12 stages and 60 tasks</source>
+        <translation>höchstens 12 Stufen und 60 Aufgaben sind möglich</translation>
+    </message>
+    <message>
+        <source>the stage has no short name, or a long one</source>
+        <translation>die Stufe hat keinen oder einen zu langen Kurznamen</translation>
+    </message>
+    <message>
+        <source>give a short name of 1 to 8 characters, such as A</source>
+        <translation>geben Sie einen Kurznamen von 1 bis 8 Zeichen an, zum Beispiel A</translation>
+    </message>
+    <message>
+        <source>the title of stage %1 is missing or too long</source>
+        <translation>der Titel der Stufe %1 fehlt oder ist zu lang</translation>
+    </message>
+    <message>
+        <source>give a title of 1 to 60 characters</source>
+        <translation>geben Sie einen Titel von 1 bis 60 Zeichen an</translation>
+    </message>
+    <message>
+        <source>stage %1 has no task</source>
+        <translation>die Stufe %1 hat keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>move a task to it, or remove it</source>
+        <translation>ordnen Sie ihr eine Aufgabe zu oder entfernen Sie sie</translation>
+    </message>
+    <message>
+        <source>remove it, or have its file installed first</source>
+        <translation>entfernen Sie sie oder lassen Sie zuerst ihre Datei installieren</translation>
+    </message>
+    <message>
+        <source>choose one of the stages, or add it</source>
+        <translation>wählen Sie eine der Stufen oder fügen Sie sie hinzu</translation>
+    </message>
+    <message>
+        <source>asks for passes on %1 variants, but %2 has %3</source>
+        <translation>verlangt Bestehen an %1 Varianten, aber %2 hat %3</translation>
+    </message>
+    <message>
+        <source>ask for fewer, or the rule is never met</source>
+        <translation>verlangen Sie weniger, sonst wird die Regel nie erfüllt</translation>
+    </message>
+    <message>
+        <source>add it, or take it out of the prerequisites</source>
+        <translation>fügen Sie sie hinzu oder streichen Sie sie aus den Voraussetzungen</translation>
+    </message>
+    <message>
+        <source>no class of devices is chosen</source>
+        <translation>es ist keine Geräteklasse gewählt</translation>
+    </message>
+    <message>
+        <source>choose at least one, or no attempt counts</source>
+        <translation>wählen Sie mindestens eine, sonst zählt kein Versuch</translation>
+    </message>
+    <message>
+        <source>%1 has no benchmark for the class of devices %2</source>
+        <translation>für %1 gibt es keinen Benchmark mit der Geräteklasse %2</translation>
+    </message>
+    <message>
+        <source>gates based on the experts&apos; range are not judged with it until a set is installed</source>
+        <translation>Kriterien nach dem Bereich der Experten werden damit nicht beurteilt, bis ein Satz installiert ist</translation>
+    </message>
+    <message>
+        <source>another version was published in the meantime: %1</source>
+        <translation>inzwischen wurde eine andere Version veröffentlicht: %1</translation>
+    </message>
+    <message>
+        <source>save your draft, start the program again and open the draft</source>
+        <translation>speichern Sie den Entwurf, starten Sie das Programm neu und öffnen Sie den Entwurf</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2)</source>
+        <translation>%1: kann nicht geschrieben werden (%2)</translation>
+    </message>
+    <message>
+        <source>save the draft; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
+        <translation>speichern Sie den Entwurf; die Administration legt die Datei dort ab, und eine Lehrperson nimmt sie mit `fulcrum assets accept` an</translation>
+    </message>
+    <message>
+        <source>make the store&apos;s folder writable and free some space on the disk</source>
+        <translation>machen Sie den Ordner des Datenspeichers beschreibbar und schaffen Sie Platz auf der Festplatte</translation>
+    </message>
+    <message>
+        <source>is another curriculum: %1</source>
+        <translation>ist ein anderes Curriculum: %1</translation>
+    </message>
+    <message>
+        <source>open a draft of %1</source>
+        <translation>öffnen Sie einen Entwurf von %1</translation>
     </message>
 </context>
 <context>
@@ -9137,6 +10264,26 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::ComparePage</name>
     <message>
+        <source>No picture: %1</source>
+        <translation>Kein Bild: %1</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Reading the other attempt …</source>
+        <translation>Der andere Versuch wird gelesen …</translation>
+    </message>
+    <message>
+        <source>An expert performs the task …</source>
+        <translation>Ein Experte führt die Aufgabe aus …</translation>
+    </message>
+    <message>
+        <source>Reading the attempts of the cohort …</source>
+        <translation>Die Versuche der Kohorte werden gelesen …</translation>
+    </message>
+    <message>
         <source>Expert of the benchmark (simulated)</source>
         <translation>Experte des Benchmarks (simuliert)</translation>
     </message>
@@ -9155,10 +10302,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Moment of both attempts</source>
         <translation>Zeitpunkt beider Versuche</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Abspielen</translation>
     </message>
     <message>
         <source>◀ Step</source>
@@ -9225,6 +10368,10 @@ Kennzahlen: %2</translation>
         <translation>Messgrößen</translation>
     </message>
     <message>
+        <source>Stopped. Choose again what to compare with.</source>
+        <translation>Abgebrochen. Wählen Sie erneut, womit verglichen wird.</translation>
+    </message>
+    <message>
         <source>Compare: %1</source>
         <translation>Vergleich: %1</translation>
     </message>
@@ -9233,28 +10380,12 @@ Kennzahlen: %2</translation>
         <translation>Der Versuch wird gelesen …</translation>
     </message>
     <message>
-        <source>No picture: %1</source>
-        <translation>Kein Bild: %1</translation>
-    </message>
-    <message>
         <source>This attempt: %1</source>
         <translation>Dieser Versuch: %1</translation>
     </message>
     <message>
         <source>There is nothing to compare this attempt with.</source>
         <translation>Es gibt nichts, womit dieser Versuch verglichen werden kann.</translation>
-    </message>
-    <message>
-        <source>Reading the other attempt …</source>
-        <translation>Der andere Versuch wird gelesen …</translation>
-    </message>
-    <message>
-        <source>An expert performs the task …</source>
-        <translation>Ein Experte führt die Aufgabe aus …</translation>
-    </message>
-    <message>
-        <source>Reading the attempts of the cohort …</source>
-        <translation>Die Versuche der Kohorte werden gelesen …</translation>
     </message>
     <message>
         <source>The other one: %1</source>
@@ -9327,10 +10458,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>; the other one %1 / %2</source>
         <translation>; der andere %1 / %2</translation>
-    </message>
-    <message>
-        <source>Stopped. Choose again what to compare with.</source>
-        <translation>Abgebrochen. Wählen Sie erneut, womit verglichen wird.</translation>
     </message>
 </context>
 <context>
@@ -14043,12 +15170,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Wählen Sie die Person, die es durchgeführt hat.</translation>
     </message>
     <message>
-        <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
-        <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
-    </message>
-    <message>
         <source>Storing …</source>
         <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
+        <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
     </message>
 </context>
 <context>

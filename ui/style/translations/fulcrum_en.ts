@@ -36,13 +36,6 @@
 <context>
     <name>fulcrum::ui::CurriculumPage</name>
     <message numerus="yes">
-        <source>✕ %n problems</source>
-        <translation>
-            <numerusform>✕ %n problem</numerusform>
-            <numerusform>✕ %n problems</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>passes on %n variants</source>
         <translation>
             <numerusform>passes on %n variant</numerusform>
@@ -54,6 +47,13 @@
         <translation>
             <numerusform>%n rating with the form %1, mean at least %2</numerusform>
             <numerusform>%n ratings with the form %1, mean at least %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✕ %n problems</source>
+        <translation>
+            <numerusform>✕ %n problem</numerusform>
+            <numerusform>✕ %n problems</numerusform>
         </translation>
     </message>
 </context>
