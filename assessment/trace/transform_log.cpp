@@ -14,7 +14,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::int64_t second = 1'000'000'000;      // ns
+constexpr std::int64_t second = 1000 * 1'000'000;   // ns
 constexpr std::int64_t most_between = second / 10;  // of two poses between which one is interpolated
 constexpr std::size_t device_limit = 64, name_limit = 120;
 

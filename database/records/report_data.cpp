@@ -480,27 +480,6 @@ bool Reports::each_of_cohort(const Session& session, const std::string& cohort_i
     return true;
 }
 
-std::optional<PathologyReport> pathology_of(const ScoreRow& score) {
-    if (score.pathology.empty()) return std::nullopt;
-    return parse_pathology(score.pathology, "score " + score.id);
-}
-
-AttemptReport Reports::attempt_report(const Session& session, const std::string& attempt_id,
-                                      ReportPurpose purpose) const {
-    const Attempts attempts(store_);
-    AttemptReport report;
-    report.attempt = attempts.read(session, attempt_id);
-    if (purpose == ReportPurpose::exported)
-        store_.require(session, Operation::export_person, Subject::person(report.attempt.meta.person_id));
-    report.score = attempts.score(session, attempt_id);
-    if (report.score) report.pathology = pathology_of(*report.score);
-    MetricVersions versions(store_);
-    Provenance provenance(store_, versions, "a.id = ?", attempt_id);
-    provenance.add(report.attempt);
-    provenance.write(report);
-    return report;
-}
-
 std::vector<CohortRow> Reports::person_table(const Session& session, const std::string& person_id,
                                              const std::vector<std::string>& tasks,
                                              ReportPurpose purpose) const {

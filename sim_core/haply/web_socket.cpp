@@ -19,7 +19,7 @@ namespace {
 constexpr const char* this_computer = "127.0.0.1";
 constexpr std::size_t longest_message = 256 * 1024, most_messages = 64;
 constexpr unsigned int most_descriptors = 8;
-constexpr std::int64_t second_ns = 1'000'000'000, looking_ns = 1'000'000;
+constexpr std::int64_t looking_ns = 1'000'000, second_ns = 1000 * looking_ns;
 
 }  // namespace
 

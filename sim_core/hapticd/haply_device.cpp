@@ -21,7 +21,7 @@ using haply::WebSocket;
 
 constexpr double rate_hz = 1000, full_turn = 6.283185307179586;
 constexpr std::int64_t tick_ns = 1'000'000, look_ns = 5'000'000;
-constexpr std::int64_t connect_limit_ns = 2'000'000'000, answer_limit_ns = 1'000'000'000;
+constexpr std::int64_t connect_limit_ns = 2000 * tick_ns, answer_limit_ns = 1000 * tick_ns;
 constexpr double closing_time_s = 0.15, longest_read_s = 0.02;  // a button closes the jaws in 0.15 s
 constexpr int priority = 84;                                    // below the loop of the process
 // The service states no limits.
