@@ -20,7 +20,6 @@ static const char* words_of_haply(DeviceFault fault) {
                              "Restart it, and install its newest version.");
 }
 
-// Long because: one text for each fault.
 const char* words_of(DeviceFault fault) {
     switch (fault) {
         case DeviceFault::none:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory that a value owns beside its own size: its vectors, found by the same member template fields() that
+// Memory that a value owns next to its own size: its vectors, found by the same member template fields() that
 // StateArchive walks. Any thread.
 #pragma once
 

@@ -77,7 +77,7 @@ struct ForceTestState {
     double progress = 0;       ///< 0 to 1
 };
 
-/// What gives energy, besides the key of the pedal.
+/// What gives energy, apart from the key of the pedal.
 inline constexpr int pedal_of_each_hand = -2;  ///< the button of the part that moves the hand
 inline constexpr int pedal_keys_only = -1;
 

@@ -11,7 +11,7 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr int due_every_ms = 60'000;
+constexpr int due_every_ms = 60000;
 constexpr std::int64_t try_again_ms = 3'600'000;
 
 }  // namespace

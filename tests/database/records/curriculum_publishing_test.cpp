@@ -99,7 +99,7 @@ TEST_F(CurriculumPublished, ATryThatWasCutOffCanBeRepeated) {
     EXPECT_EQ(newest().title, "Cut off");
 }
 
-TEST_F(CurriculumPublished, AFolderThatCannotBeWrittenIsSaidAndNothingIsAccepted) {
+TEST_F(CurriculumPublished, AFolderThatCannotBeWrittenIsReportedAndNothingIsAccepted) {
     place.folder = asset_path("curricula");
     const std::string text = next("Nowhere");
     place.folder = (folder / "gone").string();

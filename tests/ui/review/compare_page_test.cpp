@@ -23,6 +23,7 @@
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
