@@ -73,8 +73,7 @@ std::vector<ui::PersonReport> people_of(const Arguments& arguments, const databa
         throw InputError("--cohort", "",
                          {QT_TRANSLATE_NOOP("errors", "no cohort '%1' that you may read"), name},
                          QT_TRANSLATE_NOOP("errors", "name a cohort of this store"));
-    return ui::gather_cohort(store, session, cohort->id, tasks, version_line(), ui::PeoplePages::with_metrics)
-        ->people;
+    return *ui::gather_people(store, session, cohort->id, tasks, version_line());
 }
 
 int queue(const Arguments& arguments, const database::Store& store, const database::Session& session,
@@ -89,13 +88,13 @@ int queue(const Arguments& arguments, const database::Store& store, const databa
     std::vector<OutboxStatement> statements;
     for (const ui::PersonReport& person : people_of(arguments, store, session)) {
         if (person.synthetic) continue;
-        for (const auto& made : nlohmann::ordered_json::parse(ui::xapi_statements({person}, home_page))) {
+        ui::each_xapi_statement(person, home_page, [&](ui::XapiStatement&& made) {
             OutboxStatement one;
-            one.id = made.at("id").get<std::string>();
+            one.id = std::move(made.id);
             one.person_id = person.person_id;
-            one.text = made.dump();
+            one.text = std::move(made.text);
             statements.push_back(std::move(one));
-        }
+        });
     }
     return outbox.add(statements);
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
@@ -73,6 +74,21 @@ ReleasedForms released_forms(const Store& store, const Session& session, const s
         for (RatingRow& row : shown.rows)
             if (row.released > 0) released[attempt].push_back(std::move(row));
     return released;
+}
+
+/// Of whom there are ratings at all: most people have none, and each would be asked for.
+std::set<std::string> rated_people(const Store& store) {
+    Query rows(store.connection(), "SELECT DISTINCT " + owner_of("a.person_id") +
+                                       " FROM rating r JOIN attempt a ON a.id = r.attempt_id");
+    std::set<std::string> people;
+    while (rows.next()) people.insert(rows.text(0));
+    return people;
+}
+
+/// Condition with one `?`, the cohort: what `column` names belongs to a member.
+QString belongs_to_cohort(const QString& column) {
+    return column + " IN (SELECT same.person_id FROM " + person_owners +
+           " same WHERE same.owner_id IN (SELECT m.person_id FROM cohort_member m WHERE m.cohort_id = ?))";
 }
 
 /// One person's rows, tasks in the order given; every task has at least one row.
@@ -230,9 +246,9 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
     if (options.curriculum != nullptr)
         decisions = decisions_in(store_, session, cohort_id, *options.curriculum);
     MetricVersions versions(store_);
-    Provenance provenance(
-        store_, versions,
-        owner_of("a.person_id") + " IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)", cohort_id);
+    Provenance provenance(store_, versions, belongs_to_cohort("a.person_id"), cohort_id);
+    const std::set<std::string> rated =
+        purpose == ReportPurpose::exported ? rated_people(store_) : std::set<std::string>();
     for (PersonName& person : people) {
         if (person.synthetic && !with_synthetic) {
             ++table.left_out_synthetic;
@@ -244,9 +260,8 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
     }
     table.people = static_cast<int>(shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const ReleasedForms released = purpose == ReportPurpose::exported
-                                           ? released_forms(store_, session, shown[i].id)
-                                           : ReleasedForms();
+        const ReleasedForms released =
+            rated.count(shown[i].id) != 0 ? released_forms(store_, session, shown[i].id) : ReleasedForms();
         for (CohortRow& row : rows_of(shown[i], table.tasks, attempts[i], released))
             table.rows.push_back(std::move(row));
         for (const AttemptSummary& attempt : attempts[i]) {
@@ -277,7 +292,9 @@ struct PersonSource {
     PersonName person;
     std::vector<AttemptSummary> attempts;    ///< oldest first
     std::map<std::string, ScoreRow> scores;  ///< in force, by attempt; empty: the report shows no metrics
-    ReleasedForms released;                  ///< empty where the report is not to be exported
+    /// In place of scores: the metrics alone, by attempt, of more people than this one.
+    std::unordered_map<std::string, std::vector<MetricRow>>* metrics = nullptr;
+    ReleasedForms released;  ///< empty where the report is not to be exported
 };
 
 void sort_by_start(std::vector<AttemptSummary>& attempts) {
@@ -331,7 +348,12 @@ PersonProgress progress_of(PersonSource& source, const std::string& task_id, Pro
             point.metrics = std::move(score.metrics);
             point.gates = std::move(score.gates);
         }
-        point.ratings = std::move(source.released[attempt.meta.id]);
+        if (source.metrics != nullptr) {
+            const auto of_point = source.metrics->find(attempt.meta.id);
+            if (of_point != source.metrics->end()) point.metrics = std::move(of_point->second);
+        }
+        if (const auto rated = source.released.find(attempt.meta.id); rated != source.released.end())
+            point.ratings = std::move(rated->second);
         series.points.push_back(std::move(point));
     }
     progress.state = overall.state;
@@ -358,13 +380,15 @@ PersonData data_of(PersonSource& source, const PersonDataOptions& options, const
     data.login = source.person.login;
     data.name = source.person.name;
     data.synthetic = source.person.synthetic;
-    std::vector<AttemptSummary> standing;
-    for (const AttemptSummary& attempt : source.attempts)
-        if (attempt.voided_at == 0) standing.push_back(attempt);
     const std::vector<std::string> tasks = tasks_with_external(options.tasks, source.attempts);
-    data.rows = rows_of(source.person, tasks, standing, source.released);
-    if (options.curriculum != nullptr)
-        data.standings = standings_of(source.person, standing, *options.curriculum, at, decisions);
+    if (options.with_rows) {
+        std::vector<AttemptSummary> standing;
+        for (const AttemptSummary& attempt : source.attempts)
+            if (attempt.voided_at == 0) standing.push_back(attempt);
+        data.rows = rows_of(source.person, tasks, standing, source.released);
+        if (options.curriculum != nullptr)
+            data.standings = standings_of(source.person, standing, *options.curriculum, at, decisions);
+    }
     for (const std::string& task : tasks) data.progress.push_back(progress_of(source, task, provenance));
     return data;
 }
@@ -379,12 +403,11 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
     AttemptFilter filter = all_of_person(person_id);
     filter.task_id = task_id;
     filter.include_voided = true;
-    PersonSource source{
-        name_of(store_, person_id),
-        query_attempts(store_, session, filter),
-        read_scores_in_force(store_.connection(), belongs_to("a.person_id") + " AND a.task_id = ?",
-                             {person_id, task_id}),
-        {}};
+    PersonSource source;
+    source.person = name_of(store_, person_id);
+    source.attempts = query_attempts(store_, session, filter);
+    source.scores = read_scores_in_force(
+        store_.connection(), belongs_to("a.person_id") + " AND a.task_id = ?", {person_id, task_id});
     if (purpose == ReportPurpose::exported)
         source.released = released_forms(store_, session, person_id, task_id);
     sort_by_start(source.attempts);
@@ -400,12 +423,12 @@ PersonData Reports::person_data(const Session& session, const std::string& perso
     store_.require(session, Operation::export_person, Subject::person(person_id));
     AttemptFilter filter = all_of_person(person_id);
     filter.include_voided = true;
-    PersonSource source{name_of(store_, person_id),
-                        query_attempts(store_, session, filter),
-                        {},
-                        released_forms(store_, session, person_id)};
+    PersonSource source;
+    source.person = name_of(store_, person_id);
+    source.attempts = query_attempts(store_, session, filter);
+    source.released = released_forms(store_, session, person_id);
     sort_by_start(source.attempts);
-    if (options.with_metrics)
+    if (options.detail != PointDetail::none)
         source.scores = read_scores_in_force(store_.connection(), belongs_to("a.person_id"), {person_id});
     Decisions decisions;
     if (options.curriculum != nullptr)
@@ -432,18 +455,25 @@ bool Reports::each_of_cohort(const Session& session, const std::string& cohort_i
         decisions = decisions_in(store_, session, cohort_id, *options.curriculum);
     const std::string head = Audit(store_).head();
     const std::vector<PersonName> people = members_of(store_, cohort_id);
+    const std::set<std::string> rated = rated_people(store_);
+    std::unordered_map<std::string, std::vector<MetricRow>> metrics;
+    if (options.detail == PointDetail::metrics)
+        metrics = read_metrics_in_force(store_.connection(), belongs_to_cohort("a.person_id"), {cohort_id});
     MetricVersions versions(store_);
     for (std::size_t i = 0; i < people.size(); ++i) {
         if (people[i].synthetic && !store_.is_demo()) continue;
-        PersonSource source{
-            people[i], std::move(of_person[people[i].id]), {}, released_forms(store_, session, people[i].id)};
+        PersonSource source;
+        source.person = people[i];
+        source.attempts = std::move(of_person[people[i].id]);
+        if (rated.count(people[i].id) != 0) source.released = released_forms(store_, session, people[i].id);
         sort_by_start(source.attempts);
-        if (options.with_metrics)
+        if (options.detail == PointDetail::all)
             source.scores =
                 read_scores_in_force(store_.connection(), belongs_to("a.person_id"), {people[i].id});
+        source.metrics = &metrics;
         Provenance provenance(store_, versions, belongs_to("a.person_id"), people[i].id);
         PersonData data = data_of(source, options, decisions[people[i].id], store_.now(), provenance);
-        provenance.write(data, head);
+        if (options.with_rows) provenance.write(data, head);
         const double done = static_cast<double>(i + 1) / static_cast<double>(people.size());
         if (!visit(std::move(data), done)) return false;
     }

@@ -106,10 +106,15 @@ struct PersonData {
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
     std::string audit_head;
 };
+/// What the points of a progress have of their scores: nothing, their metrics, or metrics, gates and
+/// pathology.
+enum class PointDetail { none, metrics, all };
 struct PersonDataOptions {
     std::vector<std::string> tasks;
     const Curriculum* curriculum = nullptr;  ///< null: no standings
-    bool with_metrics = true;  ///< false: points of the progress have no metrics, gates and pathology
+    PointDetail detail = PointDetail::all;
+    bool with_rows =
+        true;  ///< false: progress alone, without the rows and without versions and benchmark sets
 };
 
 /// The pathology report that a score holds; empty where the task leaves no specimen. Screens, paper and

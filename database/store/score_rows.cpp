@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/store/score_rows.h"
 
+#include <algorithm>
+
 #include "assessment/metrics/metric_names.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
@@ -199,26 +201,33 @@ void ScoreReader::read_gates() {
     }
 }
 
+constexpr const char* metric_columns =
+    "t.id, t.version, t.hand, t.tissue, t.value, t.absent_because, t.unit, t.direction, t.evidence";
+
+/// Of a row that has these columns after the id of its score.
+MetricRow metric_of(const Query& row) {
+    MetricRow metric;
+    metric.id = row.text(1);
+    metric.version = static_cast<int>(row.integer(2));
+    metric.hand = row.text(3);
+    metric.tissue = row.text(4);
+    metric.value = row.optional_real(5);
+    if (std::string why = row.text(6); !why.empty()) metric.absent_because = statement_of(why);
+    metric.unit = row.text(7);
+    const std::string direction = row.text(8);
+    const auto* const known = find_row(metric_directions, direction);
+    metric.direction = known != nullptr
+                           ? known->kind
+                           : enum_of(direction, metric_directions,
+                                     "direction of metric " + metric.id + " of score " + row.text(0));
+    metric.evidence = parse_intervals(row.text(9));
+    return metric;
+}
+
 void ScoreReader::read_metrics() {
-    Query metrics =
-        rows("t.id, t.version, t.hand, t.tissue, t.value, t.absent_because, t.unit, t.direction, t.evidence",
-             "metric t", by_number);
-    while (metrics.next()) {
-        ScoreRow* score = find(metrics);
-        if (score == nullptr) continue;
-        MetricRow metric;
-        metric.id = metrics.text(1);
-        metric.version = static_cast<int>(metrics.integer(2));
-        metric.hand = metrics.text(3);
-        metric.tissue = metrics.text(4);
-        metric.value = metrics.optional_real(5);
-        metric.absent_because = statement_of(metrics.text(6));
-        metric.unit = metrics.text(7);
-        metric.direction = enum_of(metrics.text(8), metric_directions,
-                                   "direction of metric " + metric.id + " of score " + score->id);
-        metric.evidence = parse_intervals(metrics.text(9));
-        score->metrics.push_back(std::move(metric));
-    }
+    Query metrics = rows(metric_columns, "metric t", by_number);
+    while (metrics.next())
+        if (ScoreRow* score = find(metrics)) score->metrics.push_back(metric_of(metrics));
 }
 
 void ScoreReader::read_errors() {
@@ -275,6 +284,29 @@ std::map<std::string, ScoreRow> read_scores_in_force(Connection& connection, con
     for (ScoreOfAttempt& one : ScoreReader(connection, "s.in_force = 1 AND " + whose, values).read())
         scores.emplace(std::move(one.attempt_id), std::move(one.score));
     return scores;
+}
+
+std::unordered_map<std::string, std::vector<MetricRow>> read_metrics_in_force(
+    Connection& connection, const QString& whose, const std::vector<std::string>& values) {
+    // Sorted here: a database sorts the rows with all their texts.
+    Query rows(connection, QString("SELECT s.id, %1, t.number, a.id FROM attempt a JOIN score s ON "
+                                   "s.attempt_id = a.id AND s.in_force = 1 JOIN metric t ON t.score_id = "
+                                   "s.id WHERE %2")
+                               .arg(metric_columns, whose));
+    for (const std::string& value : values) rows.bind(value);
+    constexpr int number_column = 10, attempt_column = 11;
+    std::unordered_map<std::string, std::vector<std::pair<std::int64_t, MetricRow>>> found;
+    while (rows.next())
+        found[rows.text(attempt_column)].emplace_back(rows.integer(number_column), metric_of(rows));
+    std::unordered_map<std::string, std::vector<MetricRow>> metrics;
+    for (auto& [attempt, numbered] : found) {
+        std::sort(numbered.begin(), numbered.end(),
+                  [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::vector<MetricRow>& list = metrics[attempt];
+        list.reserve(numbered.size());
+        for (auto& one : numbered) list.push_back(std::move(one.second));
+    }
+    return metrics;
 }
 
 }  // namespace fulcrum::database

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "database/rows/attempt_records.h"
@@ -22,6 +23,9 @@ ScoreRow read_score(Connection& connection, const std::string& score_id);
 /// many there are.
 std::map<std::string, ScoreRow> read_scores_in_force(Connection& connection, const QString& whose,
                                                      const std::vector<std::string>& values);
+/// The metrics of those scores alone, in one query.
+std::unordered_map<std::string, std::vector<MetricRow>> read_metrics_in_force(
+    Connection& connection, const QString& whose, const std::vector<std::string>& values);
 /// BLAKE2b-256 over every field, hex.
 std::string score_digest(const std::string& attempt_id, const ScoreRow& score);
 

@@ -116,9 +116,8 @@ PersonReport report_of(database::PersonData data, ReportProvenance provenance,
 PersonReport gather_person(const database::Store& store, const database::Session& session,
                            const std::string& person_id, const std::vector<TaskDefinition>& tasks,
                            const std::string& program_version, const Curriculum* curriculum) {
-    return report_of(
-        database::Reports(store).person_data(session, person_id, {ids_of(tasks), curriculum, true}),
-        provenance_of(store, session, program_version), tasks);
+    return report_of(database::Reports(store).person_data(session, person_id, {ids_of(tasks), curriculum}),
+                     provenance_of(store, session, program_version), tasks);
 }
 
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
@@ -140,14 +139,35 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
     report.provenance.benchmark_sets = report.table.benchmark_sets;
     report.provenance.program_versions = report.table.program_versions;
     if (people == PeoplePages::none) return report;
+    database::PersonDataOptions pages;
+    pages.tasks = ids_of(tasks);
+    pages.curriculum = curriculum;
+    pages.detail = database::PointDetail::none;
     const bool all = database::Reports(store).each_of_cohort(
-        session, cohort_id, {ids_of(tasks), curriculum, people == PeoplePages::with_metrics},
-        [&](database::PersonData&& data, double done) {
+        session, cohort_id, pages, [&](database::PersonData&& data, double done) {
             report.people.push_back(report_of(std::move(data), report.provenance, tasks));
             return !progress || progress(0.5 * done, {});
         });
     if (!all) return std::nullopt;
     return report;
+}
+
+std::optional<std::vector<PersonReport>> gather_people(
+    const database::Store& store, const database::Session& session, const std::string& cohort_id,
+    const std::vector<TaskDefinition>& tasks, const std::string& program_version, const Progress& progress) {
+    const ReportProvenance provenance = provenance_of(store, session, program_version);
+    database::PersonDataOptions options;
+    options.tasks = ids_of(tasks);
+    options.detail = database::PointDetail::metrics;
+    options.with_rows = false;
+    std::vector<PersonReport> people;
+    const bool all = database::Reports(store).each_of_cohort(
+        session, cohort_id, options, [&](database::PersonData&& data, double done) {
+            people.push_back(report_of(std::move(data), provenance, tasks));
+            return !progress || progress(0.5 * done, {});
+        });
+    if (!all) return std::nullopt;
+    return people;
 }
 
 namespace {
@@ -214,8 +234,7 @@ std::vector<std::string> write_cohort(const CohortReport& report, const ReportRe
             save(request.path, cohort_json(report));
             break;
         case ReportFormat::xapi:
-            save(request.path, xapi_statements(report.people, request.home_page));
-            break;
+            break;  // has no table: write_report() gathers people alone
     }
     return {request.path};
 }
@@ -241,9 +260,14 @@ std::vector<std::string> write_report(const database::Store& store, const databa
         if (stopped(0.6)) return {};
         return write_person(report, request);
     }
-    const PeoplePages people = request.format == ReportFormat::pdf    ? PeoplePages::without_metrics
-                               : request.format == ReportFormat::xapi ? PeoplePages::with_metrics
-                                                                      : PeoplePages::none;
+    if (request.format == ReportFormat::xapi) {
+        const auto people =
+            gather_people(store, session, request.cohort_id, tasks, program_version, progress);
+        if (!people) return {};
+        save(request.path, xapi_statements(*people, request.home_page));
+        return {request.path};
+    }
+    const PeoplePages people = request.format == ReportFormat::pdf ? PeoplePages::pages : PeoplePages::none;
     const std::optional<CohortReport> report = gather_cohort(
         store, session, request.cohort_id, tasks, program_version, people, progress, request.curriculum);
     return report ? write_cohort(*report, request, progress) : std::vector<std::string>();

@@ -81,9 +81,16 @@ PersonReport gather_person(const database::Store& store, const database::Session
 AttemptPaper gather_attempt(const database::Store& store, const database::Session& session,
                             const std::string& attempt_id, const std::vector<TaskDefinition>& tasks,
                             const std::string& program_version);
-/// What a cohort's report has of each person: the PDF pages, statements for a record store the metrics too,
-/// the others no more than the table.
-enum class PeoplePages { none, without_metrics, with_metrics };
+/// What a cohort's report has of each person: PDF has pages, the others no more than the table.
+enum class PeoplePages { none, pages };
+/// What statements for a record store need of a cohort's people: the progress with its metrics, by name.
+/// Tells its progress; an empty optional when it was stopped.
+std::optional<std::vector<PersonReport>> gather_people(const database::Store& store,
+                                                       const database::Session& session,
+                                                       const std::string& cohort_id,
+                                                       const std::vector<TaskDefinition>& tasks,
+                                                       const std::string& program_version,
+                                                       const Progress& progress = {});
 /// Tells its progress; an empty optional when it was stopped.
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
                                           const std::string& cohort_id,

@@ -4,16 +4,15 @@
 #include <QUrl>
 #include <QUuid>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "assessment/metrics/metric_names.h"
 #include "assessment/metrics/statement_words.h"
 #include "sim_core/numerics/input_error.h"
+#include "ui/reports/json_text.h"
 #include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* verbs = "http://adlnet.gov/expapi/verbs/";
 constexpr const char* simulation = "http://adlnet.gov/expapi/activities/simulation";
@@ -43,18 +42,9 @@ const char* verb_of(const database::ProgressPoint& point) {
     return point.state == AttemptState::completed ? "completed" : "attempted";
 }
 
-Json verb(const char* name) {
-    return {{"id", std::string(verbs) + name}, {"display", {{"en-US", name}}}};
-}
-
-Json actor(const std::string& home_page, const std::string& person_id) {
-    return {{"objectType", "Agent"}, {"account", {{"homePage", home_page}, {"name", person_id}}}};
-}
-
-Json activity(const std::string& home_page, const ReportTask& task) {
-    return {{"objectType", "Activity"},
-            {"id", under(home_page, "task/" + task.id)},
-            {"definition", {{"name", {{"en", task.title}}}, {"type", simulation}}}};
+void add_verb(JsonText& json, const char* name) {
+    json.key("verb").begin_object().member("id", std::string(verbs) + name);
+    json.key("display").begin_object().member("en-US", name).end_object().end_object();
 }
 
 /// ISO 8601, in hundredths of a second as the specification allows.
@@ -64,121 +54,168 @@ std::string duration(double seconds) {
     return "PT" + std::to_string(hundredths / 100) + "." + (rest.size() < 2 ? "0" : "") + rest + "S";
 }
 
-Json metrics(const database::ProgressPoint& point) {
-    Json list = Json::array();
-    for (const database::MetricRow& metric : point.metrics) list.push_back(metric_json(metric));
-    return list;
+/// What is the same in many statements: of a programme, a person, a task.
+struct Parts {
+    const PersonReport& report;
+    const std::string& home_page;
+    std::string actor, object;  ///< JSON
+
+    void set_actor() {
+        JsonText json;
+        write_actor(json, report.person_id);
+        actor = json.take();
+    }
+    void set_task(const std::string& id) {
+        const ReportTask* task = nullptr;
+        for (const ReportTask& one : report.tasks)
+            if (one.id == id) task = &one;
+        JsonText json;
+        json.begin_object().member("objectType", "Activity").member("id", under(home_page, "task/" + id));
+        json.key("definition").begin_object();
+        json.key("name").begin_object().member("en", task != nullptr ? task->title : id).end_object();
+        json.member("type", simulation).end_object().end_object();
+        object = json.take();
+    }
+    void write_actor(JsonText& json, const std::string& account) const {
+        json.begin_object().member("objectType", "Agent").key("account").begin_object();
+        json.member("homePage", home_page).member("name", account).end_object().end_object();
+    }
+    bool synthetic() const { return report.synthetic || report.provenance.demo; }
+};
+
+/// The member of an extension; our terms have no letter that needs escaping.
+std::string term(const char* name) {
+    return std::string(terms) + name;
 }
 
-Json result(const database::ProgressPoint& point) {
-    Json made = {{"completion", point.state == AttemptState::completed}};
-    if (point.passed) made["success"] = *point.passed;
+/// As metric_json() gives it.
+void add_metric(JsonText& json, const database::MetricRow& metric) {
+    json.begin_object().member("id", metric.id).member("version", metric.version);
+    json.member_or_null("hand", metric.hand).member_or_null("tissue", metric.tissue);
+    json.member("value", metric.value);
+    json.member_or_null("absent_because", words_of(metric.absent_because)).key("absent_code");
+    metric.absent_because.empty() ? json.null() : json.raw(statement_json(metric.absent_because).dump());
+    json.member("unit", metric.unit).member("direction", row_of(metric_directions, metric.direction).name);
+    json.key("evidence").begin_array();
+    for (const auto& [from, to] : metric.evidence) json.begin_array().value(from).value(to).end_array();
+    json.end_array().end_object();
+}
+
+void add_metrics(JsonText& json, const database::ProgressPoint& point) {
+    json.begin_array();
+    for (const database::MetricRow& metric : point.metrics) add_metric(json, metric);
+    json.end_array();
+}
+
+void add_result(JsonText& json, const database::ProgressPoint& point) {
+    json.key("result").begin_object().member("completion", point.state == AttemptState::completed);
+    if (point.passed) json.member("success", *point.passed);
     if (point.points)
-        made["score"] = {{"scaled", *point.points / 100}, {"raw", *point.points}, {"min", 0}, {"max", 100}};
-    made["duration"] = duration(point.duration_s);
-    made["extensions"] = {{std::string(terms) + "metrics", metrics(point)}};
-    if (!point.passed && !words_of(point.not_scored_because).empty())
-        made["extensions"][std::string(terms) + "not-scored-because"] = words_of(point.not_scored_because);
+        json.key("score")
+            .begin_object()
+            .member("scaled", *point.points / 100)
+            .member("raw", *point.points)
+            .member("min", 0)
+            .member("max", 100)
+            .end_object();
+    json.member("duration", duration(point.duration_s)).key("extensions").begin_object();
+    add_metrics(json.key(term("metrics")), point);
+    if (!point.passed && !point.not_scored_because.empty()) {
+        const std::string why = words_of(point.not_scored_because);
+        if (!why.empty()) json.member(term("not-scored-because"), why);
+    }
+    json.end_object().end_object();
+}
+
+void add_context(JsonText& json, const Parts& parts, DeviceClass device_class,
+                 const database::ProgressPoint& point) {
+    json.key("context").begin_object().member("platform", parts.report.provenance.program_version);
+    json.member("language", "en").key("extensions").begin_object();
+    json.member(term("device-class"), row_of(device_classes, device_class).name);
+    json.member(term("mode"), row_of(attempt_modes, point.mode).name);
+    json.member(term("state"), row_of(attempt_states, point.state).name);
+    json.member(term("fidelity"), point.fidelity).member(term("variant"), point.variant);
+    if (!point.limits.empty()) json.member(term("limits"), point.limits);
+    json.member(term("counting"), point.counting).member(term("provisional"), point.provisional);
+    json.member(term("synthetic"), parts.synthetic()).end_object().end_object();
+}
+
+void add_end(JsonText& json, std::int64_t time) {
+    json.member("timestamp", database::iso_utc(time)).member("version", "1.0.3").end_object();
+}
+
+XapiStatement statement(const Parts& parts, DeviceClass device_class, const database::ProgressPoint& point) {
+    XapiStatement made{statement_id(parts.home_page, point.attempt_id), {}};
+    JsonText json;
+    json.begin_object().member("id", made.id).key("actor").raw(parts.actor);
+    add_verb(json, verb_of(point));
+    json.key("object").raw(parts.object);
+    add_result(json, point);
+    add_context(json, parts, device_class, point);
+    add_end(json, point.started + std::llround(point.duration_s * 1000));
+    made.text = json.take();
     return made;
-}
-
-Json context(const PersonReport& report, DeviceClass device_class, const database::ProgressPoint& point) {
-    Json extensions;
-    const auto add = [&](const char* name, Json value) {
-        extensions[std::string(terms) + name] = std::move(value);
-    };
-    add("device-class", row_of(device_classes, device_class).name);
-    add("mode", row_of(attempt_modes, point.mode).name);
-    add("state", row_of(attempt_states, point.state).name);
-    add("fidelity", point.fidelity);
-    add("variant", point.variant);
-    if (!point.limits.empty()) add("limits", point.limits);
-    add("counting", point.counting);
-    add("provisional", point.provisional);
-    add("synthetic", report.synthetic || report.provenance.demo);
-    return {{"platform", report.provenance.program_version},
-            {"language", "en"},
-            {"extensions", std::move(extensions)}};
-}
-
-Json statement(const PersonReport& report, const std::string& home_page, const ReportTask& task,
-               DeviceClass device_class, const database::ProgressPoint& point) {
-    return {{"id", statement_id(home_page, point.attempt_id)},
-            {"actor", actor(home_page, report.person_id)},
-            {"verb", verb(verb_of(point))},
-            {"object", activity(home_page, task)},
-            {"result", result(point)},
-            {"context", context(report, device_class, point)},
-            {"timestamp", database::iso_utc(point.started + std::llround(point.duration_s * 1000))},
-            {"version", "1.0.3"}};
 }
 
 std::string rating_statement_id(const std::string& home_page, const std::string& rating_id) {
     return id_from(under(home_page, "rating/" + rating_id));
 }
 
+void add_reference(JsonText& json, const std::string& id) {
+    json.begin_object().member("objectType", "StatementRef").member("id", id).end_object();
+}
+
+void add_rating_result(JsonText& json, const database::RatingRow& rating) {
+    json.key("result").begin_object().key("extensions").begin_object();
+    json.key(term("rating-items")).begin_array();
+    for (std::size_t i = 0; i < rating.form.items.size(); ++i) {
+        const FormItem& item = rating.form.items[i];
+        json.begin_object().member("id", item.id).member("value", rating.answers[i]);
+        json.member("lowest", item.lowest).member("highest", item.highest).end_object();
+    }
+    json.end_array().end_object();
+    if (const std::optional<double> share = form_share(rating.form, rating.answers)) {
+        const FormSum sum = form_sum(rating.form, rating.answers);
+        json.key("score").begin_object().member("scaled", *share).member("raw", sum.sum);
+        json.member("min", sum.lowest).member("max", sum.highest).end_object();
+    }
+    json.end_object();
+}
+
 /// What a rater said of the attempt. The rater is named, as an account, only where the form was not blind.
-Json rating_statement(const PersonReport& report, const std::string& home_page, const ReportTask& task,
-                      const database::ProgressPoint& point, const database::RatingRow& rating) {
-    const std::optional<double> share = form_share(rating.form, rating.answers);
-    const FormSum sum = form_sum(rating.form, rating.answers);
-    Json items = Json::array();
-    for (std::size_t i = 0; i < rating.form.items.size(); ++i)
-        items.push_back({{"id", rating.form.items[i].id},
-                         {"value", rating.answers[i] ? Json(*rating.answers[i]) : Json(nullptr)},
-                         {"lowest", rating.form.items[i].lowest},
-                         {"highest", rating.form.items[i].highest}});
-    Json said = {{"extensions", {{std::string(terms) + "rating-items", std::move(items)}}}};
-    if (share)
-        said["score"] = {{"scaled", *share}, {"raw", sum.sum}, {"min", sum.lowest}, {"max", sum.highest}};
-    Json about = {
-        {"statement", {{"objectType", "StatementRef"}, {"id", statement_id(home_page, point.attempt_id)}}},
-        {"platform", report.provenance.program_version},
-        {"language", "en"},
-        {"extensions",
-         {{std::string(terms) + "form", rating.form.name()},
-          {std::string(terms) + "blinding", row_of(database::blindings, rating.blinding).name},
-          {std::string(terms) + "synthetic", report.synthetic || report.provenance.demo}}}};
-    if (rating.blinding != database::Blinding::kept) about["instructor"] = actor(home_page, rating.rater_id);
-    return {{"id", rating_statement_id(home_page, rating.id)},
-            {"actor", actor(home_page, report.person_id)},
-            {"verb", verb("scored")},
-            {"object", activity(home_page, task)},
-            {"result", std::move(said)},
-            {"context", std::move(about)},
-            {"timestamp", database::iso_utc(rating.handed_in)},
-            {"version", "1.0.3"}};
+XapiStatement rating_statement(const Parts& parts, const database::ProgressPoint& point,
+                               const database::RatingRow& rating) {
+    XapiStatement made{rating_statement_id(parts.home_page, rating.id), {}};
+    JsonText json;
+    json.begin_object().member("id", made.id).key("actor").raw(parts.actor);
+    add_verb(json, "scored");
+    json.key("object").raw(parts.object);
+    add_rating_result(json, rating);
+    json.key("context").begin_object();
+    add_reference(json.key("statement"), statement_id(parts.home_page, point.attempt_id));
+    json.member("platform", parts.report.provenance.program_version).member("language", "en");
+    json.key("extensions").begin_object().member(term("form"), rating.form.name());
+    json.member(term("blinding"), row_of(database::blindings, rating.blinding).name);
+    json.member(term("synthetic"), parts.synthetic()).end_object();
+    if (rating.blinding != database::Blinding::kept)
+        parts.write_actor(json.key("instructor"), rating.rater_id);
+    json.end_object();
+    add_end(json, rating.handed_in);
+    made.text = json.take();
+    return made;
 }
 
 /// Said by the program, not by the trainee.
-Json voiding(const std::string& home_page, const std::string& what, const std::string& id, std::int64_t at) {
-    return {{"id", id_from(under(home_page, what))},
-            {"actor", actor(home_page, "fulcrum")},
-            {"verb", verb("voided")},
-            {"object", {{"objectType", "StatementRef"}, {"id", id}}},
-            {"timestamp", database::iso_utc(at)},
-            {"version", "1.0.3"}};
-}
-
-void add_person(Json& statements, const PersonReport& report, const std::string& home_page) {
-    for (const database::PersonProgress& progress : report.progress) {
-        ReportTask task{progress.task_id, progress.task_id, ""};
-        for (const ReportTask& one : report.tasks)
-            if (one.id == progress.task_id) task = one;
-        for (const database::ProgressSeries& series : progress.series)
-            for (const database::ProgressPoint& point : series.points) {
-                statements.push_back(statement(report, home_page, task, series.device_class, point));
-                for (const database::RatingRow& rating : point.ratings)
-                    statements.push_back(rating_statement(report, home_page, task, point, rating));
-            }
-        for (const database::VoidedAttempt& attempt : progress.voided) {
-            statements.push_back(voiding(home_page, "void/" + attempt.attempt_id,
-                                         statement_id(home_page, attempt.attempt_id), attempt.at));
-            for (const std::string& rating : attempt.ratings)
-                statements.push_back(voiding(home_page, "void/rating/" + rating,
-                                             rating_statement_id(home_page, rating), attempt.at));
-        }
-    }
+XapiStatement voiding(const Parts& parts, const std::string& what, const std::string& id, std::int64_t at) {
+    XapiStatement made{id_from(under(parts.home_page, what)), {}};
+    JsonText json;
+    json.begin_object().member("id", made.id);
+    parts.write_actor(json.key("actor"), "fulcrum");
+    add_verb(json, "voided");
+    add_reference(json.key("object"), id);
+    add_end(json, at);
+    made.text = json.take();
+    return made;
 }
 
 }  // namespace
@@ -196,11 +233,38 @@ void require_home_page(const std::string& home_page) {
             "name the address that the ids of your people belong to, such as https://training.example"));
 }
 
+void each_xapi_statement(const PersonReport& report, const std::string& home_page,
+                         const std::function<void(XapiStatement&&)>& visit) {
+    require_home_page(home_page);
+    Parts parts{report, home_page, {}, {}};
+    parts.set_actor();
+    for (const database::PersonProgress& progress : report.progress) {
+        parts.set_task(progress.task_id);
+        for (const database::ProgressSeries& series : progress.series)
+            for (const database::ProgressPoint& point : series.points) {
+                visit(statement(parts, series.device_class, point));
+                for (const database::RatingRow& rating : point.ratings)
+                    visit(rating_statement(parts, point, rating));
+            }
+        for (const database::VoidedAttempt& attempt : progress.voided) {
+            visit(voiding(parts, "void/" + attempt.attempt_id, statement_id(home_page, attempt.attempt_id),
+                          attempt.at));
+            for (const std::string& rating : attempt.ratings)
+                visit(voiding(parts, "void/rating/" + rating, rating_statement_id(home_page, rating),
+                              attempt.at));
+        }
+    }
+}
+
 std::string xapi_statements(const std::vector<PersonReport>& people, const std::string& home_page) {
     require_home_page(home_page);
-    Json statements = Json::array();
-    for (const PersonReport& report : people) add_person(statements, report, home_page);
-    return statements.dump(2) + "\n";
+    std::string text = "[";
+    for (const PersonReport& report : people)
+        each_xapi_statement(report, home_page, [&](XapiStatement&& one) {
+            text += text.size() > 1 ? ",\n" : "\n";
+            text += one.text;
+        });
+    return text + "\n]\n";
 }
 
 }  // namespace fulcrum::ui

@@ -6,6 +6,7 @@
 // statement that is sent twice is known by the store.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,13 @@ namespace fulcrum::ui {
 
 /// Throws InputError unless it is an http or https address.
 void require_home_page(const std::string& home_page);
-/// A JSON array, by person, task and start.
+struct XapiStatement {
+    std::string id, text;  ///< the text is JSON in one line
+};
+/// By task and start.
+void each_xapi_statement(const PersonReport& report, const std::string& home_page,
+                         const std::function<void(XapiStatement&&)>& visit);
+/// A JSON array, by person, task and start; one line a statement.
 std::string xapi_statements(const std::vector<PersonReport>& people, const std::string& home_page);
 
 }  // namespace fulcrum::ui

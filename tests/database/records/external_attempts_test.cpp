@@ -92,8 +92,7 @@ TEST_F(External, IsStoredWithItsClassItsTraceAndNoVerdict) {
     ASSERT_EQ(progress.series.size(), 1U);
     EXPECT_EQ(progress.series[0].device_class, DeviceClass::external);
     const PersonData data =
-        Reports(*programme.store)
-            .person_data(programme.session("director"), programme.id("ann"), {{"A2"}, nullptr, true});
+        Reports(*programme.store).person_data(programme.session("director"), programme.id("ann"), {{"A2"}});
     ASSERT_EQ(data.progress.size(), 2U);
     EXPECT_EQ(data.progress[1].task_id, "external-peg-transfer");
     EXPECT_FALSE(data.progress[1].series.at(0).points.at(0).counting);
