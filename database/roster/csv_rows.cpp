@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "sim_core/numerics/input_error.h"
 
@@ -13,6 +14,11 @@ namespace fulcrum::database {
 namespace {
 
 constexpr std::uintmax_t largest = std::uintmax_t{16} << 20U;  // bytes
+
+constexpr std::string_view mark = "\xEF\xBB\xBF";
+bool has_mark(const std::string& text) {
+    return text.compare(0, mark.size(), mark) == 0;
+}
 
 std::string lower(std::string word) {
     for (char& c : word) {
@@ -32,24 +38,22 @@ std::string trimmed(const std::string& cell) {
 class Cells {
   public:
     Cells(const std::string& text, const std::string& file) : text_(text), file_(file) {
-        if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) at_ = 3;
+        if (has_mark(text_)) at_ = mark.size();
     }
     bool more() const { return at_ < text_.size(); }
     int line() const { return line_; }
     std::string next(bool& last) {
         std::string cell;
-        bool quoted = false;
-        if (more() && text_[at_] == '"') {
-            quoted = true;
-            cell = in_quotes();
-        }
+        const bool quoted = more() && text_[at_] == '"';
+        if (quoted) cell = in_quotes();
+        const std::size_t inside = cell.size();
         while (more() && text_[at_] != ',' && text_[at_] != '\n') cell += text_[at_++];
         last = !more() || text_[at_] == '\n';
         if (more()) {
             if (text_[at_] == '\n') ++line_;
             ++at_;
         }
-        if (last && !cell.empty() && cell.back() == '\r') cell.pop_back();
+        if (last && cell.size() > inside && cell.back() == '\r') cell.pop_back();
         return quoted ? cell : trimmed(cell);
     }
 
@@ -97,8 +101,8 @@ CsvRows CsvRows::load(const std::string& path) {
 }
 
 CsvRows CsvRows::parse(const std::string& text, const std::string& file) {
-    if (QString::fromUtf8(text.data(), static_cast<int>(text.size())).toUtf8().toStdString() != text &&
-        text.compare(0, 3, "\xEF\xBB\xBF") != 0)
+    const std::string_view content = std::string_view(text).substr(has_mark(text) ? mark.size() : 0);
+    if (QString::fromUtf8(content.data(), static_cast<int>(content.size())).toUtf8().toStdString() != content)
         throw InputError(file, "", QT_TRANSLATE_NOOP("errors", "is not UTF-8"),
                          QT_TRANSLATE_NOOP("errors", "save it as UTF-8"));
     CsvRows table;
