@@ -189,6 +189,15 @@ std::string insert_person(const Store& store, const std::string& login, const st
     return id;
 }
 
+std::map<std::string, std::string> merged_people(Connection& connection) {
+    Query rows(
+        connection,
+        QString("SELECT person_id, owner_id FROM %1 same WHERE person_id <> owner_id").arg(person_owners));
+    std::map<std::string, std::string> owners;
+    while (rows.next()) owners[rows.text(0)] = rows.text(1);
+    return owners;
+}
+
 bool is_last_administrator(Connection& connection, const std::string& person_id) {
     Query rows(connection,
                "SELECT SUM(p.id = ?), SUM(p.id <> ?) FROM person p JOIN person_role r ON r.person_id = p.id "

@@ -2,6 +2,7 @@
 // Checks and rows that sign-in, accounts and cohorts share. Internal to this floor.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ std::string insert_person(const Store& store, const std::string& login, const st
 void make_room_for(const Store& store, const Session& actor, const std::string& login);
 void write_verifier(const Store& store, const std::string& person_id, const std::string& verifier,
                     bool one_time);
+/// Those who were merged into another person, with that person.
+std::map<std::string, std::string> merged_people(Connection& connection);
 /// True if no other active person is administrator.
 bool is_last_administrator(Connection& connection, const std::string& person_id);
 /// Throws not_found.

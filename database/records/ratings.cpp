@@ -5,6 +5,7 @@
 #include <set>
 
 #include "database/records/attempt_query.h"
+#include "database/records/people_rows.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
@@ -492,13 +493,18 @@ std::vector<FormAgreement> Ratings::agreement(const Session& rater) const {
     bind_visible_people(rows, rater, Operation::rate);
     std::map<std::string, std::vector<RaterScore>> scores;
     std::map<std::string, FormAgreement> forms;
+    // Two accounts of one rater agree with nobody: of two forms on one attempt the newest is taken, as in
+    // rules.
+    const std::map<std::string, std::string> merged = merged_people(store_.connection());
     for (const RatingRow& row : read_ratings(store_.connection(), rows)) {
         FormAgreement& form = forms[row.form.name()];
         form.form = row.form.name();
         form.title = row.form.title;
         ++form.forms;
         if (const std::optional<double> share = form_share(row.form, row.answers))
-            scores[form.form].push_back({row.attempt_id, row.rater_id, *share});
+            scores[form.form].push_back(
+                {row.attempt_id, merged.count(row.rater_id) != 0 ? merged.at(row.rater_id) : row.rater_id,
+                 *share});
     }
     std::vector<FormAgreement> result;
     for (auto& [name, form] : forms) {

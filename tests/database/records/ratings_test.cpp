@@ -8,6 +8,7 @@
 #include <set>
 
 #include "assessment/assets/assets.h"
+#include "database/records/person_merge.h"
 #include "database/rows/connection.h"
 #include "tests/database/programme_fixture.h"
 
@@ -256,6 +257,27 @@ TEST_F(RatingsOfAnAttempt, AgreementIsOverTheAttemptsThatTheSameRatersRated) {
     EXPECT_EQ(found[1].attempts, 0);
     programme.attempts().void_attempt(programme.session("educator"), attempts[2], "the wrong scene");
     EXPECT_EQ(ratings().agreement(programme.session("educator"))[0].attempts, 2);
+}
+
+TEST_F(RatingsOfAnAttempt, TwoAccountsOfOneRaterAreNotTwoRatersWhoAgree) {
+    const std::vector<std::string> attempts = {attempt, programme.record("ben"), programme.record("ben")};
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+        rate("educator", attempts[i], static_cast<int>(i) + 1);
+        rate("other_educator", attempts[i], static_cast<int>(i) + 1);
+    }
+    ASSERT_EQ(ratings().agreement(programme.session("educator"))[0].raters, 2);
+    PersonMerge(*programme.store)
+        .merge(programme.session("administrator"), programme.id("other_educator"), programme.id("educator"),
+               "entered twice");
+    FormAgreement alone = ratings().agreement(programme.session("educator"))[0];
+    EXPECT_EQ(alone.forms, 6);
+    EXPECT_EQ(alone.raters, 0);
+    EXPECT_FALSE(alone.icc) << "nobody else has rated";
+    // With a third person it is two raters, and of the two forms of the merged one the newer counts.
+    for (std::size_t i = 0; i < attempts.size(); ++i) rate("director", attempts[i], static_cast<int>(i) + 2);
+    alone = ratings().agreement(programme.session("educator"))[0];
+    EXPECT_EQ(alone.raters, 2);
+    EXPECT_EQ(alone.attempts, 3);
 }
 
 TEST_F(RatingsOfAnAttempt, WhateverIsEnteredIsReadBackAndOnlyWithinTheScale) {
