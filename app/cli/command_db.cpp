@@ -10,7 +10,9 @@
 #include "database/records/people.h"
 #include "database/scoring/rescoring.h"
 #include "database/store/audit.h"
+#include "database/store/signing_keys.h"
 #include "database/store/store_restore.h"
+#include "database/sync/station_erasure.h"
 
 namespace fulcrum::app {
 namespace {
@@ -74,7 +76,8 @@ void add_key(const database::Store& store, const std::string& key, database::Che
     item.name = QT_TRANSLATE_NOOP("errors", "known key");
     item.count = 1;
     const std::string found = database::Audit(store).signing_key();
-    if (found.compare(0, key.size(), key) != 0)
+    // Keys that this one announced are as good: the item `signatures` has looked at who signed what.
+    if (!database::leads_to_newest(database::signing_keys(store.connection(), store.station_id()), key))
         item.problems.push_back(
             found.empty()
                 ? Sentence(QT_TRANSLATE_NOOP(
@@ -84,8 +87,9 @@ void add_key(const database::Store& store, const std::string& key, database::Che
                            key)
                 : Sentence(
                       QT_TRANSLATE_NOOP("errors",
-                                        "the newest audit row is signed by the key %1, not by %2: the log "
-                                        "was written by somebody else, or the station has a new key"),
+                                        "the newest audit row is signed by the key %1, to which no announced "
+                                        "keys lead from %2: the log was written by somebody else, or the key "
+                                        "was lost"),
                       found, key));
     item.ok = item.problems.empty();
     report.ok = report.ok && item.ok;
@@ -106,10 +110,12 @@ int check(const Arguments& arguments) {
         items.push_back({{"name", item.name},
                          {"ok", item.ok},
                          {"count", item.count},
-                         {"problems", english_of(item.problems)}});
+                         {"problems", english_of(item.problems)},
+                         {"notes", english_of(item.notes)}});
         if (!arguments.has("--json")) {
             std::cout << item.name << ": " << (item.ok ? "ok" : "BROKEN") << " (" << item.count << ")\n";
             for (const Sentence& problem : item.problems) std::cout << "  " << problem.words() << '\n';
+            for (const Sentence& note : item.notes) std::cout << "  note: " << note.words() << '\n';
         }
     }
     const int schema = store.found_schema(), current = database::Store::schema_version();
@@ -148,15 +154,20 @@ int restore(const Arguments& arguments) {
                 "errors", "sign in with --as LOGIN, and --password-file FILE where there is no terminal"));
     const database::Replaced done = database::restore_store(
         from, path, [&](const database::Store& copy) { return session_of(arguments, copy); });
+    const int erased = database::erase_listed(database::Store::open(path));
     if (arguments.has("--json")) {
         print_json({{"store", path},
                     {"restored", from},
                     {"schema", done.from_schema},
                     {"head", done.head},
+                    {"erased", erased},
                     {"kept", or_null(done.kept)},
                     {"kept_head", or_null(done.before)}});
     } else {
         std::cout << "restored " << path << " from " << from << " (checked before and after)\n";
+        if (erased > 0)
+            std::cout << "people whom this station had erased since, and who were erased again: " << erased
+                      << '\n';
         if (!done.kept.empty()) std::cout << "what was there before is kept in " << done.kept << '\n';
     }
     return 0;
@@ -340,14 +351,14 @@ std::vector<Command> store_commands() {
     return {
         {"db create", "", 0, 0, "Creates an empty store.", {store_option(), json_option()}, create},
         {"db check", "", 0, 0, "Checks that the store is complete and unchanged.",
-         joined(
-             {{"--against", "HEAD",
-               "Also check that the audit log contains this head, which a report or `db audit` printed "
-               "earlier: 16 to 64 hexadecimal digits."},
-              {"--key", "FINGERPRINT",
-               "Also check that the newest audit row is signed by this key: 16 to 32 hexadecimal digits, as "
-               "reports and `db audit` print them."}},
-             session_options()),
+         joined({{"--against", "HEAD",
+                  "Also check that the audit log contains this head, which a report or `db audit` printed "
+                  "earlier: 16 to 64 hexadecimal digits."},
+                 {"--key", "FINGERPRINT",
+                  "Also check that the newest audit row is signed by this key, or by one to which announced "
+                  "keys "
+                  "lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them."}},
+                session_options()),
          check},
         {"db backup", "TO", 1, 1, "Copies the store to a new file.", session_options(), backup},
         {"db restore", "FROM", 1, 1,

@@ -123,13 +123,15 @@ int check_server(const Arguments& arguments) {
                     {"signatures", check.signatures},
                     {"records", check.records},
                     {"audit_head", check.audit_head},
-                    {"problems", english_of(check.problems)}});
+                    {"problems", english_of(check.problems)},
+                    {"notes", english_of(check.notes)}});
     } else {
         std::cout << "audit logs of " << check.stations
                   << " stations: " << (check.problems.empty() ? "intact" : "BROKEN") << ", "
                   << check.audit_rows << " rows, " << check.signatures << " signatures\n"
                   << "audit head, as reports from this server print it: " << check.audit_head << '\n';
         for (const Sentence& problem : check.problems) std::cout << "  " << problem.words() << '\n';
+        for (const Sentence& note : check.notes) std::cout << "  note: " << note.words() << '\n';
     }
     return check.problems.empty() ? 0 : 1;
 }

@@ -9,15 +9,16 @@
 namespace fulcrum::app {
 
 std::vector<Command> headless_commands() {
-    std::vector<Command> commands = {perform_command(), replay_command(), metrics_command(),
-                                     import_command(),  check_command(),  benchmark_command(),
-                                     tissues_command(), forms_command(),  research_command()};
+    std::vector<Command> commands = {
+        perform_command(),   replay_command(),  metrics_command(), import_command(),   check_command(),
+        benchmark_command(), tissues_command(), forms_command(),   research_command(), erase_command()};
     for (const Command& command : asset_commands()) commands.push_back(command);
     for (const Command& command : curricula_commands()) commands.push_back(command);
     for (const Command& command : roster_commands()) commands.push_back(command);
     for (const Command& command : merge_commands()) commands.push_back(command);
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
+    for (const Command& command : key_commands()) commands.push_back(command);
     for (const Command& command : server_commands()) commands.push_back(command);
     for (const Command& command : igtl_commands()) commands.push_back(command);
     for (const Command& command : laboratory_commands()) commands.push_back(command);

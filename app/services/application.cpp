@@ -26,6 +26,7 @@
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
 #include "database/store/accepted_assets.h"
+#include "database/sync/station_erasure.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 #include "ui/shell/main_window.h"
@@ -58,6 +59,7 @@ class Services : public ui::ApplicationServices {
         store_.reset();
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
         database::Curricula(*opened).check(curriculum_);
+        if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }

@@ -63,6 +63,8 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::set_goal,                "set_goal",                   own,       none,      none,      none,      none,      false},
     {Operation::read_goals,              "read_goals",                 own,       cohort,    none,      none,      none,      false},
     {Operation::import_attempt,          "import_attempt",             none,      cohort,    none,      none,      synthetic, true},
+    {Operation::rotate_key,              "rotate_key",                 none,      none,      none,      programme, none,      false},
+    {Operation::erase_person,            "erase_person",               none,      none,      programme, none,      none,      true},
 }};
 // clang-format on
 

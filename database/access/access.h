@@ -67,8 +67,10 @@ enum class Operation : std::uint8_t {
     set_goal,         ///< set, change or drop a personal goal
     read_goals,
     import_attempt,  ///< store a trace that was recorded elsewhere; never one's own
+    rotate_key,      ///< the station signs with a new key from then on
+    erase_person,    ///< delete all that is stored of a person; never oneself
 };
-inline constexpr int operation_count = 39;
+inline constexpr int operation_count = 41;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

@@ -103,6 +103,20 @@ std::string to_hex(const Bytes& bytes) {
     return text;
 }
 
+Bytes from_hex(const std::string& text) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+    };
+    Bytes bytes;
+    if (text.size() % 2 != 0) return bytes;
+    for (std::size_t i = 0; i < text.size(); i += 2) {
+        const int high = digit(text[i]), low = digit(text[i + 1]);
+        if (high < 0 || low < 0) return {};
+        bytes.push_back(static_cast<std::uint8_t>(16 * high + low));
+    }
+    return bytes;
+}
+
 std::string text_digest(const std::string& text) {
     return to_hex(blake2b(text.data(), text.size(), 32));
 }

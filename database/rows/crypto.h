@@ -18,6 +18,8 @@ Bytes random_bytes(std::size_t count);
 Bytes blake2b(const void* data, std::size_t length, std::size_t size);
 Bytes blake2b(const Bytes& data, std::size_t size = 32);
 std::string to_hex(const Bytes& bytes);
+/// Of lower case digits; empty where it is not that.
+Bytes from_hex(const std::string& text);
 /// BLAKE2b-256 of a text, hex.
 std::string text_digest(const std::string& text);
 

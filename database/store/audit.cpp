@@ -9,9 +9,18 @@
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/store/signing_keys.h"
 #include "database/store/station_key.h"
 
 namespace fulcrum::database {
+
+Sentence audit_place(const Connection& connection, const std::string& station, std::int64_t sequence) {
+    // A server has the logs of many stations.
+    if (connection.is_server())
+        return {QT_TRANSLATE_NOOP("errors", "station %1, audit row %2"), station, sequence};
+    return {QT_TRANSLATE_NOOP("errors", "audit row %1"), sequence};
+}
+
 namespace {
 
 constexpr std::size_t hash_size = 32, salt_size = 32;
@@ -103,18 +112,40 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     entry.payload = QJsonDocument(members).toJson(QJsonDocument::Compact).toStdString();
 }
 
-/// A server has the logs of many stations.
-Sentence place_of(const Connection& connection, const std::string& station, std::int64_t sequence) {
-    if (connection.is_server())
-        return {QT_TRANSLATE_NOOP("errors", "station %1, audit row %2"), station, sequence};
-    return {QT_TRANSLATE_NOOP("errors", "audit row %1"), sequence};
+/// The newest row of this station's log; sequence 0 before the first.
+struct LastRow {
+    std::int64_t sequence = 0;
+    Bytes hash = Bytes(hash_size, 0);
+    std::string operation, object;
+};
+
+LastRow last_row(const Store& store) {
+    Query last(store.connection(),
+               "SELECT sequence, hash, operation, object_id FROM audit_entry WHERE station_id = ? ORDER BY "
+               "sequence DESC LIMIT 1");
+    last.bind(store.station_id());
+    if (!last.next()) return {};
+    return {last.integer(0), last.bytes(1), last.text(2), last.text(3)};
 }
 
-constexpr int with_signatures = 14;
+/// The key whose turn it is after this row: the one that a rotation announces, else the one that signed it.
+const StationKey& key_after(const Store& store, const LastRow& last) {
+    Bytes expected;
+    if (last.operation == key_rotation) {
+        expected = from_hex(last.object);
+    } else {
+        Query row(store.connection(),
+                  "SELECT public_half FROM audit_signature WHERE station_id = ? AND sequence = ?");
+        row.bind(store.station_id()).bind(last.sequence);
+        if (row.next()) expected = row.bytes(0);
+    }
+    return store.key(last.sequence + 1, expected);
+}
 
-void sign_row(const Store& store, std::int64_t sequence, const Bytes& hash) {
-    if (store.found_schema() < with_signatures) return;
-    const StationKey& key = store.key(sequence);
+void sign_row(const Store& store, const LastRow& last, const Bytes& hash) {
+    if (store.found_schema() < schema_with_signatures) return;
+    const StationKey& key = key_after(store, last);
+    const std::int64_t sequence = last.sequence + 1;
     Query(store.connection(), "INSERT OR IGNORE INTO station_key (station_id, public_half) VALUES (?, ?)")
         .bind(store.station_id())
         .bind(key.public_half())
@@ -130,26 +161,23 @@ void sign_row(const Store& store, std::int64_t sequence, const Bytes& hash) {
 
 }  // namespace
 
+const StationKey& Audit::next_key() const {
+    return key_after(store_, last_row(store_));
+}
+
 void Audit::append(const Session& actor, const std::string& object_id, const std::string& operation,
                    const std::string& deed_json, const std::vector<RecordName>& records) const {
     Connection& connection = store_.connection();
     Transaction transaction(connection);
     const std::string payload_json = stored_payload(connection, deed_json, actor.role(), records);
-    Query last(connection,
-               "SELECT sequence, hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
-    last.bind(store_.station_id());
-    std::int64_t sequence = 1;
-    Bytes previous(hash_size, 0);
-    if (last.next()) {
-        sequence = last.integer(0) + 1;
-        previous = last.bytes(1);
-    }
+    const LastRow last = last_row(store_);
+    const std::int64_t sequence = last.sequence + 1;
     const std::int64_t time = store_.now();
     const std::string actor_id = actor.is_station() ? store_.station_id() : actor.person_id();
     const Bytes salt = random_bytes(salt_size);
     const Bytes digest = payload_digest(salt, payload_json);
     const Bytes hash =
-        row_hash(previous, sequence, time, store_.station_id(), actor_id, object_id, operation, digest);
+        row_hash(last.hash, sequence, time, store_.station_id(), actor_id, object_id, operation, digest);
     Query(connection,
           "INSERT INTO audit_entry (station_id, sequence, time, actor_id, object_id, operation, digest, "
           "previous_hash, hash) "
@@ -161,10 +189,10 @@ void Audit::append(const Session& actor, const std::string& object_id, const std
         .bind(object_id)
         .bind(operation)
         .bind(digest)
-        .bind(previous)
+        .bind(last.hash)
         .bind(hash)
         .run();
-    sign_row(store_, sequence, hash);
+    sign_row(store_, last, hash);
     Query(connection, "INSERT INTO audit_payload (station_id, sequence, salt, payload) VALUES (?, ?, ?, ?)")
         .bind(store_.station_id())
         .bind(sequence)
@@ -220,51 +248,13 @@ std::string Audit::signing_key() const {
         const bool one = heads.size() == 1 && !heads.front().public_half.empty();
         return one ? key_fingerprint(heads.front().public_half) : std::string();
     }
-    if (store_.found_schema() < with_signatures) return {};
+    if (store_.found_schema() < schema_with_signatures) return {};
     Query last(store_.connection(),
                "SELECT s.public_half FROM audit_entry e LEFT JOIN audit_signature s ON s.station_id = "
                "e.station_id AND "
                "s.sequence = e.sequence WHERE e.station_id = ? ORDER BY e.sequence DESC LIMIT 1");
     last.bind(store_.station_id());
     return last.next() && !last.is_null(0) ? key_fingerprint(last.bytes(0)) : std::string();
-}
-
-std::vector<Sentence> Audit::verify_signatures(std::int64_t& count) const {
-    return verify_audit_signatures(store_.connection(), store_.station_id(), count);
-}
-
-std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own_station,
-                                              std::int64_t& count) {
-    const std::optional<StationKey> own =
-        own_station.empty() ? std::nullopt : StationKey::existing(own_station);
-    Query rows(
-        connection,
-        "SELECT e.station_id, e.sequence, e.hash, s.public_half, s.signature FROM audit_entry e LEFT JOIN "
-        "audit_signature s ON s.station_id = e.station_id AND s.sequence = e.sequence ORDER BY e.station_id, "
-        "e.sequence");
-    std::vector<Sentence> problems;
-    std::string station;
-    bool begun = false;  // the rows before the first signature are from before there were keys
-    while (rows.next()) {
-        if (rows.text(0) != station) begun = false;
-        station = rows.text(0);
-        const std::int64_t sequence = rows.integer(1);
-        const Sentence place = place_of(connection, station, sequence);
-        const bool is_ours = own && station == own_station && sequence >= own->first_row();
-        if (rows.is_null(3)) {
-            if (begun || is_ours) problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: not signed"), place});
-            continue;
-        }
-        begun = true;
-        ++count;
-        if (!row_signature_holds(rows.bytes(3), rows.bytes(2), rows.bytes(4)))
-            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its signature does not fit"), place});
-        else if (is_ours && rows.bytes(3) != own->public_half())
-            problems.push_back(
-                {QT_TRANSLATE_NOOP("errors", "%1: signed by the key %2, not by this station's, %3"), place,
-                 key_fingerprint(rows.bytes(3)), key_fingerprint(own->public_half())});
-    }
-    return problems;
 }
 
 std::string Audit::head() const {
@@ -372,7 +362,7 @@ std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows eras
             expected = 1;
         }
         const std::int64_t sequence = rows.integer(1);
-        const Sentence place = place_of(connection, station, sequence);
+        const Sentence place = audit_place(connection, station, sequence);
         if (sequence != expected)
             problems.push_back(
                 {QT_TRANSLATE_NOOP("errors", "audit rows %1 to %2 are missing"), expected, sequence - 1});
@@ -399,7 +389,7 @@ std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows eras
                 problems.push_back(
                     {QT_TRANSLATE_NOOP("errors",
                                        "%1: its payload is gone, and no erasure is in the audit log"),
-                     place_of(connection, at, sequence)});
+                     audit_place(connection, at, sequence)});
         }
     }
     Query loose(connection,

@@ -41,9 +41,8 @@ using AuditRows = std::map<std::string, std::set<std::int64_t>>;
 
 /// As Audit::verify(), of a store or a programme server; `erased`: payloads that are known to be erased.
 std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows erased = {});
-/// As Audit::verify_signatures(); `own`: the station whose key is on this machine.
-std::vector<Sentence> verify_audit_signatures(Connection& connection, const std::string& own,
-                                              std::int64_t& count);
+/// "audit row 12", on a server with its station.
+Sentence audit_place(const Connection& connection, const std::string& station, std::int64_t sequence);
 
 /// Of a programme server: the newest hash of the one station that has sent its log, else the BLAKE2b of one
 /// line "STATION HASH" for each, by id.
@@ -58,10 +57,6 @@ class Audit {
     std::vector<std::string> kinds(const Session& administrator) const;
     /// Fingerprint of the key that signed the newest row of this station; empty where it is not signed.
     std::string signing_key() const;
-    /// Problems found: from the first signed row of a station on, each row has to have a signature that fits,
-    /// and where this machine holds the station's key, the newest row has to be signed by it. `count`:
-    /// signatures looked at.
-    std::vector<Sentence> verify_signatures(std::int64_t& count) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
     /// Whether a row of any station has this hash; `hex`: at least its first 16 digits, as reports print
@@ -71,6 +66,8 @@ class Audit {
     /// erased by a deed that the chain holds.
     std::vector<Sentence> verify() const;
     std::int64_t count() const;
+    /// The key that will sign the next row. Within a transaction that writes. For the rooms of this floor.
+    const StationKey& next_key() const;
 
     /// Adds a row; inside the caller's transaction, after its changes. The role goes into the payload, and so
     /// do the digests of the records that the deed made, changed or deleted. For the rooms of this floor.

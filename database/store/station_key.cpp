@@ -37,16 +37,24 @@ Bytes message_of(const Bytes& row_hash) {
                           "put its copy back; without one move the file away, and a new key is made"));
 }
 
+std::string prepared_path_of(const std::string& station_id) {
+    return StationKey::path_of(station_id) + ".next";
+}
+
+void write(const std::string& path, std::int64_t first_row, const Bytes& seed,
+           OutputFile::Existing existing) {
+    write_output_file(
+        path, std::string(heading) + "\nfrom row " + std::to_string(first_row) + "\n" + to_hex(seed) + "\n",
+        existing, OutputFile::Access::owner_only);
+}
+
 void make(const std::string& path, std::int64_t next_row) {
     const QString folder = QFileInfo(QString::fromStdString(path)).path();
     if (!QDir().mkpath(folder))
         fail(path, QT_TRANSLATE_NOOP("errors", "cannot be written (its folder cannot be made)"));
     QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     try {
-        write_output_file(path,
-                          std::string(heading) + "\nfrom row " + std::to_string(next_row) + "\n" +
-                              to_hex(random_bytes(seed_size)) + "\n",
-                          OutputFile::Existing::keep, OutputFile::Access::owner_only);
+        write(path, next_row, random_bytes(seed_size), OutputFile::Existing::keep);
     } catch (const std::system_error& error) {
         // Another program of this station was first: its key is the key.
         if (error.code() != std::errc::file_exists)
@@ -71,7 +79,39 @@ std::string StationKey::path_of(const std::string& station_id) {
 }
 
 std::optional<StationKey> StationKey::existing(const std::string& station_id) {
-    const std::string path = path_of(station_id);
+    return read(path_of(station_id));
+}
+
+std::optional<StationKey> StationKey::prepared(const std::string& station_id) {
+    return read(prepared_path_of(station_id));
+}
+
+StationKey StationKey::prepare(const std::string& station_id, std::int64_t first_row, const Bytes& present) {
+    const std::string path = prepared_path_of(station_id);
+    std::optional<StationKey> left = prepared(station_id);
+    try {
+        if (left && left->public_half_ == present) {
+            // The last rotation could not put it in its place; written over, it would be lost.
+            rename_replacing(path, path_of(station_id));
+            left.reset();
+        }
+        StationKey key(left ? left->seed_ : random_bytes(seed_size), first_row);
+        write(path, first_row, key.seed_, OutputFile::Existing::replace);
+        return key;
+    } catch (const std::system_error& error) {
+        fail(path, {QT_TRANSLATE_NOOP("errors", "cannot be written (%1)"), error.code().message()});
+    }
+}
+
+void StationKey::adopt_prepared(const std::string& station_id) noexcept {
+    try {
+        rename_replacing(prepared_path_of(station_id), path_of(station_id));
+    } catch (const std::exception&) {
+        // Another program has done it, or of() will.
+    }
+}
+
+std::optional<StationKey> StationKey::read(const std::string& path) {
     QFile file(QFile::decodeName(QByteArray::fromStdString(path)));
     if (!file.exists()) return std::nullopt;
     if (!file.open(QIODevice::ReadOnly))
@@ -88,10 +128,21 @@ std::optional<StationKey> StationKey::existing(const std::string& station_id) {
     return StationKey({seed.begin(), seed.end()}, first_row);
 }
 
-StationKey StationKey::of(const std::string& station_id, std::int64_t next_row) {
-    if (std::optional<StationKey> key = existing(station_id)) return *std::move(key);
+StationKey StationKey::of(const std::string& station_id, std::int64_t next_row, const Bytes& expected) {
+    std::optional<StationKey> key = existing(station_id);
+    if (!expected.empty() && (!key || key->public_half_ != expected)) {
+        std::optional<StationKey> next = prepared(station_id);
+        if (next && next->public_half_ == expected) {
+            adopt_prepared(station_id);
+            return *std::move(next);
+        }
+        // Between the two readings another program may have put the new key in its place.
+        key = existing(station_id);
+    }
+    if (key) return *std::move(key);
     make(path_of(station_id), next_row);
-    if (std::optional<StationKey> key = existing(station_id)) return *std::move(key);
+    key = existing(station_id);
+    if (key) return *std::move(key);
     fail(path_of(station_id), QT_TRANSLATE_NOOP("errors", "was removed while it was being made"));
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The key of a station: whoever writes the audit log of a store signs each row with it. Its secret half is a
 // file of its own, away from the store, so that an edited store cannot be signed again by somebody who has
-// the store alone. Any thread.
+// the store alone. A new key (key_rotation.h) is a second file until the audit log says that it signs: then
+// it takes the place of the first. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +18,20 @@ class StationKey {
     /// Reads the key of this station, or makes one (file 0600, folder 0700) that signs from row `next_row` of
     /// its audit log on. Throws StoreError (failed) where the file can be neither read nor made, or is not a
     /// key.
-    static StationKey of(const std::string& station_id, std::int64_t next_row);
+    /// `expected`: the public half that the audit log asks for, empty where it has none yet. Where a prepared
+    /// key has it, a rotation was cut off after the log had it: the prepared key takes its place now.
+    static StationKey of(const std::string& station_id, std::int64_t next_row, const Bytes& expected = {});
     /// As above where the file exists; makes none.
     static std::optional<StationKey> existing(const std::string& station_id);
+    /// Makes the key that shall sign from row `first_row` on, or takes the one that a rotation which was cut
+    /// off has left. `present` (public half) stays the key until adopt_prepared(). Within the transaction of
+    /// the rotation. Throws StoreError (failed).
+    static StationKey prepare(const std::string& station_id, std::int64_t first_row, const Bytes& present);
+    /// The prepared key, where there is one.
+    static std::optional<StationKey> prepared(const std::string& station_id);
+    /// The prepared key takes the place of the key, whose secret half is gone then. Once the audit log has
+    /// it for good; where it fails, of() does it later.
+    static void adopt_prepared(const std::string& station_id) noexcept;
 
     /// Of the file: the folder FULCRUM_STATION_KEYS, else XDG configuration folder /fulcrum/keys.
     static std::string path_of(const std::string& station_id);
@@ -32,6 +44,7 @@ class StationKey {
 
   private:
     StationKey(Bytes seed, std::int64_t first_row);
+    static std::optional<StationKey> read(const std::string& path);
     Bytes seed_, public_half_;
     std::int64_t first_row_ = 1;
 };

@@ -263,9 +263,13 @@ bool Store::is_read_only() const noexcept {
 bool Store::is_server() const noexcept {
     return state_->connection->is_server();
 }
-const StationKey& Store::key(std::int64_t next_row) const {
-    if (!state_->key) state_->key = StationKey::of(state_->station_id, next_row);
+const StationKey& Store::key(std::int64_t next_row, const Bytes& expected) const {
+    if (!state_->key || (!expected.empty() && state_->key->public_half() != expected))
+        state_->key = StationKey::of(state_->station_id, next_row, expected);
     return *state_->key;
+}
+void Store::use_key(const StationKey& key) const {
+    state_->key = key;
 }
 
 int Store::found_schema() const noexcept {

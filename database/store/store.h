@@ -49,6 +49,7 @@ struct CheckItem {
     bool ok = true;
     std::int64_t count = 0;          ///< things looked at
     std::vector<Sentence> problems;  ///< empty if ok; at most 20, then a line that says how many more
+    std::vector<Sentence> notes;     ///< to be known, without being wrong
 };
 struct CheckReport {
     bool ok = true;
@@ -134,8 +135,10 @@ class Store {
 
     Connection& connection() const noexcept;  ///< for the rooms of this floor
     /// Signs what this station writes; read, or made to sign from that row of its audit log on, when it is
-    /// first asked for. For the rooms of this floor. Throws StoreError (failed).
-    const StationKey& key(std::int64_t next_row) const;
+    /// first asked for, and again where the log `expects` another one (its public half; empty: none yet). For
+    /// the rooms of this floor. Throws StoreError (failed).
+    const StationKey& key(std::int64_t next_row, const std::vector<std::uint8_t>& expected) const;
+    void use_key(const StationKey& key) const;
 
   private:
     struct State;

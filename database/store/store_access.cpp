@@ -30,6 +30,8 @@ bool writes(Operation operation) {
         case Operation::rate:
         case Operation::release_ratings:
         case Operation::import_attempt:
+        case Operation::rotate_key:
+        case Operation::erase_person:
             return true;
         default:
             return false;

@@ -181,7 +181,8 @@ void delete_rows(Connection& connection, const std::string& person_id) {
         .run();
 }
 
-/// The person, and those that were merged into it: one person's data under several ids.
+}  // namespace
+
 std::vector<std::string> with_merged(Connection& connection, const std::string& person_id) {
     std::vector<std::string> ids = {person_id};
     Query rows(connection, "SELECT id FROM person WHERE merged_into = ? ORDER BY id");
@@ -189,8 +190,6 @@ std::vector<std::string> with_merged(Connection& connection, const std::string& 
     while (rows.next()) ids.push_back(rows.text(0));
     return ids;
 }
-
-}  // namespace
 
 std::vector<ErasedRows> rows_to_erase(Connection& connection, const std::string& person_id) {
     {
@@ -248,9 +247,9 @@ void erase_on_server(Connection& server, const std::string& person_id, std::int6
     transaction.commit();
 }
 
-namespace {
-
-bool erase_one_at_station(const Store& store, const std::string& person_id) {
+bool erase_at_station(const Store& store, const std::string& person_id, const Session& actor,
+                      const std::string& reason) {
+    Transaction transaction(store.connection());
     Connection& connection = store.connection();
     {
         Query person(connection, "SELECT login FROM person WHERE id = ?");
@@ -263,9 +262,8 @@ bool erase_one_at_station(const Store& store, const std::string& person_id) {
         if (running.next())
             throw StoreError(
                 StoreErrorKind::locked,
-                QT_TRANSLATE_NOOP("errors",
-                                  "a person who was erased on the server is performing at this station"),
-                QT_TRANSLATE_NOOP("errors", "sync again when the attempt has ended"));
+                QT_TRANSLATE_NOOP("errors", "a person who is to be erased is performing at this station"),
+                QT_TRANSLATE_NOOP("errors", "try again when the attempt has ended"));
     }
     // What the erased payloads say of records that stay is said again.
     std::set<std::string> names = {RecordName{RecordKind::person, person_id}.text()};
@@ -288,20 +286,24 @@ bool erase_one_at_station(const Store& store, const std::string& person_id) {
     std::vector<RecordName> records;
     for (const std::string& name : names)
         if (const auto record = RecordName::of_text(name)) records.push_back(*record);
-    Audit(store).erase_payloads(store.station_session(), sequences, "erased on the programme server",
-                                records);
+    Audit(store).erase_payloads(actor, sequences, reason, records);
+    transaction.commit();
     return true;
 }
 
-}  // namespace
-
-bool erase_at_station(const Store& store, const std::string& person_id) {
-    Transaction transaction(store.connection());
-    bool erased = false;
-    for (const std::string& id : with_merged(store.connection(), person_id))
-        erased = erase_one_at_station(store, id) || erased;
-    transaction.commit();
-    return erased;
+std::vector<Sentence> merged_into_erased(Connection& connection) {
+    Query rows(connection,
+               "SELECT p.id, p.login FROM person p JOIN person t ON t.id = p.merged_into WHERE t.login = "
+               "'erased-' || t.id AND p.login <> 'erased-' || p.id ORDER BY p.login");
+    std::vector<Sentence> found;
+    while (rows.next())
+        found.push_back(
+            {QT_TRANSLATE_NOOP("errors",
+                               "\"%1\" was merged into a person who was erased on the server, which "
+                               "did not know of the merge: erase %2 there too (`fulcrum server "
+                               "erase`), or undo the merge"),
+             rows.text(1), rows.text(0)});
+    return found;
 }
 
 }  // namespace fulcrum::database

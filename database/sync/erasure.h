@@ -18,8 +18,15 @@ namespace fulcrum::database {
 std::vector<ErasedRows> rows_to_erase(Connection& connection, const std::string& person_id);
 /// At the server: enters the person into the list of erasures and deletes.
 void erase_on_server(Connection& server, const std::string& person_id, std::int64_t time);
-/// At a station, audited. False if there is nothing to erase. Throws StoreError locked while the person
-/// performs.
-bool erase_at_station(const Store& store, const std::string& person_id);
+/// At a station, audited: this person alone, as the server's list names each. False if there is nothing to
+/// erase. Throws StoreError locked while the person performs.
+bool erase_at_station(const Store& store, const std::string& person_id, const Session& actor,
+                      const std::string& reason);
+/// The person, and those that were merged into it: one person's data under several ids.
+std::vector<std::string> with_merged(Connection& connection, const std::string& person_id);
+/// Who was merged into a person at a station while the server, which did not know of it, erased that person:
+/// their data is there until the owner of the server erases them too. Only the server's list deletes, so that
+/// no merge at a station, right or wrong, ends in a deletion.
+std::vector<Sentence> merged_into_erased(Connection& connection);
 
 }  // namespace fulcrum::database

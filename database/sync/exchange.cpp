@@ -103,7 +103,9 @@ void Exchange::look_at_clock() {
 void Exchange::apply_erasures() {
     Query rows(server_, "SELECT person_id FROM erasure ORDER BY person_id");
     while (rows.next())
-        if (erase_at_station(store_, rows.text(0))) ++result.erased;
+        if (erase_at_station(store_, rows.text(0), store_.station_session(),
+                             "erased on the programme server"))
+            ++result.erased;
 }
 
 const std::set<std::string>& Exchange::known(const std::string& table, Way way) {
@@ -287,6 +289,7 @@ void Exchange::push_audit() {
 }
 
 void Exchange::finish() {
+    for (Sentence& one : merged_into_erased(station_)) result.conflicts.push_back(std::move(one));
     for (const auto& [what, number] : waiting_)
         result.conflicts.push_back(
             {what.second == Way::up

@@ -13,6 +13,7 @@
 #include "database/store/audit.h"
 #include "database/store/record_digests.h"
 #include "database/store/server_roles.h"
+#include "database/store/signing_keys.h"
 #include "database/sync/erasure.h"
 #include "database/sync/server_schema.h"
 
@@ -97,9 +98,12 @@ ServerCheck check_programme_server(const ServerAddress& address) {
     Query rows(server, "SELECT station_id, sequence FROM erased_payload");
     while (rows.next()) erased[rows.text(0)].insert(rows.integer(1));
     check.problems = verify_audit_chains(server, erased);
-    for (Sentence& problem : verify_audit_signatures(server, {}, check.signatures))
-        check.problems.push_back(std::move(problem));
+    SignatureCheck signatures = verify_audit_signatures(server, {});
+    check.signatures = signatures.count;
+    for (Sentence& problem : signatures.problems) check.problems.push_back(std::move(problem));
+    check.notes = std::move(signatures.notes);
     check_server_records(server, check);
+    for (Sentence& problem : merged_into_erased(server)) check.problems.push_back(std::move(problem));
     return check;
 }
 

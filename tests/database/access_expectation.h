@@ -56,6 +56,8 @@ inline const Expected expected_table[] = {
     {Operation::set_goal, "o----"},
     {Operation::read_goals, "oc---"},
     {Operation::import_attempt, "-c--s"},
+    {Operation::rotate_key, "---p-"},
+    {Operation::erase_person, "--p--"},
 };
 
 inline Scope scope_of_letter(char letter) {
@@ -91,7 +93,8 @@ inline bool covers(Scope scope, const Relation& relation) {
 inline bool expected_never_own(Operation operation) {
     return operation == Operation::void_attempt || operation == Operation::reassign_attempt ||
            operation == Operation::decide_standing || operation == Operation::rate ||
-           operation == Operation::release_ratings || operation == Operation::import_attempt;
+           operation == Operation::release_ratings || operation == Operation::import_attempt ||
+           operation == Operation::erase_person;
 }
 
 /// The whole rule: the scope covers the relation, and nobody voids, reassigns or rates their own attempt.

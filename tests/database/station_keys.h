@@ -3,6 +3,8 @@
 // programs that it starts.
 #pragma once
 
+#include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
 
 namespace fulcrum::database::test {
@@ -15,6 +17,24 @@ class OwnStationKeys {
     }
 
   private:
+    QTemporaryDir folder_;
+};
+
+/// A test that changes keys: it has copies of them, so that the others keep theirs.
+class KeysOfOneTest {
+  public:
+    KeysOfOneTest() {
+        const QDir usual(QString::fromLocal8Bit(before_));
+        for (const QString& name : usual.entryList({QStringLiteral("*.key")}, QDir::Files))
+            QFile::copy(usual.filePath(name), folder_.filePath(name));
+        qputenv("FULCRUM_STATION_KEYS", folder_.path().toLocal8Bit());
+    }
+    ~KeysOfOneTest() { qputenv("FULCRUM_STATION_KEYS", before_); }
+    KeysOfOneTest(const KeysOfOneTest&) = delete;
+    KeysOfOneTest& operator=(const KeysOfOneTest&) = delete;
+
+  private:
+    const QByteArray before_ = qgetenv("FULCRUM_STATION_KEYS");
     QTemporaryDir folder_;
 };
 

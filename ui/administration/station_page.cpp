@@ -3,11 +3,17 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "database/store/signing_keys.h"
 #include "ui/page/background_job.h"
+#include "ui/page/error_text.h"
 #include "ui/style/language.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/renderer/drawing_pace.h"
@@ -29,6 +35,7 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     layout->addWidget(bar_);
     layout->addWidget(build_backup());
     layout->addWidget(build_check());
+    layout->addWidget(build_key());
     layout->addWidget(build_picture());
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
@@ -68,6 +75,70 @@ QFrame* StationPage::build_check() {
     items_->hide();
     card_layout(card)->addWidget(items_);
     return card;
+}
+
+QFrame* StationPage::build_key() {
+    key_card_ = make_card(8);
+    card_layout(key_card_)->addWidget(make_label(tr("Key"), "heading"));
+    card_layout(key_card_)->addWidget(make_label(
+        tr("The station signs its audit log with a key, and reports print its name. Change the key when its "
+           "file may have been copied, or when somebody who could read it leaves. The old key announces "
+           "the new one; what it signed stays valid."),
+        "muted"));
+    keys_ = make_table({tr("Key"), tr("From"), tr("Until"), tr("How it began")}, "station_keys");
+    card_layout(key_card_)->addWidget(keys_);
+    key_reason_ = new QLineEdit;
+    key_reason_->setObjectName(QStringLiteral("key_reason"));
+    key_reason_->setPlaceholderText(tr("Why the key is changed"));
+    key_reason_->setAccessibleName(tr("Why the key is changed"));
+    change_key_ = make_button(tr("Change the key"), "change_key");
+    connect(key_reason_, &QLineEdit::textChanged, this,
+            [this] { change_key_->setEnabled(!key_reason_->text().trimmed().isEmpty()); });
+    connect(change_key_, &QPushButton::clicked, this, &StationPage::change_key);
+    card_layout(key_card_)->addWidget(key_reason_);
+    card_layout(key_card_)->addWidget(change_key_, 0, Qt::AlignLeft);
+    return key_card_;
+}
+
+void StationPage::show_keys() {
+    key_card_->setVisible(context().allowed(database::Operation::rotate_key));
+    key_reason_->clear();
+    change_key_->setEnabled(false);
+    keys_->setRowCount(0);
+    if (!key_card_->isVisibleTo(this)) return;
+    const database::Store& store = context().store();
+    const std::vector<database::SigningKey> keys =
+        database::signing_keys(store.connection(), store.station_id());
+    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {  // the newest first
+        const bool in_use = key == keys.rbegin(), first = key + 1 == keys.rend();
+        const int row = keys_->rowCount();
+        keys_->insertRow(row);
+        keys_->setItem(row, 0, make_cell(text(key->fingerprint.substr(0, 16))));
+        keys_->item(row, 0)->setToolTip(text(key->fingerprint));
+        keys_->setItem(row, 1, make_cell(date_text(key->from)));
+        keys_->setItem(row, 2, make_cell(in_use ? tr("in use") : date_text(key->until)));
+        keys_->setItem(row, 3,
+                       make_cell(first            ? tr("the first")
+                                 : key->announced ? tr("✓ announced by the key before it")
+                                                  : tr("✕ not announced by the key before it")));
+    }
+    fit_columns(keys_);
+    constexpr int most_rows = 6;
+    int height = keys_->horizontalHeader()->sizeHint().height() + 2 * keys_->frameWidth();
+    for (int row = 0; row < std::min(most_rows, keys_->rowCount()); ++row) height += keys_->rowHeight(row);
+    keys_->setFixedHeight(height);
+}
+
+void StationPage::change_key() {
+    try {
+        const database::SigningKey key = database::rotate_station_key(context().store(), context().session(),
+                                                                      plain(key_reason_->text().trimmed()));
+        show_keys();
+        context().say(tr("The station signs with the key %1 from now on. Keep a copy of its file.")
+                          .arg(text(key.fingerprint.substr(0, 16))));
+    } catch (const std::exception& error) {
+        context().complain(error_text(error));
+    }
 }
 
 QFrame* StationPage::build_picture() {
@@ -119,6 +190,7 @@ void StationPage::show_picture() {
 
 void StationPage::enter() {
     show_picture();
+    show_keys();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     check_->setVisible(context().allowed(database::Operation::check_store));
@@ -179,6 +251,7 @@ void StationPage::show_report(const database::CheckReport& report) {
         items_->insertRow(row);
         QStringList problems;
         for (const Sentence& problem : item.problems) problems << sentence_text(problem);
+        for (const Sentence& note : item.notes) problems << sentence_text(note);
         items_->setItem(row, 0, make_cell(sentence_text(item.name.c_str())));
         items_->setItem(row, 1, make_cell(item.ok ? tr("✓ intact") : tr("✕ damaged")));
         items_->setItem(row, 2, make_cell(QString::number(item.count), Qt::AlignRight | Qt::AlignVCenter));

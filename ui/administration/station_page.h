@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop; and what its picture is drawn with.
+// stop; the key with which it signs; and what its picture is drawn with.
 #pragma once
 
 #include "database/store/store.h"
 #include "ui/page/context.h"
 
+class QFrame;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -30,7 +32,10 @@ class StationPage : public Page {
   private:
     QFrame* build_check();
     QFrame* build_backup();
+    QFrame* build_key();
     QFrame* build_picture();
+    void show_keys();
+    void change_key();
     void show_picture();
     void ask_backup();
     void show_report(const database::CheckReport& report);
@@ -38,8 +43,10 @@ class StationPage : public Page {
     void ended();
 
     QLabel *place_, *verdict_, *picture_;
-    QTableWidget* items_;
-    QPushButton *check_, *backup_;
+    QTableWidget *items_, *keys_;
+    QFrame* key_card_;
+    QLineEdit* key_reason_;
+    QPushButton *check_, *backup_, *change_key_;
     JobBar* bar_;
     BackgroundJob* job_ = nullptr;
 };

@@ -51,6 +51,8 @@ constexpr WordsOf operations[] = {
     {"set_goal", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "set this goal")},
     {"read_goals", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see this person's goals")},
     {"import_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "import a trace for this person")},
+    {"rotate_key", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change the station's key")},
+    {"erase_person", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "erase this person")},
     {"act_as", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "act in this role")},
     {"demo_session", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "use this demonstration account")},
     {"seal_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "close the demonstration programme")},

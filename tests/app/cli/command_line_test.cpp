@@ -14,6 +14,7 @@
 #include "database/rows/connection.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access_programme.h"
+#include "tests/database/station_keys.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -142,6 +143,28 @@ TEST_F(CommandLine, ChecksAndBacksUpTheStoreAsTheTableSays) {
         EXPECT_EQ(allowed({"db", "backup", path}, role, backup), expected) << backup;
         EXPECT_EQ(QFile::exists(QString::fromStdString(path)), expected) << backup;
     }
+}
+
+TEST_F(CommandLine, ErasesPeopleAsTheTableSays) {
+    for (const Role role : all_roles)
+        for (const Target* target : {&programme.ann, &programme.eve}) {
+            const std::string name = cell(Operation::erase_person, role, *target);
+            EXPECT_EQ(allowed({"people", "erase", target->login, "--dry-run"}, role, name),
+                      expected_allowed(Operation::erase_person, role, programme.relation(role, *target)))
+                << name;
+        }
+}
+
+TEST_F(CommandLine, ChangesTheStationsKeyAsTheTableSays) {
+    const database::test::KeysOfOneTest keys;
+    for (const Role role : all_roles) {
+        const std::string name = std::string("rotate_key as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "rotate-key", "--reason", "planned"}, role, name),
+                  expected_allowed(Operation::rotate_key, role, {}))
+            << name;
+    }
+    EXPECT_TRUE(allowed({"db", "keys"}, Role::station, "keys"));
+    EXPECT_TRUE(allowed({"db", "check"}, Role::station, "check"));
 }
 
 TEST_F(CommandLine, ShowsTheAuditLogAsTheTableSays) {

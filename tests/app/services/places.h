@@ -75,6 +75,10 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"check_store"};
         case Operation::backup:
             return {"back_up"};
+        case Operation::erase_person:
+            return {};
+        case Operation::rotate_key:
+            return {"change_key"};
         case Operation::manage_settings:
             return {"sign_in_picker"};
         case Operation::read_tissues:
@@ -113,6 +117,8 @@ inline const char* window_leaves_out(Operation operation, Role role) {
         return "scored in the background at the educator's sign-in; it is shown on the trainee's home page";
     if (role == Role::educator && operation == Operation::accept_assets)
         return "benchmark sets of the site are built on the command line, and accepted there";
+    if (role == Role::director && operation == Operation::erase_person)
+        return "nobody is erased by a wrong click: the command has a dry run and asks for a reason";
     return nullptr;
 }
 
@@ -140,6 +146,10 @@ inline std::vector<std::string> commands_of(Operation operation) {
             return {"db check"};
         case Operation::backup:
             return {"db backup"};
+        case Operation::erase_person:
+            return {"people erase"};
+        case Operation::rotate_key:
+            return {"db rotate-key"};
         case Operation::read_tissues:
             return {"tissues"};
         case Operation::set_tissues:

@@ -2,11 +2,13 @@
 // The administrators' pages (store, audit log), changing one's own password, and the window before sign-in.
 #include <QDateEdit>
 #include <QFile>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
 
 #include "database/rows/connection.h"
 #include "tests/app/services/window_access.h"
+#include "tests/database/station_keys.h"
 #include "ui/administration/station_page.h"
 
 namespace fulcrum::app::program_test {
@@ -34,6 +36,28 @@ TEST_F(WindowAccess, AdministratorsCheckAndBackUpInTheBackground) {
     station->back_up_to(programme.folder.filePath("copy.db/below.db"));
     ASSERT_TRUE(wait_for([&] { return !complaint().contains("already there"); }, 60000));
     EXPECT_TRUE(QFile::exists(path));
+}
+
+TEST_F(WindowAccess, AdministratorsChangeTheStationsKey) {
+    const database::test::KeysOfOneTest keys;
+    act_as(programme.asker(Role::administrator));
+    click(*window, "rail_station");
+    auto* table = find<QTableWidget>(*window, "station_keys");
+    auto* button = find<QPushButton>(*window, "change_key");
+    ASSERT_EQ(table->rowCount(), 1);
+    EXPECT_FALSE(button->isEnabled()) << "without a reason";
+    const QString before = table->item(0, 0)->text();
+    find<QLineEdit>(*window, "key_reason")->setText("A technician with access has left");
+    ASSERT_TRUE(button->isEnabled());
+    click(*window, "change_key");
+    ASSERT_EQ(table->rowCount(), 2);
+    EXPECT_NE(table->item(0, 0)->text(), before);
+    EXPECT_EQ(table->item(0, 2)->text(), "in use");
+    EXPECT_TRUE(table->item(0, 3)->text().contains("announced"));
+    EXPECT_EQ(table->item(1, 0)->text(), before);
+    EXPECT_TRUE(find<QLineEdit>(*window, "key_reason")->text().isEmpty());
+    EXPECT_TRUE(complaint().contains(table->item(0, 0)->text())) << "a message, not a complaint";
+    keep_picture(*window, "station-key");
 }
 
 TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {

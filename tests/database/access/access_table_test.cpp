@@ -11,7 +11,9 @@
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
 #include "database/store/accepted_assets.h"
+#include "database/store/signing_keys.h"
 #include "database/sync/programme_server.h"
+#include "database/sync/station_erasure.h"
 #include "database/sync/sync.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/postgresql_server.h"
@@ -223,6 +225,10 @@ class EveryCell : public ::testing::Test {
                     asked()->backup(session,
                                     programme.folder.filePath(QString::number(++backups)).toStdString());
                 };
+            case Operation::erase_person:
+                return [=] { erase_person(*asked(), session, target.person, "asked for it", true); };
+            case Operation::rotate_key:
+                return [=] { rotate_station_key(*asked(), session, "planned"); };
             case Operation::manage_settings:
                 return [=] { people.set_sign_in_picker(session, false); };
             case Operation::read_tissues:
@@ -271,7 +277,8 @@ class EveryCell : public ::testing::Test {
                operation == Operation::view_audit || operation == Operation::check_store ||
                operation == Operation::backup || operation == Operation::manage_settings ||
                operation == Operation::create_synthetic || operation == Operation::read_tissues ||
-               operation == Operation::set_tissues || operation == Operation::accept_assets;
+               operation == Operation::set_tissues || operation == Operation::accept_assets ||
+               operation == Operation::rotate_key;
     }
 
     /// The store whose answers are looked at.

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "database/store/audit.h"
+#include "database/store/signing_keys.h"
 #include "database/store/station_key.h"
 #include "tests/database/programme_fixture.h"
 
@@ -66,10 +67,11 @@ struct Made {
 TEST(Signatures, AreMadeForEachRowByTheKeyOfTheStation) {
     Made made;
     const Audit audit(*made.programme.store);
-    std::int64_t count = 0;
-    EXPECT_TRUE(audit.verify_signatures(count).empty());
-    EXPECT_EQ(count, audit.count());
-    EXPECT_GT(count, 5);
+    const SignatureCheck check = verify_audit_signatures(made.programme.store->connection(), made.station);
+    EXPECT_TRUE(check.problems.empty());
+    EXPECT_TRUE(check.notes.empty());
+    EXPECT_EQ(check.count, audit.count());
+    EXPECT_GT(check.count, 5);
     const auto key = StationKey::existing(made.station);
     ASSERT_TRUE(key);
     EXPECT_EQ(key->first_row(), 1);
@@ -155,9 +157,14 @@ TEST(Signatures, BeginWithTheRowThatIsWrittenNextWhereThereIsNoKey) {
     const auto key = StationKey::existing(made.station);
     ASSERT_TRUE(key);
     EXPECT_EQ(key->first_row(), before + 1);
-    std::int64_t count = 0;
-    EXPECT_EQ(first_of(english_of(Audit(store).verify_signatures(count))), "");
-    EXPECT_EQ(count, before + 1);
+    const SignatureCheck check = verify_audit_signatures(store.connection(), made.station);
+    EXPECT_EQ(first_of(english_of(check.problems)), "");
+    EXPECT_EQ(check.count, before + 1);
+    ASSERT_EQ(check.notes.size(), 1U) << "a lost key is named";
+    EXPECT_NE(
+        check.notes[0].words().find("audit row " + std::to_string(before + 1) + ": from here on the key"),
+        std::string::npos)
+        << check.notes[0].words();
 }
 
 TEST(Signatures, AreRefusedWhereTheKeyIsDamagedOrItsFolderCannotBeMade) {

@@ -219,5 +219,44 @@ TEST_F(SyncConflict, AMergeReachesTheOtherStationAndTakesWhatTheDoubledAccountDi
     }
 }
 
+TEST_F(SyncConflict, AMergeThatTheServerDidNotKnowWhenItErasedIsNamedUntilItIsResolved) {
+    const std::string of_eve = a.record("eve", true, 80);
+    a.record("ann");
+    sync(a);
+    sync(b);
+    PersonMerge(*a.store).merge(a.session("administrator"), a.id("eve"), a.id("ann"), "entered twice");
+    erase_at_programme_server(server, a.id("ann"), false);
+    const auto attempts = [](const Store& store) {
+        Query rows(store.connection(), "SELECT COUNT(*) FROM attempt");
+        return rows.next() ? rows.integer(0) : -1;
+    };
+    for (int round = 0; round < 2; ++round) {
+        const SyncResult at_a = sync(a), at_b = sync(b);
+        for (const SyncResult* one : {&at_a, &at_b}) {
+            ASSERT_EQ(one->conflicts.size(), 1U);
+            EXPECT_NE(one->conflicts[0].words().find("\"eve\" was merged into a person who was erased"),
+                      std::string::npos)
+                << one->conflicts[0].words();
+        }
+        for (const Store* store : {a.store.get(), b.store.get()}) {
+            EXPECT_EQ(name_of(*store, a.id("ann")), "Erased person");
+            EXPECT_EQ(attempts(*store), 1) << "hers alone, which nobody has asked to erase";
+            expect_sound(*store);
+        }
+    }
+    const ServerCheck check = check_programme_server(server);
+    ASSERT_EQ(check.problems.size(), 1U);
+    EXPECT_NE(check.problems[0].words().find(a.id("eve")), std::string::npos);
+    erase_at_programme_server(server, a.id("eve"), false);
+    EXPECT_TRUE(sync(a).conflicts.empty());
+    EXPECT_TRUE(sync(b).conflicts.empty());
+    for (const Store* store : {a.store.get(), b.store.get()}) {
+        EXPECT_EQ(attempts(*store), 0);
+        EXPECT_EQ(name_of(*store, a.id("eve")), "Erased person");
+        expect_sound(*store);
+    }
+    expect_sound(server);
+}
+
 }  // namespace
 }  // namespace fulcrum::database::test

@@ -211,7 +211,8 @@ TEST_F(RecordStoreTest, IsSentNothingOfAPersonWhoWasErased) {
     add(2);
     send();
     add(2, 2);
-    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ann")));
+    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ann"), programme.store->station_session(),
+                                 "asked for it"));
     EXPECT_EQ(outbox().counts().waiting + outbox().counts().done, 0);
     EXPECT_EQ(send().sent, 0);
     EXPECT_EQ(lrs.requests.size(), 2U);

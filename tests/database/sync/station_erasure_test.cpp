@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person of a programme without a server is erased, stays erased when an older backup is restored, and
+// nobody else loses anything.
+#include "database/sync/station_erasure.h"
+
+#include <fstream>
+
+#include "database/records/person_merge.h"
+#include "database/store/store_restore.h"
+#include "tests/database/cut_off_process.h"
+#include "tests/database/station_keys.h"
+#include "tests/database/sync/stations.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+class StationErasure : public ::testing::Test {
+  protected:
+    StationErasure() {
+        programme.record("ann");
+        programme.record("ben");
+    }
+    std::vector<ErasedRows> erase(const std::string& login, bool dry_run = false) const {
+        return erase_person(*programme.store, programme.session("director"), programme.id(login),
+                            "asked for it", dry_run);
+    }
+    std::string name_of(const std::string& login) const {
+        Query row(programme.store->connection(), "SELECT display_name FROM person WHERE id = ?");
+        row.bind(programme.id(login));
+        return row.next() ? row.text(0) : "";
+    }
+    int attempts() const {
+        Query rows(programme.store->connection(), "SELECT COUNT(*) FROM attempt");
+        return rows.next() ? static_cast<int>(rows.integer(0)) : -1;
+    }
+
+    Programme programme;
+    const KeysOfOneTest own_keys;  // the list of erased people is next to them
+};
+
+TEST_F(StationErasure, DeletesThePersonAndNobodyElse) {
+    const std::vector<ErasedRows> planned = erase("ann", true);
+    EXPECT_EQ(name_of("ann"), "Ann Trainee");
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(erasure_list_path(programme.store->station_id()))));
+    const std::vector<ErasedRows> done = erase("ann");
+    ASSERT_EQ(planned.size(), done.size());
+    for (std::size_t i = 0; i < done.size(); ++i) EXPECT_EQ(planned[i].rows, done[i].rows) << done[i].table;
+    EXPECT_EQ(name_of("ann"), "Erased person");
+    EXPECT_EQ(attempts(), 1);
+    EXPECT_EQ(name_of("ben"), "Ben Trainee");
+    EXPECT_THROW(programme.people().sign_in("ann", password), SignInRefused);
+    expect_sound(*programme.store);
+    std::ifstream list(erasure_list_path(programme.store->station_id()));
+    const std::string text{std::istreambuf_iterator<char>(list), {}};
+    EXPECT_NE(text.find(programme.id("ann")), std::string::npos);
+    EXPECT_EQ(text.find("Ann"), std::string::npos);
+    EXPECT_EQ(erase_listed(*programme.store), 0) << "she is gone already";
+}
+
+TEST_F(StationErasure, IsDoneAgainAfterAnOlderBackupWasRestored) {
+    const std::string backup = programme.folder.filePath("older.db").toStdString();
+    programme.store->backup(programme.session("administrator"), backup);
+    erase("ann");
+    programme.store.reset();
+    restore_store(
+        backup, programme.path, [&](const Store&) { return programme.session("administrator"); },
+        programme.clock.options());
+    programme.open();
+    EXPECT_EQ(name_of("ann"), "Ann Trainee") << "the backup has her";
+    EXPECT_EQ(erase_listed(*programme.store), 1);
+    EXPECT_EQ(name_of("ann"), "Erased person");
+    EXPECT_EQ(attempts(), 1);
+    expect_sound(*programme.store);
+}
+
+TEST_F(StationErasure, TakesTheMergedAccountsToo) {
+    programme.record("eve");
+    PersonMerge(*programme.store)
+        .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "entered twice");
+    erase("ann");
+    EXPECT_EQ(name_of("eve"), "Erased person");
+    EXPECT_EQ(attempts(), 1);
+    expect_sound(*programme.store);
+}
+
+TEST_F(StationErasure, IsTheDirectorsAndNeverOfOneself) {
+    const std::string ann = programme.id("ann");
+    for (const char* login : {"ann", "educator", "administrator", "station"})
+        EXPECT_THROW(erase_person(*programme.store, programme.session(login), ann, "asked", false),
+                     AccessDenied)
+            << login;
+    EXPECT_THROW(erase("director"), AccessDenied);
+    EXPECT_EQ(error_kind([&] { erase("administrator"); }), StoreErrorKind::conflict) << "the last one";
+    EXPECT_EQ(
+        error_kind([&] { erase_person(*programme.store, programme.session("director"), ann, " ", false); }),
+        StoreErrorKind::bad_value);
+    EXPECT_THROW(erase_person(*programme.store, programme.session("director"), "nobody", "asked", false),
+                 AccessDenied);
+    EXPECT_EQ(attempts(), 2);
+}
+
+TEST_F(StationErasure, CutOffAnywhereIsDoneOrNotAndTheNextStartFinishesIt) {
+    if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
+    programme.store->connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
+    const std::string list = erasure_list_path(programme.store->station_id());
+    programme.store.reset();
+    const std::string kept = programme.path + ".kept";
+    std::filesystem::copy_file(programme.path, kept);
+    const auto erasing = [&] {
+        const Store store = Store::open(programme.path, programme.clock.options());
+        erase_person(store, programme.session("director"), programme.id("ann"), "asked for it", false);
+    };
+    const auto put_back = [&] {
+        programme.store.reset();
+        for (const char* ending : {"-wal", "-shm"}) std::filesystem::remove(programme.path + ending);
+        std::filesystem::copy_file(kept, programme.path, std::filesystem::copy_options::overwrite_existing);
+        std::filesystem::remove(list);
+    };
+    const CutOff whole = cut_off(0, erasing);
+    ASSERT_EQ(whole.status, 0);
+    for (const int point : cut_off_points(whole.changes, 6)) {
+        put_back();
+        if (!cut_off(point, erasing).killed) continue;
+        programme.open();
+        erase_listed(*programme.store);
+        const bool listed = std::filesystem::exists(list);
+        EXPECT_EQ(name_of("ann"), listed ? "Erased person" : "Ann Trainee") << point;
+        EXPECT_EQ(attempts(), listed ? 1 : 2) << point;
+        expect_sound(*programme.store);
+    }
+}
+
+using SyncAndErase = Sync;
+
+TEST_F(SyncAndErase, AProgrammeWithAServerErasesThere) {
+    sync(a);
+    EXPECT_EQ(
+        error_kind([&] { erase_person(*a.store, a.session("director"), a.id("ann"), "asked for it", true); }),
+        StoreErrorKind::conflict);
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test
