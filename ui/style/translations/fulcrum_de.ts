@@ -4259,10 +4259,6 @@
         <translation>die neueste Protokollzeile ist nicht signiert (nötig wäre %1): Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
     </message>
     <message>
-        <source>the newest audit row is signed by the key %1, not by %2: the log was written by somebody else, or the station has a new key</source>
-        <translation>die neueste Protokollzeile ist mit dem Schlüssel %1 signiert, nicht mit %2: Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
-    </message>
-    <message>
         <source>the stored state was written by another version of the program, or for another scene</source>
         <translation>der gespeicherte Zustand stammt von einer anderen Version der Software oder gehört zu einer anderen Szene</translation>
     </message>
@@ -4497,14 +4493,6 @@
     <message>
         <source>give the id (UUID) that `fulcrum report --format json` and exports print</source>
         <translation>geben Sie die Kennung (UUID) an, die `fulcrum report --format json` und Exporte ausgeben</translation>
-    </message>
-    <message>
-        <source>a person who was erased on the server is performing at this station</source>
-        <translation>eine Person, die auf dem Server gelöscht wurde, führt an dieser Station gerade einen Versuch durch</translation>
-    </message>
-    <message>
-        <source>sync again when the attempt has ended</source>
-        <translation>gleichen Sie wieder ab, wenn der Versuch beendet ist</translation>
     </message>
     <message>
         <source>neither this store nor the server has a programme</source>
@@ -5593,6 +5581,90 @@
     <message>
         <source>name the exercise and the person who performed it</source>
         <translation>nennen Sie die Übung und die Person, die sie durchgeführt hat</translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, but the key %3 was announced</source>
+        <translation>%1: vom Schlüssel %2 unterschrieben, angekündigt war aber der Schlüssel %3</translation>
+    </message>
+    <message>
+        <source>%1: signed by the key %2, which ended with row %3</source>
+        <translation>%1: vom Schlüssel %2 unterschrieben, der mit Zeile %3 endete</translation>
+    </message>
+    <message>
+        <source>%1: from here on the key %2 signs, which the key before, %3, did not announce (its file was lost, or somebody else wrote this)</source>
+        <translation>%1: von hier an unterschreibt der Schlüssel %2, den der vorige, %3, nicht angekündigt hat (seine Datei ging verloren, oder jemand anderes hat dies geschrieben)</translation>
+    </message>
+    <message>
+        <source>%1: does not announce a new key</source>
+        <translation>%1: kündigt keinen neuen Schlüssel an</translation>
+    </message>
+    <message>
+        <source>a new key needs a reason</source>
+        <translation>ein neuer Schlüssel braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>say why: planned, or what may have been copied</source>
+        <translation>sagen Sie, warum: geplant, oder was kopiert worden sein kann</translation>
+    </message>
+    <message>
+        <source>a person who is to be erased is performing at this station</source>
+        <translation>eine Person, die gelöscht werden soll, übt gerade an diesem Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>try again when the attempt has ended</source>
+        <translation>versuchen Sie es noch einmal, wenn der Versuch beendet ist</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was merged into a person who was erased on the server, which did not know of the merge: erase %2 there too (`fulcrum server erase`), or undo the merge</source>
+        <translation>„%1“ wurde mit einer Person zusammengeführt, die auf dem Server gelöscht wurde, der davon nichts wusste: Löschen Sie dort auch %2 (`fulcrum server erase`), oder machen Sie die Zusammenführung rückgängig</translation>
+    </message>
+    <message>
+        <source>%1: the list of erased people: %2</source>
+        <translation>%1: die Liste der gelöschten Personen: %2</translation>
+    </message>
+    <message>
+        <source>put its copy back, or make its folder writable; nothing was erased</source>
+        <translation>legen Sie die Kopie zurück, oder machen Sie den Ordner beschreibbar; es wurde nichts gelöscht</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>nobody is erased in the demonstration</source>
+        <translation>in der Demonstration wird niemand gelöscht</translation>
+    </message>
+    <message>
+        <source>this programme has a server, which would bring the person back</source>
+        <translation>dieses Programm hat einen Server, der die Person zurückbringen würde</translation>
+    </message>
+    <message>
+        <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
+        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jeder Arbeitsplatz folgt bei seinem nächsten Abgleich</translation>
+    </message>
+    <message>
+        <source>the last administrator cannot be erased</source>
+        <translation>der letzte Administrator kann nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>give another person the role first</source>
+        <translation>geben Sie zuerst einer anderen Person die Rolle</translation>
+    </message>
+    <message>
+        <source>an erasure needs a reason</source>
+        <translation>eine Löschung braucht einen Grund</translation>
+    </message>
+    <message>
+        <source>say who asked for it; the reason itself stays, so name nobody in it</source>
+        <translation>sagen Sie, wer darum gebeten hat; der Grund selbst bleibt, nennen Sie darin also keine Namen</translation>
+    </message>
+    <message>
+        <source>the newest audit row is signed by the key %1, to which no announced keys lead from %2: the log was written by somebody else, or the key was lost</source>
+        <translation>die neueste Zeile des Protokolls ist vom Schlüssel %1 unterschrieben, zu dem von %2 keine angekündigten Schlüssel führen: Das Protokoll hat jemand anderes geschrieben, oder der Schlüssel ging verloren</translation>
+    </message>
+    <message>
+        <source>is not such a list</source>
+        <translation>ist keine solche Liste</translation>
     </message>
 </context>
 <context>
@@ -12293,6 +12365,54 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Backing up …</source>
         <translation>Sicherung läuft …</translation>
     </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>The station signs its audit log with a key, and reports print its name. Change the key when its file may have been copied, or when somebody who could read it leaves. The old key announces the new one; what it signed stays valid.</source>
+        <translation>Der Arbeitsplatz unterschreibt sein Protokoll mit einem Schlüssel, dessen Namen Berichte nennen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann oder wenn jemand geht, der sie lesen konnte. Der alte Schlüssel kündigt den neuen an; was er unterschrieben hat, bleibt gültig.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>How it began</source>
+        <translation>Wie er begann</translation>
+    </message>
+    <message>
+        <source>Why the key is changed</source>
+        <translation>Warum der Schlüssel gewechselt wird</translation>
+    </message>
+    <message>
+        <source>Change the key</source>
+        <translation>Schlüssel wechseln</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>der erste</translation>
+    </message>
+    <message>
+        <source>✓ announced by the key before it</source>
+        <translation>✓ vom vorigen Schlüssel angekündigt</translation>
+    </message>
+    <message>
+        <source>✕ not announced by the key before it</source>
+        <translation>✕ vom vorigen Schlüssel nicht angekündigt</translation>
+    </message>
+    <message>
+        <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
+        <translation>Der Arbeitsplatz unterschreibt von jetzt an mit dem Schlüssel %1. Bewahren Sie eine Kopie seiner Datei auf.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TaskHeader</name>
@@ -12977,6 +13097,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Scheduled reports: all</source>
         <translation>Geplante Berichte: alle</translation>
     </message>
+    <message>
+        <source>First row signed by the new key</source>
+        <translation>Erste Zeile mit dem neuen Schlüssel</translation>
+    </message>
+    <message>
+        <source>New key of the station announced</source>
+        <translation>Neuer Schlüssel des Arbeitsplatzes angekündigt</translation>
+    </message>
+    <message>
+        <source>Keys of the station: all</source>
+        <translation>Schlüssel des Arbeitsplatzes: alle</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::concerns</name>
@@ -13246,6 +13378,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>import a trace for this person</source>
         <translation>eine Aufzeichnung für diese Person importieren</translation>
+    </message>
+    <message>
+        <source>change the station&apos;s key</source>
+        <translation>den Schlüssel des Arbeitsplatzes wechseln</translation>
+    </message>
+    <message>
+        <source>erase this person</source>
+        <translation>diese Person löschen</translation>
     </message>
 </context>
 <context>
