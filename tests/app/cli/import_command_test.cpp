@@ -126,6 +126,8 @@ TEST_F(ImportCommand, EveryFormOfReportHoldsIt) {
         for (const auto& [option, value] : {std::pair<const char*, std::string>{"--person", "ann"},
                                             {"--attempt", id},
                                             {"--cohort", "Year 1"}}) {
+            const bool table = std::string(format) == "xlsx" || std::string(format) == "xapi";
+            if (table && std::string(option) == "--attempt") continue;  // one attempt has none
             const std::string file = path("report.") + format;
             std::vector<std::string> words = {"report", option, value, "--format", format, "-o", file};
             if (std::string(format) == "xapi")
