@@ -43,7 +43,7 @@ void SpoiltRig::write_force(Hand hand, const Vector3& force) {
 }
 
 Window::Window() : services(folder.path().toStdString()), window(services) {
-    window.resize(1280, 800);
+    window.resize(1024, 768);  // each picture is drawn by the processor
     window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
     window.activateWindow();

@@ -110,7 +110,7 @@ class Verdict {
         if (fails_whatever_follows(score)) return false;
         // Each look reads the record from its beginning: with a constant interval the looks would cost more
         // than the attempt. One look comes as soon as the limit on time can have been passed.
-        next_look_ = std::max(seconds + 3, 1.25 * seconds);
+        next_look_ = std::max(seconds + 3, 1.12 * seconds);
         if (const std::optional<double> left = time_left(score))
             next_look_ = std::min(next_look_, seconds + std::max(0.0, *left) + 0.01);
         return true;
