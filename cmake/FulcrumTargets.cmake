@@ -152,7 +152,7 @@ endfunction()
 # that a new commit compiles one small file.
 function(fulcrum_build_info_library)
     get_target_property(options fulcrum_flags INTERFACE_COMPILE_OPTIONS)
-    list(FILTER options EXCLUDE REGEX "^-W|^-fpch")
+    list(FILTER options EXCLUDE REGEX "^-W|^-fpch|^SHELL:--param")  # what changes no value
     string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
     list(JOIN options " " options)
     set(source ${CMAKE_BINARY_DIR}/build_info/build_info.cpp)
