@@ -103,7 +103,8 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     QJsonObject members = document.object();
     entry.role = members.take(QLatin1String(role_key)).toString().toStdString();
     members.remove(QLatin1String(records_key));
-    if (is_about_an_attempt(entry.operation)) {
+    // Why an attempt became practice the program itself has found; it is nobody's opinion.
+    if (is_about_an_attempt(entry.operation) && entry.operation != "attempt.practice") {
         for (const char* words : {"reason", "text", "state"}) {
             if (members.contains(QLatin1String(words)))
                 members.insert(QLatin1String(words), QStringLiteral("withheld"));

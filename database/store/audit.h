@@ -23,7 +23,8 @@ struct AuditEntry {
         person_name;  ///< whom the object is or belongs to; "" for cohorts, settings, the store
     std::string digest, previous_hash, hash;  ///< hex
     /// JSON, or "payload erased". What is said of an attempt (how it ended, why it was voided, what a trainee
-    /// asked for) reads "withheld": whoever views the audit log sees no reviews (docs/MANUAL.md).
+    /// asked for) reads "withheld": whoever views the audit log sees no reviews (docs/MANUAL.md). Why it
+    /// became practice is a stored statement (statement_of()), in rows of older programs an English text.
     std::string payload;
 };
 
