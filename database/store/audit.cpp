@@ -258,6 +258,18 @@ std::string Audit::signing_key() const {
     return last.next() && !last.is_null(0) ? key_fingerprint(last.bytes(0)) : std::string();
 }
 
+std::string Audit::signer_of(const std::string& attempt_id) const {
+    if (store_.is_server() || store_.found_schema() < schema_with_signatures) return {};
+    Query row(store_.connection(),
+              "SELECT s.public_half FROM audit_entry e LEFT JOIN audit_signature s ON s.station_id = "
+              "e.station_id AND s.sequence = e.sequence WHERE (e.object_id = ? AND e.operation IN "
+              "('attempt.finish', 'attempt.interrupted', 'attempt.import')) OR (e.operation = "
+              "'attempt.reassign' AND e.object_id = (SELECT from_id FROM attempt_reassignment WHERE to_id = "
+              "?)) ORDER BY e.time DESC, e.sequence DESC LIMIT 1");
+    row.bind(attempt_id).bind(attempt_id);
+    return row.next() && !row.is_null(0) ? key_fingerprint(row.bytes(0)) : std::string();
+}
+
 std::string Audit::head() const {
     if (store_.is_server()) return server_audit_head(store_.connection());
     Query last(store_.connection(),

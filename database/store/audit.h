@@ -58,6 +58,10 @@ class Audit {
     std::vector<std::string> kinds(const Session& administrator) const;
     /// Fingerprint of the key that signed the newest row of this station; empty where it is not signed.
     std::string signing_key() const;
+    /// Fingerprint of the key that signed the end of the attempt, or its import or copy; empty where this
+    /// store does not hold that row, it is not signed, or the store is a server, which shows signatures to
+    /// nobody.
+    std::string signer_of(const std::string& attempt_id) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
     /// Whether a row of any station has this hash; `hex`: at least its first 16 digits, as reports print

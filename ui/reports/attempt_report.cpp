@@ -8,6 +8,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
+#include "database/store/audit.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/rating_words.h"
@@ -261,6 +262,7 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
     paper.provenance.benchmark_sets = paper.report.benchmark_sets;
     paper.provenance.program_versions = paper.report.program_versions;
     paper.provenance.audit_head = paper.report.audit_head;
+    paper.provenance.attempt_key = database::Audit(store).signer_of(attempt_id);
     paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
     for (const TaskDefinition& task : tasks)
         if (task.id == paper.task.id) paper.task = {task.id, task.title, task.stage};
@@ -355,6 +357,7 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"pathology",
          paper.report.pathology ? Json::parse(pathology_json(*paper.report.pathology)) : Json(nullptr)},
         {"ratings", std::move(ratings)},
+        {"signed_by", words(paper.provenance.attempt_key.value_or(""))},
         {"provenance", provenance_json(paper.provenance)}};
     return document.dump(2) + "\n";
 }
