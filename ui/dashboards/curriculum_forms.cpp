@@ -142,7 +142,7 @@ void TaskNeedsForm::show_task(const Curriculum& draft, std::size_t index, const 
     setting_ = true;
     stage_->clear();
     for (const CurriculumStage& stage : draft.stages)
-        stage_->addItem(beside({text(stage.id), asset_text(stage.title)}), text(stage.id));
+        stage_->addItem(join_with_dots({text(stage.id), asset_text(stage.title)}), text(stage.id));
     stage_->setCurrentIndex(stage_->findData(text(task.stage)));
     variants_->setValue(task.variants);
     variants_->setToolTip(tr("Installed: %n variants", nullptr, most_variants));

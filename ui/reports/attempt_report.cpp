@@ -46,13 +46,14 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.new_page();
     if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(beside({text(paper.provenance.programme), ReportTexts::tr("report on one attempt")}));
+    sheet.paragraph(
+        join_with_dots({text(paper.provenance.programme), ReportTexts::tr("report on one attempt")}));
     sheet.font(17, true);
     sheet.paragraph(text(attempt.meta.task_id) + QStringLiteral("  ") + asset_text(paper.task.title));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(
-        beside({text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
-                device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
+    sheet.paragraph(join_with_dots(
+        {text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
+         device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
     const bool operated = attempt.meta.device_class == DeviceClass::synthetic;
     if (operated || attempt.synthetic || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
@@ -68,8 +69,9 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
             "proficiency or a certificate."));
     }
     sheet.font(11, true);
-    sheet.paragraph(beside({verdict(attempt.passed, attempt.provisional),
-                            attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
+    sheet.paragraph(
+        join_with_dots({verdict(attempt.passed, attempt.provisional),
+                        attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
     sheet.font(9);
     const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
     const QString reason = statement_text(attempt.not_scored_because);
@@ -170,8 +172,8 @@ void rating_table(Sheet& sheet, const Rated& raters) {
     for (const database::RatingRow* one : raters) {
         QString remark = text(one->remark).simplified();
         if (remark.size() > longest_remark) remark = remark.left(longest_remark) + QStringLiteral(" …");
-        const QString line =
-            beside({text(one->rater_name), local_time(one->handed_in), blinding_text(one->blinding), remark});
+        const QString line = join_with_dots(
+            {text(one->rater_name), local_time(one->handed_in), blinding_text(one->blinding), remark});
         sheet.paragraph(line);
     }
     sheet.skip(3);

@@ -242,9 +242,9 @@ QFrame* HomePage::task_card(const std::string& task_id, const TaskStanding* stan
     if (summary.attempts > 0)
         figures = tr("%1 of %2 attempts passed").arg(summary.passes).arg(summary.attempts);
     if (summary.best_points)
-        figures = beside({figures, tr("best %1").arg(points_text(*summary.best_points))});
+        figures = join_with_dots({figures, tr("best %1").arg(points_text(*summary.best_points))});
     if (summary.not_counting > 0)
-        figures = beside({figures, tr("not counting: %1").arg(summary.not_counting)});
+        figures = join_with_dots({figures, tr("not counting: %1").arg(summary.not_counting)});
     if (!figures.isEmpty()) card_layout(card)->addWidget(make_label(figures, "muted"));
     auto* row = new QHBoxLayout;
     QPushButton* briefing =

@@ -10,6 +10,8 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTableWidget>
 
@@ -255,6 +257,15 @@ TEST_F(CurriculumView, RemediesAreEditedAndAWrongOneOfADraftIsShownAtItsPlace) {
     keep("curriculum-remedies-dark");
     window.resize(1024, 740);
     window.set_theme(Theme::light);
+    window.set_text_size(200);
+    keep("curriculum-remedies-200");
+    for (QScrollArea* area : page->findChildren<QScrollArea*>()) {
+        if (area->widget()->objectName() != "page_body") continue;
+        EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << "at the largest text";
+        area->ensureWidgetVisible(find<QWidget>(window, "remedy_variant"));
+    }
+    keep("curriculum-remedies-200-below");
+    window.set_text_size(100);
     const auto remedies = [&]() -> const std::vector<Remedy>& { return page->draft().find("C4")->remedies; };
     click(window, "remedy_add");
     ASSERT_EQ(remedies().size(), 4U);
