@@ -59,10 +59,10 @@ ImportCard::ImportCard(Context& context)
     layout->setContentsMargins(18, 16, 18, 16);
     layout->setSpacing(8);
     layout->addWidget(make_label(tr("Import a list"), "heading"));
-    layout->addWidget(
-        make_label(tr("A folder with OneRoster CSV files, or one CSV file with the columns login, "
-                      "name, role and cohort. Nobody is renamed, deactivated or removed."),
-                   "muted"));
+    layout->addWidget(make_label(
+        tr("A folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, "
+           "name, role and cohort. Nobody is renamed, deactivated or removed."),
+        "muted"));
     layout->addWidget(make_path_row());
     auto* below = new QVBoxLayout(details_);
     below->setContentsMargins(0, 0, 0, 0);
@@ -116,7 +116,7 @@ void ImportCard::choose(bool folder) {
     auto* dialog = new QFileDialog(this, tr("List of people"), path_->text());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
-    if (!folder) dialog->setNameFilter(tr("CSV (*.csv)"));
+    if (!folder) dialog->setNameFilter(tr("CSV or ZIP (*.csv *.zip)"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         path_->setText(QDir::toNativeSeparators(path));
         look();

@@ -147,10 +147,6 @@
         <translation>Alle Personen dieser Gruppe umstellen.</translation>
     </message>
     <message>
-        <source>The version, such as rectal@2.</source>
-        <translation>Die Version, zum Beispiel rectal@2.</translation>
-    </message>
-    <message>
         <source>Print which standings would change and move nobody.</source>
         <translation>Ausgeben, welcher Stand sich ändern würde, und niemanden umstellen.</translation>
     </message>
@@ -473,10 +469,6 @@
     <message>
         <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. What fewer than 5 people did is put together with other rows or left out, and so is every count from which a smaller one would follow. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them.</source>
         <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Was weniger als 5 Personen getan haben, wird mit anderen Zeilen zusammengefasst oder weggelassen, ebenso jede Zahl, aus der eine kleinere folgen würde. Wer die Versuche einer Person gut kennt, erkennt sie vielleicht trotzdem: Geben Sie die Dateien Forschenden, und veröffentlichen Sie sie nicht.</translation>
-    </message>
-    <message>
-        <source>PATH is a folder with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
-        <translation>PFAD ist ein Ordner mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann deshalb wiederholt werden.</translation>
     </message>
     <message>
         <source>Makes accounts for the people of a list; needs --as, an administrator.</source>
@@ -1185,6 +1177,18 @@
     <message>
         <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
         <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
+    </message>
+    <message>
+        <source>The version, such as rectal@3.</source>
+        <translation>Die Version, zum Beispiel rectal@3.</translation>
+    </message>
+    <message>
+        <source>%1.%2</source>
+        <translation>%1,%2</translation>
+    </message>
+    <message>
+        <source>PATH is a folder or ZIP archive with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
+        <translation>PATH ist ein Ordner oder ZIP-Archiv mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann also wiederholt werden.</translation>
     </message>
 </context>
 <context>
@@ -3522,10 +3526,6 @@
         <translation>enthält keine users.csv</translation>
     </message>
     <message>
-        <source>name the folder with the unpacked OneRoster files</source>
-        <translation>nennen Sie den Ordner mit den entpackten OneRoster-Dateien</translation>
-    </message>
-    <message>
         <source>give every row an id of its own</source>
         <translation>geben Sie jeder Zeile eine eigene Kennung</translation>
     </message>
@@ -4144,10 +4144,6 @@
     <message>
         <source>name a cohort of this store</source>
         <translation>nennen Sie eine Gruppe dieses Datenbestands</translation>
-    </message>
-    <message>
-        <source>name the version: --to rectal@2</source>
-        <translation>nennen Sie die Version: --to rectal@2</translation>
     </message>
     <message>
         <source>say why, or look first with --dry-run</source>
@@ -7121,6 +7117,166 @@
         <source>open a draft of %1</source>
         <translation>öffnen Sie einen Entwurf von %1</translation>
     </message>
+    <message>
+        <source>has both %1 and %2</source>
+        <translation>hat %1 und %2 zugleich</translation>
+    </message>
+    <message>
+        <source>something is missing in the remedy</source>
+        <translation>der Abhilfe fehlt etwas</translation>
+    </message>
+    <message>
+        <source>give one bound, &quot;above&quot; or &quot;below&quot;</source>
+        <translation>geben Sie eine Grenze an, &quot;above&quot; oder &quot;below&quot;</translation>
+    </message>
+    <message>
+        <source>say what to do: one of &quot;practise_from&quot;, &quot;task&quot; (with &quot;variant&quot; or without), &quot;variant&quot;, &quot;feedback&quot;</source>
+        <translation>sagen Sie, was zu tun ist: eines von &quot;practise_from&quot;, &quot;task&quot; (mit oder ohne &quot;variant&quot;), &quot;variant&quot;, &quot;feedback&quot;</translation>
+    </message>
+    <message>
+        <source>the task has too many remedies</source>
+        <translation>die Aufgabe hat zu viele Abhilfen</translation>
+    </message>
+    <message>
+        <source>keep %1 at most</source>
+        <translation>behalten Sie höchstens %1</translation>
+    </message>
+    <message>
+        <source>remedy %1: %2</source>
+        <translation>Abhilfe %1: %2</translation>
+    </message>
+    <message>
+        <source>did you mean %1? There are: %2</source>
+        <translation>meinten Sie %1? Es gibt: %2</translation>
+    </message>
+    <message>
+        <source>name the id of a metric that the task shows (docs/METRICS.md)</source>
+        <translation>nennen Sie die Kennung einer Kennzahl, die die Aufgabe zeigt (docs/METRICS.md)</translation>
+    </message>
+    <message>
+        <source>did you mean %1? docs/METRICS.md lists all metrics</source>
+        <translation>meinten Sie %1? docs/METRICS.md nennt alle Kennzahlen</translation>
+    </message>
+    <message>
+        <source>there is no metric %1</source>
+        <translation>es gibt keine Kennzahl %1</translation>
+    </message>
+    <message>
+        <source>%1 has no goal %2</source>
+        <translation>%1 hat kein Ziel %2</translation>
+    </message>
+    <message>
+        <source>%1 is the first goal of %2: from it on is the whole task</source>
+        <translation>%1 ist das erste Ziel von %2: ab ihm ist es die ganze Aufgabe</translation>
+    </message>
+    <message>
+        <source>name a later goal, or choose another remedy</source>
+        <translation>nennen Sie ein späteres Ziel, oder wählen Sie eine andere Abhilfe</translation>
+    </message>
+    <message>
+        <source>%1 is not a remedy for itself</source>
+        <translation>%1 ist keine Abhilfe für sich selbst</translation>
+    </message>
+    <message>
+        <source>name another task, or only a variant of this one</source>
+        <translation>nennen Sie eine andere Aufgabe, oder nur eine Variante dieser</translation>
+    </message>
+    <message>
+        <source>%1 has no variant %2</source>
+        <translation>%1 hat keine Variante %2</translation>
+    </message>
+    <message>
+        <source>%1 has no ghost: it is for the scope alone</source>
+        <translation>%1 hat kein Schattenbild: Sie ist für die Kamera allein</translation>
+    </message>
+    <message>
+        <source>write demonstration or replay</source>
+        <translation>schreiben Sie demonstration oder replay</translation>
+    </message>
+    <message>
+        <source>%1 is not measured in &apos;%2&apos;</source>
+        <translation>%1 wird nicht in &apos;%2&apos; gemessen</translation>
+    </message>
+    <message>
+        <source>write its unit, &quot;%1&quot;, and the bound in this unit</source>
+        <translation>schreiben Sie ihre Einheit, &quot;%1&quot;, und die Grenze in dieser Einheit</translation>
+    </message>
+    <message>
+        <source>the bound of %1 is on the good side</source>
+        <translation>die Grenze von %1 liegt auf der guten Seite</translation>
+    </message>
+    <message>
+        <source>a high value is good: write &quot;below&quot;</source>
+        <translation>ein hoher Wert ist gut: schreiben Sie &quot;below&quot;</translation>
+    </message>
+    <message>
+        <source>a low value is good: write &quot;above&quot;</source>
+        <translation>ein niedriger Wert ist gut: schreiben Sie &quot;above&quot;</translation>
+    </message>
+    <message>
+        <source>%1 does not show the metric %2</source>
+        <translation>%1 zeigt die Kennzahl %2 nicht</translation>
+    </message>
+    <message>
+        <source>name the ZIP archive or the folder with the OneRoster files</source>
+        <translation>nennen Sie das ZIP-Archiv oder den Ordner mit den OneRoster-Dateien</translation>
+    </message>
+    <message>
+        <source>is in the archive twice</source>
+        <translation>ist zweimal im Archiv</translation>
+    </message>
+    <message>
+        <source>pack every file once, all in the same folder</source>
+        <translation>packen Sie jede Datei einmal, alle im selben Ordner</translation>
+    </message>
+    <message>
+        <source>the archive is damaged or cut off</source>
+        <translation>das Archiv ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>export it again, or unpack it and name the folder</source>
+        <translation>exportieren Sie es noch einmal, oder entpacken Sie es und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>the archive is in several parts</source>
+        <translation>das Archiv besteht aus mehreren Teilen</translation>
+    </message>
+    <message>
+        <source>pack it in one file</source>
+        <translation>packen Sie es in eine Datei</translation>
+    </message>
+    <message>
+        <source>the archive has %1 files</source>
+        <translation>das Archiv hat %1 Dateien</translation>
+    </message>
+    <message>
+        <source>pack the OneRoster files alone</source>
+        <translation>packen Sie nur die OneRoster-Dateien</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>pack it without a password</source>
+        <translation>packen Sie sie ohne Passwort</translation>
+    </message>
+    <message>
+        <source>is packed by another method (%1)</source>
+        <translation>ist mit einem anderen Verfahren gepackt (%1)</translation>
+    </message>
+    <message>
+        <source>pack it as an ordinary ZIP archive (deflate)</source>
+        <translation>packen Sie sie als gewöhnliches ZIP-Archiv (deflate)</translation>
+    </message>
+    <message>
+        <source>is larger than 64 MiB</source>
+        <translation>ist größer als 64 MiB</translation>
+    </message>
+    <message>
+        <source>name the version: --to rectal@3</source>
+        <translation>nennen Sie die Version: --to rectal@3</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -9485,6 +9641,14 @@
         <source>it was recorded elsewhere and imported: measured, but judged by no limits</source>
         <translation>anderswo aufgezeichnet und importiert: gemessen, aber nach keinen Grenzwerten bewertet</translation>
     </message>
+    <message>
+        <source>a device was lost and came back</source>
+        <translation>ein Gerät ging verloren und kam zurück</translation>
+    </message>
+    <message>
+        <source>the program stood still for {seconds} s</source>
+        <translation>das Programm stand {seconds} s still</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::tissues</name>
@@ -10879,6 +11043,10 @@ Kennzahlen: %2</translation>
         <source>Version %1 is in force. People who have begun stay on theirs until you move them.</source>
         <translation>Version %1 gilt. Wer begonnen hat, bleibt bei seiner, bis Sie die Person umstellen.</translation>
     </message>
+    <message>
+        <source>Remedies</source>
+        <translation>Abhilfen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DebriefPage</name>
@@ -11689,6 +11857,14 @@ Kennzahlen: %2</translation>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
+    <message>
+        <source>Watch an expert do it</source>
+        <translation>Einem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>Open the replay</source>
+        <translation>Wiedergabe öffnen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::HudTexts</name>
@@ -11908,10 +12084,6 @@ Kennzahlen: %2</translation>
         <translation>Eine Liste importieren</translation>
     </message>
     <message>
-        <source>A folder with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. Nobody is renamed, deactivated or removed.</source>
-        <translation>Ein Ordner mit OneRoster-CSV-Dateien oder eine CSV-Datei mit den Spalten login, name, role und cohort. Niemand wird umbenannt, deaktiviert oder entfernt.</translation>
-    </message>
-    <message>
         <source>One-time passwords</source>
         <translation>Einmalpasswörter</translation>
     </message>
@@ -11938,10 +12110,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>List of people</source>
         <translation>Liste von Personen</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
     </message>
     <message>
         <source>left out: %1</source>
@@ -11993,6 +12161,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Their one-time passwords are in %1, valid for 24 hours. Hand them over and delete the file.</source>
         <translation>Ihre Einmalpasswörter stehen in %1 und gelten 24 Stunden. Geben Sie sie weiter und löschen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>A folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. Nobody is renamed, deactivated or removed.</source>
+        <translation>Ein Ordner oder ZIP-Archiv mit OneRoster-CSV-Dateien oder eine CSV-Datei mit den Spalten login, name, role und cohort. Niemand wird umbenannt, deaktiviert oder entfernt.</translation>
+    </message>
+    <message>
+        <source>CSV or ZIP (*.csv *.zip)</source>
+        <translation>CSV oder ZIP (*.csv *.zip)</translation>
     </message>
 </context>
 <context>
@@ -13393,6 +13569,97 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::RemediesForm</name>
+    <message>
+        <source>%1 (not installed)</source>
+        <translation>%1 (nicht installiert)</translation>
+    </message>
+    <message>
+        <source>Recommended to a trainee whose curve levels off below the pass mark: the remedy whose metric is furthest beyond its bound, in the median of the latest five attempts.</source>
+        <translation>Empfohlen, wenn die Lernkurve unter der Bestehensgrenze ein Plateau erreicht: die Abhilfe, deren Kennzahl im Median der letzten fünf Versuche am weitesten jenseits ihrer Grenze liegt.</translation>
+    </message>
+    <message>
+        <source>Remedies</source>
+        <translation>Abhilfen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>above the bound</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
+        <source>below the bound</source>
+        <translation>unter der Grenze</translation>
+    </message>
+    <message>
+        <source>When it is</source>
+        <translation>Wenn sie liegt</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>practise a part</source>
+        <translation>einen Teil üben</translation>
+    </message>
+    <message>
+        <source>another task</source>
+        <translation>andere Aufgabe</translation>
+    </message>
+    <message>
+        <source>another variant</source>
+        <translation>andere Variante</translation>
+    </message>
+    <message>
+        <source>practise with a ghost</source>
+        <translation>mit einem Schattenbild üben</translation>
+    </message>
+    <message>
+        <source>watch an expert</source>
+        <translation>einem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>look at the replay</source>
+        <translation>die Wiedergabe ansehen</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Goal or task</source>
+        <translation>Ziel oder Aufgabe</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Add a remedy</source>
+        <translation>Abhilfe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>▲ Up</source>
+        <translation>▲ Auf</translation>
+    </message>
+    <message>
+        <source>▼ Down</source>
+        <translation>▼ Ab</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::ReplayPanel</name>
     <message>
         <source>Moment of the attempt</source>
@@ -13980,6 +14247,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1: %2, attempts %3</source>
         <translation>%1: %2, Versuche %3</translation>
+    </message>
+    <message>
+        <source>attempt signed by key %1</source>
+        <translation>Versuch signiert mit Schlüssel %1</translation>
     </message>
 </context>
 <context>
@@ -15936,6 +16207,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>What is left waits for the ratings of your educators; until then you can practise this task.</source>
         <translation>Was noch fehlt, sind Beurteilungen durch Ihre Ausbilder; bis dahin können Sie diese Aufgabe üben.</translation>
     </message>
+    <message>
+        <source>Your curve in %1 levels off below the pass mark, and %2 is %3 (median of your latest attempts: %4): %5.</source>
+        <translation>Ihre Kurve in %1 erreicht ein Plateau unter der Bestehensgrenze, und %2 liegt %3 (Median Ihrer letzten Versuche: %4): %5.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::pages</name>
@@ -16065,6 +16340,49 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Agreement of raters with %1: %2. ICC(2,1) %3, 95 % interval %4 to %5 (%6 raters, %7 attempts).</source>
         <translation>Übereinstimmung der Beurteilenden mit %1: %2. ICC(2,1) %3, 95-%-Intervall %4 bis %5 (Beurteilende: %6, Versuche: %7).</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::remedies</name>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>practise it from the goal “%1” on</source>
+        <translation>üben Sie ab dem Ziel „%1“</translation>
+    </message>
+    <message>
+        <source>practise %1</source>
+        <translation>üben Sie %1</translation>
+    </message>
+    <message>
+        <source>practise %1 in the variant “%2”</source>
+        <translation>üben Sie %1 in der Variante „%2“</translation>
+    </message>
+    <message>
+        <source>practise it in the variant “%1”</source>
+        <translation>üben Sie in der Variante „%1“</translation>
+    </message>
+    <message>
+        <source>practise it with the ghost of an expert</source>
+        <translation>üben Sie mit dem Schattenbild eines Experten</translation>
+    </message>
+    <message>
+        <source>watch an expert do it</source>
+        <translation>sehen Sie einem Experten zu</translation>
+    </message>
+    <message>
+        <source>look at the replay of the latest attempt</source>
+        <translation>sehen Sie sich die Wiedergabe des letzten Versuchs an</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
     </message>
 </context>
 <context>
