@@ -8,8 +8,7 @@
 #include <atomic>
 #include <thread>
 
-#include "sim_core/devices/device_fault.h"
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/device_table.h"
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
 
@@ -32,7 +31,7 @@ class DevicesOnThePage : public Screens {
                              DeviceState::connected,
                              {"Touch (2988:0302)"},
                              "you have no permission to open the device",
-                             vendor_driver("touch")->rule,
+                             device_row("touch")->rule,
                              "/dev/ttyACM0"},
                             {"space-mouse",
                              "SpaceMouse",

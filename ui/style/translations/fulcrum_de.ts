@@ -1183,8 +1183,8 @@
         <translation>Der neue Schlüssel signiert von jetzt an. Der alte signiert die Protokollzeile, die den neuen nennt, dann wird seine geheime Hälfte gelöscht; was er signiert hat, bleibt gültig, und nichts Späteres wird von ihm angenommen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann und wenn jemand geht, der sie lesen konnte.</translation>
     </message>
     <message>
-        <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
-        <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
+        <source>Open this device (%1) and measure rate, jitter and delays.</source>
+        <translation>Dieses Gerät öffnen (%1) und Rate, Schwankung und Verzögerungen messen.</translation>
     </message>
 </context>
 <context>
@@ -6806,10 +6806,6 @@
         <translation>„%1“ ist nicht der Name einer Art von Gerät</translation>
     </message>
     <message>
-        <source>write two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse or virtual:SCRIPT.json, in small letters; `fulcrum devices` lists what is connected</source>
-        <translation>schreiben Sie two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse oder virtual:SCRIPT.json, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
-    </message>
-    <message>
         <source>write haply:PORT, then left=ID, right=ID, events=PORT, grip=+z or axes=+x+z-y, each after a comma</source>
         <translation>schreiben Sie haply:PORT, dann left=ID, right=ID, events=PORT, grip=+z oder axes=+x+z-y, jeweils nach einem Komma</translation>
     </message>
@@ -7120,6 +7116,10 @@
     <message>
         <source>open a draft of %1</source>
         <translation>öffnen Sie einen Entwurf von %1</translation>
+    </message>
+    <message>
+        <source>write one of %1, in small letters; `fulcrum devices` lists what is connected</source>
+        <translation>schreiben Sie eines von %1, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
     </message>
 </context>
 <context>
