@@ -153,6 +153,30 @@ void see_spacenavd(const DeviceRow& row, const Machine& machine, ListedDevice& l
     not_found(row, listed);
 }
 
+/// Whether it is a trainer is known when it is opened: nothing is sent to a board that may be another's.
+void see_serial(const DeviceRow& row, const Machine& machine, const std::vector<UsbDevice>& connected,
+                ListedDevice& listed) {
+    const std::vector<std::string> ports = serial_ports_of(row, connected);
+    std::string closed;
+    for (const std::string& port : ports)
+        if (!machine.may_open(port)) closed = port;
+    if (ports.empty()) {
+        not_found(row, listed);
+    } else if (!closed.empty()) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "you have no permission to open the device");
+        listed.detail = closed;
+        listed.what_to_do = row.rule;
+    } else if (ports.size() > 1) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "more than one serial port can be its port");
+        for (const std::string& port : ports) listed.detail += (listed.detail.empty() ? "" : ", ") + port;
+        listed.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                              "unplug the others, or name the port: "
+                                              "FULCRUM_DEVICE=trainer:PORT");
+    } else {
+        can_be_used(row.name, listed);
+    }
+}
+
 /// What fulcrum-hapticd reads.
 void see_driven(const DeviceRow& row, const Machine& machine, const std::vector<UsbDevice>& connected,
                 ListedDevice& listed) {
@@ -173,6 +197,7 @@ void see_driven(const DeviceRow& row, const Machine& machine, const std::vector<
     if (row.found_by == FoundBy::library) see_library(row, machine, closed, listed);
     if (row.found_by == FoundBy::port) see_port(row, machine, listed);
     if (row.found_by == FoundBy::spacenavd) see_spacenavd(row, machine, listed);
+    if (row.found_by == FoundBy::serial) see_serial(row, machine, connected, listed);
     if (row.found_by == FoundBy::script) {
         listed.state = DeviceState::usable;
         listed.found.emplace_back(

@@ -24,4 +24,14 @@ bool is_of(const DeviceRow& row, const UsbDevice& device) {
     });
 }
 
+std::vector<std::string> serial_ports_of(const DeviceRow& row, const std::vector<UsbDevice>& connected) {
+    std::vector<std::string> ports;
+    for (const UsbDevice& device : connected) {
+        if (!is_of(row, device)) continue;
+        for (const std::string& node : device.nodes)
+            if (node.find("/tty") != std::string::npos) ports.push_back(node);
+    }
+    return ports;
+}
+
 }  // namespace fulcrum

@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/device_class.h"
@@ -37,7 +38,12 @@ enum class DeviceFault : std::uint32_t {
     haply_silent,       ///< it does not answer
     haply_message,      ///< what it sends cannot be used
     no_power,           ///< the device has no power supply, so it renders no force
-    safety_brake        ///< the device braked itself within the last seconds
+    safety_brake,       ///< the device braked itself within the last seconds
+    trainer_unplugged,  ///< the serial port of a trainer hung up
+    trainer_silent,     ///< it sends nothing new
+    trainer_lines,      ///< what it sends are not its lines
+    trainer_checksum,   ///< its lines have wrong checksums
+    trainer_values      ///< its angles or lengths are not possible
 };
 
 struct FaultRow {
@@ -132,7 +138,31 @@ inline constexpr FaultRow device_faults[] = {
      QT_TRANSLATE_NOOP("errors",
                        "The safety brake of the device has triggered. Let go of the handle for "
                        "three seconds, then resume; move it more slowly."),
-     false, 3000}};
+     false, 3000},
+    {DeviceFault::trainer_unplugged,
+     QT_TRANSLATE_NOOP("errors",
+                       "The trainer was unplugged. Plug it in again; where it comes off by itself, use "
+                       "another cable or port."),
+     true},
+    {DeviceFault::trainer_silent,
+     QT_TRANSLATE_NOOP("errors",
+                       "The trainer sends nothing new. Press the reset button of its board; where that does "
+                       "not help, unplug it and plug it in again.")},
+    {DeviceFault::trainer_lines,
+     QT_TRANSLATE_NOOP("errors",
+                       "What the trainer sends cannot be read. Press the reset button of its board, and "
+                       "load the sketch that came with this version of Fulcrum."),
+     false, 1000},
+    {DeviceFault::trainer_checksum,
+     QT_TRANSLATE_NOOP("errors",
+                       "Lines of the trainer arrive damaged. Use a shorter cable, away from motors and "
+                       "electrosurgery, or a lower rate on both sides."),
+     false, 1000},
+    {DeviceFault::trainer_values,
+     QT_TRANSLATE_NOOP("errors",
+                       "The trainer reports an angle or a length that is not possible. Check the plugs of "
+                       "its sensors and the ranges in its sketch."),
+     false, 1000}};
 static_assert(in_order(device_faults));
 
 /// For a number that another process wrote: the row of none where it is not a fault.
@@ -164,6 +194,7 @@ enum class FoundBy : std::uint8_t {
     library,    ///< that of its maker, and its USB numbers
     port,       ///< somebody listens at one of its ports on this computer
     spacenavd,  ///< its socket
+    serial,     ///< the only serial port of a board with one of its USB numbers
 };
 
 /// What a device can move; the rest is moved with mouse and keyboard.
@@ -195,7 +226,7 @@ struct DeviceRow {
     FoundBy found_by;
     unsigned moves;
     const char *absent = "", *connect = "";  ///< where it is not found: why, and what to do
-    UsbNumber usb[4] = {};
+    UsbNumber usb[12] = {};
     const char* rule = "";  ///< what to do where its file may not be opened
     int ports[2] = {0, 0};  ///< of this computer
     DeviceLibrary library = {};
@@ -309,7 +340,33 @@ inline constexpr DeviceRow device_table[] = {
      QT_TRANSLATE_NOOP("fulcrum::device_list", "spacenavd, which reads it, does not run"),
      QT_TRANSLATE_NOOP("fulcrum::device_list",
                        "install the package spacenavd and start it with `sudo systemctl restart spacenavd`"),
-     {{"256f", ""}}}};
+     {{"256f", ""}}},
+    {"trainer",
+     "trainer:PORT",
+     QT_TRANSLATE_NOOP("fulcrum::device_list", "box trainer on a serial port"),
+     DeviceClass::tracked,
+     ReadBy::daemon,
+     FoundBy::serial,
+     moves_hands | moves_scope | moves_pedal,
+     QT_TRANSLATE_NOOP("fulcrum::device_list", "no serial port of a micro-controller was found"),
+     QT_TRANSLATE_NOOP("fulcrum::device_list",
+                       "load the sketch of docs/trainer on a board with sensors and plug it in; a port of "
+                       "another kind is named: FULCRUM_DEVICE=trainer:PORT"),
+     // Arduino, and the chips for USB that boards like it have; the Falcon is 0403 as well.
+     {{"2341", ""},
+      {"2a03", ""},
+      {"1a86", ""},
+      {"10c4", "ea60"},
+      {"0403", "6001"},
+      {"0403", "6015"},
+      {"16c0", "0483"},
+      {"2e8a", ""},
+      {"303a", ""},
+      {"239a", ""},
+      {"1b4f", ""}},
+     QT_TRANSLATE_NOOP("errors",
+                       "run `sudo usermod -aG dialout $USER` (the group that owns the port), then sign out "
+                       "and in again")}};
 
 /// The row of a specification such as "openigtlink:HOST:PORT"; null where its first word is not the name of
 /// one.
@@ -326,5 +383,7 @@ std::string typed_devices(bool of_window);
 
 struct UsbDevice;
 bool is_of(const DeviceRow& row, const UsbDevice& device);
+/// The serial ports of the devices of this row.
+std::vector<std::string> serial_ports_of(const DeviceRow& row, const std::vector<UsbDevice>& connected);
 
 }  // namespace fulcrum

@@ -6,6 +6,7 @@
 #include "sim_core/hapticd/igtl_device.h"
 #include "sim_core/hapticd/space_mouse_device.h"
 #include "sim_core/hapticd/touch_device.h"
+#include "sim_core/hapticd/trainer_device.h"
 #include "sim_core/hapticd/virtual_device.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -50,7 +51,8 @@ constexpr MakerRow makers[] = {{"virtual", make_device<VirtualDevice, script_of>
                                 load_whole<ForceDimensionLibrary>},
                                {"haply", make_device<HaplyDevice, haply_specification>},
                                {"openigtlink", make_device<IgtlDevice, igtl_specification>},
-                               {"space-mouse", make_device<SpaceMouseDevice, space_mouse_slot>}};
+                               {"space-mouse", make_device<SpaceMouseDevice, space_mouse_slot>},
+                               {"trainer", make_device<TrainerDevice, trainer_specification>}};
 
 const MakerRow* maker(const std::string& specification) {
     return find_row(makers, std::string_view(specification).substr(0, specification.find(':')));

@@ -40,7 +40,15 @@ class DevicesOnThePage : public Screens {
                              {},
                              "spacenavd, which reads it, does not run",
                              "install the package spacenavd and start it with `sudo systemctl restart "
-                             "spacenavd`"}};
+                             "spacenavd`"},
+                            {"trainer",
+                             device_row("trainer")->title,
+                             DeviceClass::tracked,
+                             DeviceState::connected,
+                             {"Arduino Uno (2341:0043)"},
+                             "you have no permission to open the device",
+                             device_row("trainer")->rule,
+                             "/dev/ttyACM1"}};
     }
     ~DevicesOnThePage() override {
         window.reset();
@@ -73,7 +81,8 @@ TEST_F(DevicesOnThePage, EachSaysItsStateWhyAndWhatToDo) {
           "Touch (2988:0302)\nWhy: you have no permission to open the device (/dev/ttyACM0)\nWhat to do: "
           "write the line "
           "SUBSYSTEMS==\"usb\"",
-          "– SpaceMouse: not connected"})
+          "– SpaceMouse: not connected", "! box trainer on a serial port: connected, cannot be used",
+          "What to do: run `sudo usermod -aG dialout $USER`"})
         EXPECT_TRUE(words().contains(line)) << line << "\n\n" << words().toStdString();
     EXPECT_FALSE(sees(*window, "force_scale")) << "mouse and keyboard give no force";
 }
