@@ -297,11 +297,13 @@ TEST(TrainerDevice, AnswersThatAreNoneAreNamedWithWhatToDo) {
         {Mode::silent, "sends no pose", "reset button"},
         {Mode::garbage, "are not the lines of a trainer", "baud="},
         {Mode::wrong_checksum, "wrong checksums", "shorter cable"},
-        {Mode::out_of_range, "not possible", "ranges of its sensors"}};
+        {Mode::out_of_range, "not possible", "ranges of its sensors"},
+        {Mode::good, "not possible", "ranges of its sensors"}};  // deeper than a short instrument is long
     for (const auto& [mode, problem, hint] : answers) {
         FakeTrainer trainer("R");
         trainer.mode = mode;
-        auto wanted = trainer_specification(trainer.specification());
+        auto wanted =
+            trainer_specification(trainer.specification() + (mode == Mode::good ? ",length=100" : ""));
         wanted.patience = (mode == Mode::deaf ? 50 : 300) * 1'000'000;
         TrainerDevice device(wanted);
         try {
