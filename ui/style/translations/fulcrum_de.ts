@@ -1175,10 +1175,6 @@
         <translation>Der neue Schlüssel signiert von jetzt an. Der alte signiert die Protokollzeile, die den neuen nennt, dann wird seine geheime Hälfte gelöscht; was er signiert hat, bleibt gültig, und nichts Späteres wird von ihm angenommen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann und wenn jemand geht, der sie lesen konnte.</translation>
     </message>
     <message>
-        <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
-        <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
-    </message>
-    <message>
         <source>The version, such as rectal@3.</source>
         <translation>Die Version, zum Beispiel rectal@3.</translation>
     </message>
@@ -1189,6 +1185,10 @@
     <message>
         <source>PATH is a folder or ZIP archive with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
         <translation>PATH ist ein Ordner oder ZIP-Archiv mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann also wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>Open this device (%1) and measure rate, jitter and delays.</source>
+        <translation>Dieses Gerät öffnen (%1) und Rate, Schwankung und Verzögerungen messen.</translation>
     </message>
 </context>
 <context>
@@ -6802,10 +6802,6 @@
         <translation>„%1“ ist nicht der Name einer Art von Gerät</translation>
     </message>
     <message>
-        <source>write two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse or virtual:SCRIPT.json, in small letters; `fulcrum devices` lists what is connected</source>
-        <translation>schreiben Sie two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse oder virtual:SCRIPT.json, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
-    </message>
-    <message>
         <source>write haply:PORT, then left=ID, right=ID, events=PORT, grip=+z or axes=+x+z-y, each after a comma</source>
         <translation>schreiben Sie haply:PORT, dann left=ID, right=ID, events=PORT, grip=+z oder axes=+x+z-y, jeweils nach einem Komma</translation>
     </message>
@@ -7277,6 +7273,126 @@
         <source>name the version: --to rectal@3</source>
         <translation>nennen Sie die Version: --to rectal@3</translation>
     </message>
+    <message>
+        <source>The trainer was unplugged. Plug it in again; where it comes off by itself, use another cable or port.</source>
+        <translation>Der Trainer wurde ausgesteckt. Stecken Sie ihn wieder ein; wo er sich von selbst löst, nehmen Sie ein anderes Kabel oder einen anderen Anschluss.</translation>
+    </message>
+    <message>
+        <source>The trainer sends nothing new. Press the reset button of its board; where that does not help, unplug it and plug it in again.</source>
+        <translation>Der Trainer sendet nichts Neues. Drücken Sie die Reset-Taste seiner Platine; wo das nicht hilft, stecken Sie ihn aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>What the trainer sends cannot be read. Press the reset button of its board, and load the sketch that came with this version of Fulcrum.</source>
+        <translation>Was der Trainer sendet, kann nicht gelesen werden. Drücken Sie die Reset-Taste seiner Platine, und laden Sie den Sketch, der mit dieser Version von Fulcrum kam.</translation>
+    </message>
+    <message>
+        <source>Lines of the trainer arrive damaged. Use a shorter cable, away from motors and electrosurgery, or a lower rate on both sides.</source>
+        <translation>Zeilen des Trainers kommen beschädigt an. Nehmen Sie ein kürzeres Kabel, fern von Motoren und Elektrochirurgie, oder auf beiden Seiten eine kleinere Rate.</translation>
+    </message>
+    <message>
+        <source>The trainer reports an angle or a length that is not possible. Check the plugs of its sensors and the ranges in its sketch.</source>
+        <translation>Der Trainer meldet einen Winkel oder eine Länge, die nicht möglich sind. Prüfen Sie die Stecker seiner Sensoren und die Bereiche in seinem Sketch.</translation>
+    </message>
+    <message>
+        <source>run `sudo usermod -aG dialout $USER` (the group that owns the port), then sign out and in again</source>
+        <translation>führen Sie `sudo usermod -aG dialout $USER` aus (die Gruppe, der der Anschluss gehört), melden Sie sich dann ab und wieder an</translation>
+    </message>
+    <message>
+        <source>write one of %1, in small letters; `fulcrum devices` lists what is connected</source>
+        <translation>schreiben Sie eines von %1, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>use trainer:PORT, then baud=BITS (9600 to 1000000) or length=MM (100 to 600), each after a comma</source>
+        <translation>verwenden Sie trainer:PORT, dann baud=BITS (9600 bis 1000000) oder length=MM (100 bis 600), jeweils nach einem Komma</translation>
+    </message>
+    <message>
+        <source>no serial port of a micro-controller was found</source>
+        <translation>es wurde kein serieller Anschluss eines Mikrocontrollers gefunden</translation>
+    </message>
+    <message>
+        <source>plug the trainer in, or name its port: trainer:/dev/ttyUSB0</source>
+        <translation>stecken Sie den Trainer ein, oder nennen Sie seinen Anschluss: trainer:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>more than one port can be the trainer&apos;s: %1</source>
+        <translation>mehr als ein Anschluss kann der des Trainers sein: %1</translation>
+    </message>
+    <message>
+        <source>name it: trainer:%1</source>
+        <translation>nennen Sie ihn: trainer:%1</translation>
+    </message>
+    <message>
+        <source>end the other program that uses it, such as the serial monitor of the Arduino program</source>
+        <translation>beenden Sie das andere Programm, das ihn benutzt, etwa den seriellen Monitor des Arduino-Programms</translation>
+    </message>
+    <message>
+        <source>name a serial port, such as /dev/ttyACM0</source>
+        <translation>nennen Sie einen seriellen Anschluss, etwa /dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>plug the trainer in; `fulcrum devices` shows whether it is found</source>
+        <translation>stecken Sie den Trainer ein; `fulcrum devices` zeigt, ob er gefunden wird</translation>
+    </message>
+    <message>
+        <source>the trainer&apos;s port does not open: %1</source>
+        <translation>der Anschluss des Trainers lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>the trainer was unplugged</source>
+        <translation>der Trainer wurde ausgesteckt</translation>
+    </message>
+    <message>
+        <source>plug it in, and use a cable and a port that hold it firmly</source>
+        <translation>stecken Sie ihn ein, mit einem Kabel und an einem Anschluss, die fest sitzen</translation>
+    </message>
+    <message>
+        <source>the trainer speaks version %1 of the protocol, Fulcrum version %2</source>
+        <translation>der Trainer spricht Version %1 des Protokolls, Fulcrum Version %2</translation>
+    </message>
+    <message>
+        <source>load the sketch that came with this version of Fulcrum</source>
+        <translation>laden Sie den Sketch, der mit dieser Version von Fulcrum kam</translation>
+    </message>
+    <message>
+        <source>the trainer sends angles or lengths that are not possible</source>
+        <translation>der Trainer sendet Winkel oder Längen, die nicht möglich sind</translation>
+    </message>
+    <message>
+        <source>set the ranges of its sensors in its sketch (docs/TRAINER.md)</source>
+        <translation>stellen Sie die Bereiche seiner Sensoren in seinem Sketch ein (docs/TRAINER.md)</translation>
+    </message>
+    <message>
+        <source>the trainer&apos;s lines have wrong checksums</source>
+        <translation>die Zeilen des Trainers haben falsche Prüfsummen</translation>
+    </message>
+    <message>
+        <source>use a shorter cable, or a lower rate on both sides</source>
+        <translation>nehmen Sie ein kürzeres Kabel oder auf beiden Seiten eine kleinere Rate</translation>
+    </message>
+    <message>
+        <source>what it sends are not the lines of a trainer</source>
+        <translation>was er sendet, sind nicht die Zeilen eines Trainers</translation>
+    </message>
+    <message>
+        <source>load the sketch of docs/trainer, and name its rate: trainer:PORT,baud=115200</source>
+        <translation>laden Sie den Sketch aus docs/trainer, und nennen Sie seine Rate: trainer:PORT,baud=115200</translation>
+    </message>
+    <message>
+        <source>no trainer answers</source>
+        <translation>kein Trainer antwortet</translation>
+    </message>
+    <message>
+        <source>check that this is its port, and load the sketch of docs/trainer</source>
+        <translation>prüfen Sie, ob dies sein Anschluss ist, und laden Sie den Sketch aus docs/trainer</translation>
+    </message>
+    <message>
+        <source>the trainer sends no pose of its instruments</source>
+        <translation>der Trainer sendet keine Stellung seiner Instrumente</translation>
+    </message>
+    <message>
+        <source>press the reset button of its board</source>
+        <translation>drücken Sie die Reset-Taste seiner Platine</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -7476,6 +7592,26 @@
     <message>
         <source>install the Inverse service from Haply and start it; connect the device and its power supply</source>
         <translation>installieren Sie den Inverse-Dienst von Haply und starten Sie ihn; schließen Sie das Gerät und sein Netzteil an</translation>
+    </message>
+    <message>
+        <source>box trainer on a serial port</source>
+        <translation>Box-Trainer an einem seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>no serial port of a micro-controller was found</source>
+        <translation>es wurde kein serieller Anschluss eines Mikrocontrollers gefunden</translation>
+    </message>
+    <message>
+        <source>load the sketch of docs/trainer on a board with sensors and plug it in; a port of another kind is named: FULCRUM_DEVICE=trainer:PORT</source>
+        <translation>laden Sie den Sketch aus docs/trainer auf eine Platine mit Sensoren und stecken Sie sie ein; ein anderer Anschluss wird genannt: FULCRUM_DEVICE=trainer:PORT</translation>
+    </message>
+    <message>
+        <source>more than one serial port can be its port</source>
+        <translation>mehr als ein serieller Anschluss kann der seine sein</translation>
+    </message>
+    <message>
+        <source>unplug the others, or name the port: FULCRUM_DEVICE=trainer:PORT</source>
+        <translation>stecken Sie die anderen aus, oder nennen Sie den Anschluss: FULCRUM_DEVICE=trainer:PORT</translation>
     </message>
 </context>
 <context>
