@@ -4,6 +4,7 @@
 #include <QScrollBar>
 
 #include "tests/ui/four_people.h"
+#include "tests/ui/picture_kinds.h"
 #include "ui/page/background_job.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/page_table.h"
@@ -96,12 +97,10 @@ void Screens::keep(const QString& screen) {
     if (folder.isEmpty()) return;
     QDir().mkpath(QString::fromLocal8Bit(folder));
     constexpr int fastest = 89;  // the fastest compression; the usual one takes longer than drawing
-    window->grab().save(QStringLiteral("%1/%2-%3x%4-%5.png")
-                            .arg(QString::fromLocal8Bit(folder), screen)
-                            .arg(size_.width())
-                            .arg(size_.height())
-                            .arg(current_theme() == Theme::light ? "light" : "dark"),
-                        nullptr, fastest);
+    const PictureKind kind{size_, current_theme(), language_in_use(), text_percent()};
+    window->grab().save(
+        QStringLiteral("%1/%2-%3.png").arg(QString::fromLocal8Bit(folder), screen, kind.name()), nullptr,
+        fastest);
 }
 
 void Screens::visit(const std::string& attempt, const std::function<void(const QString&)>& look) {

@@ -2,7 +2,7 @@
 // The delivered demonstration: *Look around* opens it at once, it is a good store with what the plan says,
 // and every screen of each of its roles has something to show. FULCRUM_TEST_DEMONSTRATION=FILE tests another
 // packed programme (`fulcrum lab demonstration -o FILE`) in its place; FULCRUM_PICTURES=FOLDER stores every
-// screen.
+// screen, in the kinds of FULCRUM_PICTURES_AS.
 #include "app/services/demo.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +28,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/processor_time.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/picture_kinds.h"
 #include "ui/page/background_job.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
@@ -245,9 +246,9 @@ class DemonstrationWindow : public ::testing::Test {
         const QString pictures = QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES"));
         if (pictures.isEmpty()) return;
         QDir().mkpath(pictures);
-        window->grab().save(
-            QStringLiteral("%1/demo-%2-%3.png")
-                .arg(pictures, screen, ui::current_theme() == ui::Theme::light ? "light" : "dark"));
+        const PictureKind kind{window->size(), ui::current_theme(), ui::language_in_use(),
+                               ui::text_percent()};
+        window->grab().save(QStringLiteral("%1/demo-%2-%3.png").arg(pictures, screen, kind.name()));
     }
     void visit_rail(const QString& who) {
         for (const ui::PageEntry* entry : ui::pages_of(window->context())) {
@@ -261,6 +262,13 @@ class DemonstrationWindow : public ::testing::Test {
                 settle();
                 expect_good(screen + '-' + QString::number(i));
             }
+        }
+    }
+    void draw_briefings(const QString& who) {
+        for (const char* task : {"A1", "A2", "A3", "B0", "B1", "B2", "B3", "C4"}) {
+            emit window->context().briefing_wanted(QString::fromLatin1(task));
+            settle();
+            expect_good(who + "-briefing-" + task);
         }
     }
     /// An attempt of the session's people, with its trace or without.
@@ -294,9 +302,12 @@ TEST_F(DemonstrationWindow, LookAroundShowsItsPeopleWithinThreeSeconds) {
 }
 
 TEST_F(DemonstrationWindow, EveryScreenOfEachRoleOpens) {
-    for (const ui::Theme theme : {ui::Theme::light, ui::Theme::dark}) {
-        ui::apply_theme(*qApp, theme);
-        open({1280, 800});
+    for (const PictureKind& kind :
+         picture_kinds({{{1280, 800}, ui::Theme::light}, {{1280, 800}, ui::Theme::dark}})) {
+        ui::use_language(kind.language);
+        ui::apply_text_size(*qApp, kind.percent);
+        ui::apply_theme(*qApp, kind.theme);
+        open(kind.size);
         look_around();
         for (const char* name : {"Amara", "Dr Hanna", "Prof. Anna"}) {
             pick(name);
@@ -310,10 +321,13 @@ TEST_F(DemonstrationWindow, EveryScreenOfEachRoleOpens) {
             }
             debrief(lost);
             expect_good(who + "-debrief-no-trace");
+            if (who == "amara" && !qEnvironmentVariableIsEmpty("FULCRUM_PICTURES_AS")) draw_briefings(who);
             click(*window, "switch_user");
         }
         window.reset();
     }
+    ui::apply_text_size(*qApp, 100);
+    ui::use_language(ui::Language::english);
 }
 
 TEST_F(DemonstrationWindow, DebriefSaysThatTheTraceWasNotKept) {
