@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/screens.h"
 
+#include <QComboBox>
 #include <QScrollBar>
+#include <QStyleOption>
 
 #include "tests/ui/four_people.h"
 #include "tests/ui/picture_kinds.h"
@@ -82,6 +84,15 @@ void Screens::expect_fits(const QString& screen) {
         if (!area->isVisible() || area->widget()->objectName() != "page_body") continue;
         EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0)
             << screen.toStdString() << ": " << area->widget()->minimumSizeHint().width() << " px wide";
+    }
+    for (const QComboBox* box : window->findChildren<QComboBox*>()) {
+        if (!box->isVisible()) continue;
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect room =
+            box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        EXPECT_GE(room.width(), box->fontMetrics().boundingRect(box->currentText()).width())
+            << screen.toStdString() << ": " << box->currentText().toStdString();
     }
     const QRect shown = window->rect();
     for (QAbstractButton* button : window->findChildren<QAbstractButton*>()) {

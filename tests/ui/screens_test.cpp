@@ -28,6 +28,11 @@ TEST_F(Screens, FitASmallDisplayWithoutAnError) {
     visit(attempt, [&](const QString& screen) {
         expect_fits(screen);
         EXPECT_EQ(error_shown().toStdString(), "") << screen.toStdString();
+        // The name of the person is whole: the one of the programme gives way.
+        const auto* person = window->findChild<QLabel*>("signed_in_person");
+        if (person->isVisible()) {
+            EXPECT_GE(person->width() + 1, person->sizeHint().width()) << screen.toStdString();
+        }
     });
     window->start();
 }
@@ -56,7 +61,7 @@ TEST_F(Screens, SettingsShowHowThePictureIsDrawnAndWhy) {
     EXPECT_TRUE(PictureCard::picture_text(quality).contains("because OpenGL offers no graphics card here"));
     EXPECT_TRUE(PictureCard::picture_text(quality).contains("would take too long on a processor"));
     quality.software = false;
-    EXPECT_TRUE(PictureCard::picture_text(quality).contains("Resolution: that of the window. If a picture"));
+    EXPECT_TRUE(PictureCard::picture_text(quality).contains("Resolution: that of the window. If drawing"));
 }
 
 TEST_F(Screens, FirstStartFitsASmallDisplay) {

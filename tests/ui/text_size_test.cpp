@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
-#include <QStyleOption>
 
 #include "tests/ui/screens.h"
 #include "tests/ui/trace_files.h"
@@ -58,18 +56,6 @@ class LargeText : public Screens {
             needs(*button, button->text(), button->sizeHint());
         for (const QCheckBox* box : window->findChildren<QCheckBox*>())
             needs(*box, box->text(), box->sizeHint());
-        for (const QComboBox* box : window->findChildren<QComboBox*>()) {
-            QStyleOptionComboBox option;
-            option.initFrom(box);
-            const int room =
-                box->style()
-                    ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box)
-                    .width();
-            const int needed = box->fontMetrics().boundingRect(box->currentText()).width();
-            if (box->isVisible() && room < needed)
-                complain(screen, *box, box->currentText(),
-                         QStringLiteral("has %1 of %2 px").arg(room).arg(needed));
-        }
         return seen;
     }
     static int longest_word(const QLabel& label) {

@@ -179,7 +179,7 @@ void MainWindow::show_banner() {
     const bool shown = store != nullptr && (store->is_demo() || store->is_server());
     if (shown)
         banner_text_->setText(
-            store->is_demo() ? tr("Demonstration: the people are not real, and neither are their attempts.")
+            store->is_demo() ? tr("Demonstration: the people and their attempts are simulated.")
                              : tr("Programme server, read only: attempts, ratings and decisions are made at "
                                   "the stations."));
     banner_->setVisible(shown);

@@ -26,11 +26,12 @@ QString limit_words(const std::vector<double>& values, const CurveFit& fit, doub
     const AttemptsToLimit met = attempts_to_limit(values, fit, limit, lower_is_better);
     if (!met.attempts)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
-                                     "It does not meet the limit of %1: something has to change."))
+                                     "At this level it does not meet the limit of %1. Discuss with your "
+                                     "educator what to change."))
             .arg(shown);
     if (*met.attempts <= static_cast<int>(values.size()))
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
-                                     "It meets the limit of %1 since attempt %2."))
+                                     "It has met the limit of %1 since attempt %2."))
             .arg(shown)
             .arg(*met.attempts);
     const QString interval =

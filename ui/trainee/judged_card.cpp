@@ -59,10 +59,9 @@ JudgedCard::JudgedCard(QWidget* parent) : QFrame(parent) {
     bar_grid_->setHorizontalSpacing(28);
     bar_grid_->setVerticalSpacing(2);
     layout->addWidget(bars_);
-    legend_ =
-        make_label(tr("Line: the limit; the filled part of the bar meets it. Box: the experts (mean ± one "
-                      "standard deviation). Diamond: your last value with this device. * provisional limit."),
-                   "muted");
+    legend_ = make_label(tr("Line: the limit. Green: values that meet it. Box: experts (mean ± one standard "
+                            "deviation). Diamond: your last value with this device. * Provisional limit."),
+                         "muted");
     layout->addWidget(legend_);
     list_ = new QWidget;
     list_->setObjectName(QStringLiteral("judged_list"));

@@ -101,9 +101,9 @@ TEST(Advice, OfWhatHasNoFigure) {
     EXPECT_EQ(advice_of(metrics).substr(0, 47), "Time has no value because nothing was grasped; ");
     metrics[0] = test::missing("time", "", Absence::not_measured);
     EXPECT_EQ(advice_of(metrics), "Not scored: Time: not recorded: left.fx.");
-    EXPECT_EQ(
-        advice_of(figures(50, -1.5, 1, 0), {}, AttemptState::abandoned),
-        "The attempt was abandoned before the last goal was reached; carry the next one through to its end.");
+    EXPECT_EQ(advice_of(figures(50, -1.5, 1, 0), {}, AttemptState::abandoned),
+              "The attempt was abandoned before the last step was completed. Carry the next one through to "
+              "the end.");
 }
 
 // A force that was never made is no fault of an attempt that was given up: the sentence is about giving up.

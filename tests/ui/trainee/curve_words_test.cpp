@@ -35,7 +35,7 @@ TEST(LearningCurveWords, SaysWhereItLevelsOffAndWhetherTheLimitIsMet) {
     ASSERT_TRUE(met.plateau_low && met.plateau_high);
     EXPECT_NEAR(*met.plateau_low, 30, 1);
     EXPECT_TRUE(words_of(met).startsWith("The curve levels off at 30")) << met.words.toStdString();
-    EXPECT_TRUE(words_of(met).contains("meets the limit of 40 mm since attempt 7"))
+    EXPECT_TRUE(words_of(met).contains("has met the limit of 40 mm since attempt 7"))
         << met.words.toStdString();
     const LearningCurve never = learning_curve(improving(30, 30), 20.0, true, "mm");
     EXPECT_TRUE(words_of(never).contains("does not meet the limit of 20 mm")) << never.words.toStdString();
