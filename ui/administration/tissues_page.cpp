@@ -100,6 +100,9 @@ QWidget* TissuesPage::build_editor() {
         make_table({tr("Version"), tr("Time"), tr("Person"), tr("Values"), tr("Reason")}, "tissue_versions");
     history_->setMinimumHeight(150);
     card_layout(card)->addWidget(history_);
+    no_history_ =
+        make_label(tr("No values have been set at this site yet: those of the scene apply."), "muted");
+    card_layout(card)->addWidget(no_history_);
     connect(save_, &QPushButton::clicked, this, &TissuesPage::save);
     connect(reason_, &QLineEdit::returnPressed, this, &TissuesPage::save);
     connect(back_, &QPushButton::clicked, this, &TissuesPage::back_to_scene);
@@ -211,6 +214,8 @@ void TissuesPage::show_history() {
         }
     });
     fit_columns(history_, {0, 1});
+    history_->setVisible(history_->rowCount() > 0);
+    no_history_->setVisible(history_->rowCount() == 0);
 }
 
 void TissuesPage::save() {

@@ -214,7 +214,7 @@ QString standing_detail(const TaskStanding& standing) {
             if (standing.provisional)
                 return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
                                              "The check cannot be completed while the limits of this task "
-                                             "are provisional. Ask your educator."));
+                                             "are provisional. An educator can decide."));
             return say(
                 QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass twice on one day to complete the check."));
         case Standing::relapsed:

@@ -28,7 +28,8 @@ std::string in_readers_language(const char* context, const char* source) {
 }  // namespace
 
 QString statement_text(const Statement& statement) {
-    return text(words_of(statement, in_readers_language));
+    static const QRegularExpression minus(QStringLiteral("(?<=[ (])-(?=[0-9])"));
+    return text(words_of(statement, in_readers_language)).replace(minus, QString(QChar(0x2212)));
 }
 
 QString metric_text(const std::string& id) {
@@ -137,6 +138,13 @@ QString clock_text(double seconds) {
                                  .arg(tenths / 600)
                                  .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))
                                  .arg(tenths % 10));
+}
+
+QString minutes_text(double seconds) {
+    const auto whole = std::llround(std::max(0.0, seconds));
+    return whole % 60 == 0
+               ? QStringLiteral("%1 min").arg(whole / 60)
+               : QStringLiteral("%1:%2 min").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
 QString local_time(std::int64_t utc_ms) {

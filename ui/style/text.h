@@ -63,6 +63,8 @@ QString points_text(double points);
 QString unit_text(const std::string& unit);
 /// "2:05.3" (minutes, seconds, tenths).
 QString clock_text(double seconds);
+/// "5 min", "7:30 min": a limit of time, without tenths.
+QString minutes_text(double seconds);
 /// Local date and time of a UTC time, "21 Nov 2026 04:15"; "–" for 0.
 QString local_time(std::int64_t utc_ms);
 /// "passed", "passed (provisional)", "failed", "not scored".

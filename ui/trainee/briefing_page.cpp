@@ -299,7 +299,7 @@ void BriefingPage::fill() {
         steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(asset_text(step))));
     }
     steps_->addWidget(make_label(
-        tr("Time limit %1 · Outcome: %2").arg(clock_text(task->time_limit_s), asset_text(task->product)),
+        tr("Time limit %1 · Outcome: %2").arg(minutes_text(task->time_limit_s), asset_text(task->product)),
         "muted"));
     steps_->addStretch();
     show_variant(*task);

@@ -323,7 +323,8 @@ QString ProgressPage::add_curve(const database::ProgressSeries& series, AttemptS
             if (gate.metric == metric->id && gate.hand == metric->hand && gate.tissue == metric->tissue)
                 here = gate.limit;
     }
-    const LearningCurve curve = learning_curve(values, here, lower, unit);
+    const LearningCurve curve =
+        learning_curve(values, here, lower, unit, points ? std::optional<double>(100) : std::nullopt);
     shown.curve = curve.line;
     shown.plateau_low = curve.plateau_low;
     shown.plateau_high = curve.plateau_high;

@@ -83,7 +83,7 @@ void TaskHeader::show_task(const std::string& person_id, const std::string& task
     title_->setText(context_.task_title(task_id));
     briefing_->setText(asset_text(task->briefing));
     product_->setText(
-        tr("Outcome: %1 · Time limit %2").arg(asset_text(task->product), clock_text(task->time_limit_s)));
+        tr("Outcome: %1 · Time limit %2").arg(asset_text(task->product), minutes_text(task->time_limit_s)));
     const bool may_perform =
         person_id == context_.session().person_id() &&
         context_.allowed(database::Operation::perform_attempt, database::Subject::person(person_id));

@@ -89,10 +89,10 @@ TEST(Advice, OfATaskTakesThePlaceOfTheMetrics) {
 }
 
 TEST(Advice, OfAPassNamesTheNarrowestGate) {
-    EXPECT_EQ(advice_of(figures(std::exp(4.0), -1.65, 1, 0)),
-              "All gates are met, most narrowly Smoothness (SPARC), right hand (-1.65; the limit is "
-              "-1.70); start each "
-              "move slowly and let it run out in one stroke.");
+    EXPECT_EQ(
+        advice_of(figures(std::exp(4.0), -1.65, 1, 0)),
+        "All gates are met. Closest to its limit: Smoothness (SPARC), right hand (-1.65, limit -1.70). To "
+        "improve: start each move slowly and let it run out in one stroke.");
 }
 
 TEST(Advice, OfWhatHasNoFigure) {

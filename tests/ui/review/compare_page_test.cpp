@@ -277,7 +277,7 @@ TEST_F(Comparing, SaysWhatCannotBeCompared) {
         << notes().toStdString();
     EXPECT_EQ(line("Time"), (QStringList{"6 s", "6 s", "0 s (0 %)", "–"}));
     choose(page, "Latest attempt");
-    EXPECT_TRUE(notes().startsWith("Different variants: Standard and Deeper spheres."))
+    EXPECT_TRUE(notes().startsWith("Different variants: Standard and Deeper plane."))
         << notes().toStdString();
 
     // The attempt itself without a trace: no replay, the metrics alone.

@@ -27,6 +27,12 @@ TEST(ShownText, PointsOfAColumnHaveOneDecimalInEveryLanguage) {
     use_language(Language::english);
 }
 
+TEST(ShownText, LimitsOfTimeHaveNoTenths) {
+    EXPECT_EQ(minutes_text(300), "5 min");
+    EXPECT_EQ(minutes_text(450), "7:30 min");
+    EXPECT_EQ(minutes_text(65), "1:05 min");
+}
+
 TEST(ShownText, SourcesOfLimitsNameNoSeeds) {
     EXPECT_EQ(limit_source_text("synthetic operators, seeds 1000-1999, set 4, 32 experts"),
               "32 simulated experts, benchmark set 4");

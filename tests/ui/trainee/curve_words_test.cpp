@@ -53,5 +53,15 @@ TEST(LearningCurveWords, SaysWhenTheLimitWouldBeMet) {
     EXPECT_FALSE(curve.plateau_low.has_value());
 }
 
+TEST(LearningCurveWords, NameNoPlateauAboveTheHighestPossibleValue) {
+    std::vector<CurveValue> rising;  // towards 104, as a fit through points of 97 to 99 may be
+    for (int n = 1; n <= 30; ++n) rising.push_back({n, 104 - 60 / std::sqrt(n) + (n % 2 == 0 ? 0.3 : -0.3)});
+    EXPECT_FALSE(learning_curve(rising, {}, false, "").words.contains("levels off at 100 "));
+    const LearningCurve curve = learning_curve(rising, {}, false, "", 100);
+    EXPECT_TRUE(curve.words.contains("levels off at 100 (")) << curve.words.toStdString();
+    ASSERT_TRUE(curve.plateau_high);
+    EXPECT_LE(*curve.plateau_high, 100);
+}
+
 }  // namespace
 }  // namespace fulcrum::ui

@@ -12108,6 +12108,18 @@ Kennzahlen: %2</translation>
         <source>Explain: %1</source>
         <translation>Erklären: %1</translation>
     </message>
+    <message>
+        <source>no limit</source>
+        <translation>kein Grenzwert</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::KeysCard</name>
@@ -14991,6 +15003,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>The scene&apos;s values apply again.</source>
         <translation>Es gelten wieder die Werte der Szene.</translation>
     </message>
+    <message>
+        <source>No values have been set at this site yet: those of the scene apply.</source>
+        <translation>An diesem Standort sind noch keine Werte festgelegt: Es gelten die der Szene.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ToRatePage</name>
@@ -15559,6 +15575,53 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::certificate</name>
+    <message>
+        <source>%1: proficient since %2, by decision of an educator</source>
+        <translation>%1: sicher beherrscht seit %2, durch Entscheidung eines Ausbilders</translation>
+    </message>
+    <message>
+        <source>%1: proficient since %2</source>
+        <translation>%1: sicher beherrscht seit %2</translation>
+    </message>
+    <message>
+        <source>Certificate of %1</source>
+        <translation>Zertifikat von %1</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>has completed stage %1, %2, of the curriculum %3 on %4.</source>
+        <translation>hat die Stufe %1, %2, des Curriculums %3 am %4 abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Proficiency is declared by the rule of the curriculum (%1) or by an educator; limits from synthetic operators never declare it. It is checked again after 14, 30, 91 and 182 days.</source>
+        <translation>„Sicher beherrscht“ wird nach der Regel des Curriculums (%1) oder durch einen Ausbilder festgestellt, nie mit Grenzwerten von simulierten Operateuren. Nach 14, 30, 91 und 182 Tagen wird es erneut geprüft.</translation>
+    </message>
+    <message>
+        <source>Director of the programme</source>
+        <translation>Programmleitung</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Check code %1</source>
+        <translation>Prüfcode %1</translation>
+    </message>
+    <message>
+        <source>The programme verifies it with: fulcrum certificate --verify %1 --as LOGIN. The code is valid while every proficiency above is in force.</source>
+        <translation>Das Programm prüft ihn mit: fulcrum certificate --verify %1 --as ANMELDENAME. Der Code ist gültig, solange alles oben Genannte sicher beherrscht wird.</translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation>Person %1</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::concerns</name>
     <message>
         <source>%1: proficiency was lost; latest attempt on %2.</source>
@@ -16118,6 +16181,17 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::report_export</name>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Der Bericht wird geschrieben …</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::standing</name>
     <message>
         <source>d MMM yyyy</source>
@@ -16216,8 +16290,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Beurteilungen des Versuchs vom %1 liegen unter der Grenze: Der nächste bestandene Versuch, mit dem die Regel erfüllt ist, wird beurteilt.</translation>
     </message>
     <message>
-        <source>The check cannot be completed while the limits of this task are provisional. Ask your educator.</source>
-        <translation>Solange die Grenzwerte dieser Aufgabe vorläufig sind, kann die Kontrolle nicht abgeschlossen werden. Fragen Sie Ihren Ausbilder.</translation>
+        <source>The check cannot be completed while the limits of this task are provisional. An educator can decide.</source>
+        <translation>Solange die Grenzwerte dieser Aufgabe vorläufig sind, kann die Kontrolle nicht abgeschlossen werden. Ein Ausbilder kann entscheiden.</translation>
     </message>
 </context>
 <context>
