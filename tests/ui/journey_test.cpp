@@ -311,7 +311,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_EQ(row["state"], "attempted");
     const double best = row["best_points"].get<double>();
     EXPECT_TRUE(cell.contains("best " + figure(best))) << cell.toStdString();
-    EXPECT_EQ(mark, QString::fromUtf8("○ %1 · 1").arg(figure(best)));
+    EXPECT_EQ(mark, QString::fromUtf8("○ %1 · 1").arg(points_figure(best)));
     EXPECT_TRUE(debrief_about.contains(" · " + points_text(best))) << debrief_about.toStdString();
     const std::string csv = read_text(folder.filePath("cohort.csv"));
     EXPECT_NE(csv.find(",attempted,0,1,0,"), std::string::npos) << csv;

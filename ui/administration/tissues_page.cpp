@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 
 #include "ui/language/language.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -83,17 +84,17 @@ QWidget* TissuesPage::build_editor() {
     note_->setObjectName(QStringLiteral("tissue_limits"));
     card_layout(card)->addWidget(note_);
     change_ = new QFrame;
-    auto* change = new QHBoxLayout(change_);
+    auto* change = new FlowRow(change_);
     change->setContentsMargins(0, 0, 0, 0);
     reason_ = new QLineEdit;
     reason_->setObjectName(QStringLiteral("tissue_reason"));
     reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
     reason_->setAccessibleName(tr("Reason"));
-    change->addWidget(reason_, 1);
+    change->add(reason_, 1, with_text(200));
     save_ = make_button(tr("Save values"), "save_tissues", "primary");
-    change->addWidget(save_);
+    change->add(save_);
     back_ = make_button(tr("Reset to the scene's values"), "scene_tissues");
-    change->addWidget(back_);
+    change->add(back_);
     card_layout(card)->addWidget(change_);
     card_layout(card)->addWidget(make_label(tr("Versions"), "heading"));
     history_ =

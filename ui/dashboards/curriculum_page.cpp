@@ -99,7 +99,7 @@ QWidget* CurriculumPage::make_tasks() {
     tasks_ = new QListWidget;
     tasks_->setObjectName(QStringLiteral("curriculum_tasks"));
     tasks_->setAccessibleName(tr("Tasks of the curriculum"));
-    tasks_->setMinimumWidth(220);
+    tasks_->setMinimumWidth(240);
     tasks_->setWordWrap(true);
     tasks_->setTextElideMode(Qt::ElideNone);
     tasks_->setMinimumHeight(12 * fontMetrics().height());
@@ -114,7 +114,7 @@ QWidget* CurriculumPage::make_tasks() {
     auto* more = new FlowRow;
     new_task_ = make_narrow_choice("task_new", tr("Task to be added"), 8);
     add_ = make_button(tr("Add"), "task_add");
-    more->add(new_task_, 1, with_text(110));
+    more->add(new_task_, 1, with_text(180));  // on a line of its own in a narrow window
     more->add(add_);
     layout->addLayout(more);
     return holder;

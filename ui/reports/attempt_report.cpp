@@ -49,7 +49,7 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.paragraph(
         beside({text(paper.provenance.programme), capital(ReportTexts::tr("report on one attempt"))}));
     sheet.font(17, true);
-    sheet.paragraph(text(attempt.meta.task_id) + QStringLiteral(" · ") + asset_text(paper.task.title));
+    sheet.paragraph(beside({text(attempt.meta.task_id), asset_text(paper.task.title)}));
     sheet.font(9, false, paper_palette().muted);
     sheet.paragraph(
         beside({text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),

@@ -107,9 +107,11 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
 // Charts in rows from where the sheet is; on pages of their own where they would be too low to read there.
 void person_charts(Sheet& sheet, const std::vector<const database::PersonProgress*>& drawn,
                    const std::function<void()>& turn) {
-    constexpr double lowest_mm = 33, highest_mm = 72;
+    constexpr double lowest_mm = 40, highest_mm = 72;
     const bool landscape = sheet.width() > sheet.height();
-    const std::size_t per_row = landscape ? std::min<std::size_t>(drawn.size(), 3) : drawn.size() > 3 ? 2 : 1;
+    const std::size_t per_row = landscape || drawn.size() > 4 ? std::min<std::size_t>(drawn.size(), 3)
+                                : drawn.size() > 3            ? 2
+                                                              : 1;
     std::size_t chart_rows = (drawn.size() + per_row - 1) / per_row;
     if (bottom_of(sheet) - sheet.y() < static_cast<double>(chart_rows) * Sheet::mm(lowest_mm)) {
         turn();
@@ -192,7 +194,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
                     ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of))}),
             report.synthetic || report.provenance.demo, any_provisional(report.rows));
     };
-    const double columns[] = {0, 0.26, 0.44, 0.66, 0.75, 0.86, 0.93, 1.0};
+    const double columns[] = {0, 0.25, 0.445, 0.655, 0.745, 0.855, 0.93, 1.0};
     const QString titles[] = {ReportTexts::tr("task"),   ReportTexts::tr("device"),
                               ReportTexts::tr("state"),  ReportTexts::tr("attempts"),
                               ReportTexts::tr("passed"), ReportTexts::tr("other"),

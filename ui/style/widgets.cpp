@@ -204,9 +204,12 @@ class ColumnFitter : public QObject {
     explicit ColumnFitter(QTableWidget* table) : QObject(table), table_(table) {
         setObjectName(QString::fromLatin1(name));
         table->viewport()->installEventFilter(this);
-        connect(table->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
-            dragged_ = dragged_ || (!fitting_ && column + 1 < table_->columnCount());
-        });
+        connect(table->horizontalHeader(), &QHeaderView::sectionResized, this,
+                [this](int column, int before, int now) {
+                    const bool hidden_or_shown = before == 0 || now == 0;
+                    dragged_ =
+                        dragged_ || (!fitting_ && !hidden_or_shown && column + 1 < table_->columnCount());
+                });
     }
     static ColumnFitter* of(QTableWidget* table) {
         auto* present = table->findChild<QObject*>(QString::fromLatin1(name), Qt::FindDirectChildrenOnly);
