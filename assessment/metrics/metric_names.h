@@ -10,7 +10,7 @@ namespace fulcrum {
 inline constexpr NameRow<Direction> metric_directions[] = {
     {Direction::lower, "lower", QT_TRANSLATE_NOOP("fulcrum::metric_names", "lower is better")},
     {Direction::higher, "higher", QT_TRANSLATE_NOOP("fulcrum::metric_names", "higher is better")},
-    {Direction::context, "context", QT_TRANSLATE_NOOP("fulcrum::metric_names", "neither: context only")}};
+    {Direction::context, "context", QT_TRANSLATE_NOOP("fulcrum::metric_names", "for information only")}};
 static_assert(in_order(metric_directions));
 
 inline constexpr NameRow<Absence> metric_absences[] = {{Absence::none, "none", ""},

@@ -95,7 +95,8 @@ class Journey : public ::testing::Test {
         keep_picture(window, QStringLiteral("06-briefing-") + QLatin1String(task));
         // Measured values of the assets, or that there are none for this version.
         const QString fidelity = shown("fidelity_note");
-        EXPECT_TRUE(fidelity.contains(fidelity_cost(task) ? "compared with fine" : "is not measured"))
+        EXPECT_TRUE(fidelity.contains(fidelity_cost(task) ? "compared with the level \"fine\""
+                                                          : "has not been measured"))
             << plain(fidelity);
         EXPECT_TRUE(find<QAbstractButton>(window, "start_attempt")->text().startsWith("Start as "));
         click(window, "start_attempt");
@@ -175,7 +176,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     services.control.complete = true;
     DebriefPage& debrief = wait_for_debrief();
     const std::string first_attempt = services.control.last_attempt_id;
-    EXPECT_TRUE(shown("verdict").contains("failed"));
+    EXPECT_TRUE(shown("verdict").contains("Failed"));
     EXPECT_TRUE(shown("advice").contains(QRegularExpression("\\b9\\.\\d+ N")))
         << shown("advice").toStdString();
     const QString debrief_about = shown("debrief_about");
@@ -210,7 +211,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     keep_picture(window, "07-theatre-abandon");
     click(window, "panel_abandon");
     wait_for_debrief();
-    EXPECT_TRUE(shown("verdict").contains("failed"));
+    EXPECT_TRUE(shown("verdict").contains("Failed"));
 
     click(window, "rail_home");
     start_attempt("B1", false);
@@ -265,7 +266,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(shown("message_text").contains("reason"));
     type(window, "action_reason", "started by mistake");
     click(window, "void_attempt");
-    ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "voided"; }));
+    ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "Voided"; }));
     EXPECT_TRUE(shown("debrief_notes").contains("started by mistake"));
     switch_user();
 
@@ -310,7 +311,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_EQ(row["state"], "attempted");
     const double best = row["best_points"].get<double>();
     EXPECT_TRUE(cell.contains("best " + figure(best))) << cell.toStdString();
-    EXPECT_EQ(mark, QString::fromUtf8("○ %1 · 1").arg(figure(best)));
+    EXPECT_EQ(mark, QString::fromUtf8("○ %1 · 1").arg(points_figure(best)));
     EXPECT_TRUE(debrief_about.contains(" · " + points_text(best))) << debrief_about.toStdString();
     const std::string csv = read_text(folder.filePath("cohort.csv"));
     EXPECT_NE(csv.find(",attempted,0,1,0,"), std::string::npos) << csv;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/screens.h"
 
+#include <QComboBox>
 #include <QScrollBar>
+#include <QStyleOption>
 
 #include "tests/ui/four_people.h"
+#include "tests/ui/picture_kinds.h"
 #include "ui/page/background_job.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/page_table.h"
@@ -82,6 +85,16 @@ void Screens::expect_fits(const QString& screen) {
         EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0)
             << screen.toStdString() << ": " << area->widget()->minimumSizeHint().width() << " px wide";
     }
+    for (const QComboBox* box : window->findChildren<QComboBox*>()) {
+        // That one lists tasks by their short names first, and has little room next to its button.
+        if (!box->isVisible() || box->objectName() == "task_new") continue;
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect room =
+            box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        EXPECT_GE(room.width(), box->fontMetrics().boundingRect(box->currentText()).width())
+            << screen.toStdString() << ": " << box->currentText().toStdString();
+    }
     const QRect shown = window->rect();
     for (QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
         if (!button->isVisible() || button->visibleRegion().isEmpty()) continue;
@@ -96,12 +109,10 @@ void Screens::keep(const QString& screen) {
     if (folder.isEmpty()) return;
     QDir().mkpath(QString::fromLocal8Bit(folder));
     constexpr int fastest = 89;  // the fastest compression; the usual one takes longer than drawing
-    window->grab().save(QStringLiteral("%1/%2-%3x%4-%5.png")
-                            .arg(QString::fromLocal8Bit(folder), screen)
-                            .arg(size_.width())
-                            .arg(size_.height())
-                            .arg(current_theme() == Theme::light ? "light" : "dark"),
-                        nullptr, fastest);
+    const PictureKind kind{size_, current_theme(), language_in_use(), text_percent()};
+    window->grab().save(
+        QStringLiteral("%1/%2-%3.png").arg(QString::fromLocal8Bit(folder), screen, kind.name()), nullptr,
+        fastest);
 }
 
 void Screens::visit(const std::string& attempt, const std::function<void(const QString&)>& look) {

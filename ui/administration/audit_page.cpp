@@ -59,16 +59,17 @@ AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
                    "audit_table");
     table_->setMinimumHeight(380);
     layout->addWidget(table_, 1);
-    older_ = make_button(tr("Show older ones"), "audit_older");
+    older_ = make_button(tr("Show older entries"), "audit_older");
     connect(older_, &QPushButton::clicked, this, &AuditPage::load_older);
     layout->addWidget(older_, 0, Qt::AlignLeft);
-    layout->addWidget(make_label(tr("Texts about an attempt are not shown here; they are visible to people "
-                                    "who may read the attempt. Anyone with access to the file can rewrite "
-                                    "the chain: compare its head with the one in a report."),
-                                 "muted"));
+    layout->addWidget(
+        make_label(tr("Comments and reasons about an attempt are not shown here; people who may open the "
+                      "attempt see them there. A person who can write to the store's file could rewrite the "
+                      "whole log: compare the newest hash above with the one printed in a report."),
+                   "muted"));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
+    outer->addWidget(scrolled(body));
 }
 
 QWidget* AuditPage::build_filters() {
@@ -171,7 +172,7 @@ void AuditPage::load_older() {
     });
     show_entries(entries);
     older_->setVisible(static_cast<int>(entries.size()) == at_once);
-    count_->setText(tr("entries shown: %1").arg(table_->rowCount()));
+    count_->setText(tr("%n entries shown", nullptr, table_->rowCount()));
 }
 
 void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {

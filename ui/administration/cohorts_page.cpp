@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <algorithm>
 
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -48,24 +49,31 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     auto* add_row = new QHBoxLayout;
     new_name_ = new QLineEdit;
     new_name_->setObjectName(QStringLiteral("new_cohort_name"));
-    new_name_->setPlaceholderText(tr("name of a new cohort"));
+    new_name_->setPlaceholderText(tr("Name of the new cohort"));
     add_row->addWidget(new_name_);
     QPushButton* add_button = make_button(tr("Add cohort"), "add_cohort", "primary");
     add_row->addWidget(add_button);
     add_row->addStretch();
     layout->addLayout(add_row);
-    auto* row = new QHBoxLayout;
+    // With large text, names have the whole width.
+    const bool large = text_percent() > 150;
+    const auto direction = large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+    auto* row = new QBoxLayout(direction);
     list_ = new QListWidget;
     list_->setObjectName(QStringLiteral("cohort_list"));
     list_->setAccessibleName(tr("Cohorts"));
-    list_->setMaximumWidth(260);
+    if (large) {
+        list_->setMaximumHeight(4 * fontMetrics().height());
+    } else {
+        list_->setMaximumWidth(with_text(260));
+    }
     row->addWidget(list_, 1);
     editor_ = make_card(8);
     card_layout(editor_)->addWidget(make_label(tr("Name"), "muted"));
     name_ = new QLineEdit;
     name_->setObjectName(QStringLiteral("cohort_name"));
     card_layout(editor_)->addWidget(name_);
-    auto* lists = new QHBoxLayout;
+    auto* lists = new QBoxLayout(direction);
     const auto column = [&](const QString& title, const char* name) {
         auto* inner = new QVBoxLayout;
         inner->addWidget(make_label(title, "heading"));
@@ -80,11 +88,11 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     members_ = column(tr("Trainees"), "cohort_members");
     educators_ = column(tr("Educators"), "cohort_educators");
     card_layout(editor_)->addLayout(lists);
-    QPushButton* save_button = make_button(tr("Save"), "save_cohort", "primary");
+    QPushButton* save_button = make_button(tr("Save cohort"), "save_cohort", "primary");
     card_layout(editor_)->addWidget(save_button, 0, Qt::AlignLeft);
     row->addWidget(editor_, 3);
     layout->addLayout(row);
-    layout->addStretch();
+    layout->addStretch(1);
     connect(add_button, &QPushButton::clicked, this, &CohortsPage::add);
     connect(new_name_, &QLineEdit::returnPressed, this, &CohortsPage::add);
     connect(save_button, &QPushButton::clicked, this, &CohortsPage::save);

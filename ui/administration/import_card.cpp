@@ -26,7 +26,7 @@ QString what_words(const database::PersonImport& step) {
         case What::add_role:
             return ImportCard::tr("gets a role");
         case What::nothing:
-            return ImportCard::tr("is there already");
+            return ImportCard::tr("exists already");
         case What::refused:
             break;
     }
@@ -58,10 +58,11 @@ ImportCard::ImportCard(Context& context)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(18, 16, 18, 16);
     layout->setSpacing(8);
-    layout->addWidget(make_label(tr("Import a list"), "heading"));
+    layout->addWidget(make_label(tr("Import people from a list"), "heading"));
     layout->addWidget(make_label(
-        tr("A folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, "
-           "name, role and cohort. Nobody is renamed, deactivated or removed."),
+        tr("Choose a folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, "
+           "name, role and "
+           "cohort. The import only adds accounts and roles; it renames, deactivates and removes nobody."),
         "muted"));
     layout->addWidget(make_path_row());
     auto* below = new QVBoxLayout(details_);
@@ -101,7 +102,7 @@ QWidget* ImportCard::make_path_row() {
     row->add(path_, 1, 240);
     QPushButton* file = make_button(tr("File …"), "import_file");
     QPushButton* folder = make_button(tr("Folder …"), "import_folder");
-    look_ = make_button(tr("Look"), "import_look");
+    look_ = make_button(tr("Preview"), "import_look");
     for (QPushButton* button : {file, folder, look_}) row->add(button);
     connect(file, &QPushButton::clicked, this, [this] { choose(false); });
     connect(folder, &QPushButton::clicked, this, [this] { choose(true); });

@@ -20,7 +20,7 @@ MergeCard::MergeCard(Context& context) : context_(context) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 8, 0, 0);
     layout->setSpacing(8);
-    layout->addWidget(make_label(tr("Entered twice?"), "heading"));
+    layout->addWidget(make_label(tr("Does this person have two accounts?"), "heading"));
     what_ = make_label({}, "muted");
     what_->setWordWrap(true);
     layout->addWidget(what_);
@@ -75,9 +75,10 @@ void MergeCard::show_for(const database::Person& person, const std::vector<datab
             into_->addItem(name, text(other.id));
     }
     what_->setText(
-        is_merged ? tr("This account belongs to %1 now. It does not sign in.").arg(owner)
-                  : tr("Merge this account into the other one of the same person. This login then no longer "
-                       "signs in."));
+        is_merged
+            ? tr("This account was merged into that of %1. It can no longer be used to sign in.").arg(owner)
+            : tr("Merge this account into the other account of the same person. This login can then no "
+                 "longer be used to sign in."));
     choice_->setVisible(!is_merged);
     merge_->setVisible(!is_merged);
     undo_->setVisible(is_merged);

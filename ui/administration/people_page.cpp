@@ -72,7 +72,7 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     connect(import_, &ImportCard::imported, this, &PeoplePage::fill);
     layout->addWidget(import_);
     picker_ = new QCheckBox(
-        in_lines(tr("Show the people who signed in here in the last 30 days on the sign-in screen"),
+        in_lines(tr("On the sign-in screen, list the people who signed in here in the last 30 days"),
                  fontMetrics(), widest_line));
     picker_->setObjectName(QStringLiteral("sign_in_picker"));
     connect(picker_, &QCheckBox::clicked, this, [this](bool on) {
@@ -81,7 +81,7 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
         });
     });
     layout->addWidget(picker_);
-    layout->addStretch();
+    layout->addStretch(1);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &PeoplePage::select);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -98,12 +98,12 @@ QFrame* PeoplePage::build_add() {
     form->addRow(tr("Name"), new_name_);
     new_login_ = new QLineEdit;
     new_login_->setObjectName(QStringLiteral("new_person_login"));
-    new_login_->setPlaceholderText(tr("letters, digits, . _ - @"));
+    new_login_->setPlaceholderText(tr("Letters, digits and . _ - @"));
     form->addRow(tr("Login"), new_login_);
     new_roles_ = add_role_boxes(form, tr("Roles"), "new_role_");
     new_roles_.front()->setChecked(true);
     card_layout(card)->addLayout(form);
-    QPushButton* button = make_button(tr("Add"), "add_person", "primary");
+    QPushButton* button = make_button(tr("Add person"), "add_person", "primary");
     connect(button, &QPushButton::clicked, this, &PeoplePage::add);
     connect(new_login_, &QLineEdit::returnPressed, this, &PeoplePage::add);
     card_layout(card)->addWidget(button, 0, Qt::AlignLeft);

@@ -31,7 +31,7 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     layout->addWidget(build_backup());
     layout->addWidget(build_check());
     layout->addWidget(build_key());
-    layout->addStretch();
+    layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1000));
@@ -41,8 +41,8 @@ QFrame* StationPage::build_backup() {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(tr("Back up"), "heading"));
     card_layout(card)->addWidget(
-        make_label(tr("Writes everything into one file in the background. Keep it on another disk; it is as "
-                      "confidential as the store itself."),
+        make_label(tr("Copies the whole store into one file; you can continue to work. Keep the file on "
+                      "another disk. It is as confidential as the store itself."),
                    "muted"));
     backup_ = make_button(tr("Back up …"), "back_up", "primary");
     connect(backup_, &QPushButton::clicked, this, &StationPage::ask_backup);
@@ -52,10 +52,11 @@ QFrame* StationPage::build_backup() {
 
 QFrame* StationPage::build_check() {
     QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Check"), "heading"));
-    card_layout(card)->addWidget(make_label(
-        tr("Reads the whole store (pages, references, audit log, recordings, scores) and lists any damage."),
-        "muted"));
+    card_layout(card)->addWidget(make_label(tr("Check for damage"), "heading"));
+    card_layout(card)->addWidget(
+        make_label(tr("Reads the whole store (file pages, references, audit log, recordings and scores) and "
+                      "lists any damage. Nothing is changed."),
+                   "muted"));
     check_ = make_button(tr("Check the store"), "check_store", "primary");
     connect(check_, &QPushButton::clicked, this, &StationPage::check);
     card_layout(card)->addWidget(check_, 0, Qt::AlignLeft);
@@ -64,7 +65,8 @@ QFrame* StationPage::build_check() {
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     verdict_->hide();
     card_layout(card)->addWidget(verdict_);
-    items_ = make_table({tr("Checked"), tr("Result"), tr("How many"), tr("What is wrong")}, "check_items");
+    items_ =
+        make_table({tr("Checked"), tr("Result"), tr("Number checked"), tr("What is wrong")}, "check_items");
     items_->setMinimumHeight(280);  // all of them
     items_->hide();
     card_layout(card)->addWidget(items_);
@@ -73,18 +75,19 @@ QFrame* StationPage::build_check() {
 
 QFrame* StationPage::build_key() {
     key_card_ = make_card(8);
-    card_layout(key_card_)->addWidget(make_label(tr("Key"), "heading"));
-    card_layout(key_card_)->addWidget(make_label(
-        tr("The station signs its audit log with a key, and reports print its name. Change the key when its "
-           "file may have been copied, or when somebody who could read it leaves. The old key announces "
-           "the new one; what it signed stays valid."),
-        "muted"));
-    keys_ = make_table({tr("Key"), tr("From"), tr("Until"), tr("How it began")}, "station_keys");
+    card_layout(key_card_)->addWidget(make_label(tr("Signing key"), "heading"));
+    card_layout(key_card_)->addWidget(
+        make_label(tr("The station signs its audit log with this key, and every report names the key. Change "
+                      "it if the key's file may have been copied, or when a person with access to the file "
+                      "leaves. The old key signs the change, and everything it signed before stays valid."),
+                   "muted"));
+    keys_ = make_table({tr("Key"), tr("From"), tr("Until"), tr("Origin")}, "station_keys");
+    keys_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     card_layout(key_card_)->addWidget(keys_);
     key_reason_ = new QLineEdit;
     key_reason_->setObjectName(QStringLiteral("key_reason"));
-    key_reason_->setPlaceholderText(tr("Why the key is changed"));
-    key_reason_->setAccessibleName(tr("Why the key is changed"));
+    key_reason_->setPlaceholderText(tr("Reason for the change"));
+    key_reason_->setAccessibleName(tr("Reason for the change"));
     change_key_ = make_button(tr("Change the key"), "change_key");
     connect(key_reason_, &QLineEdit::textChanged, this,
             [this] { change_key_->setEnabled(!key_reason_->text().trimmed().isEmpty()); });
@@ -112,9 +115,9 @@ void StationPage::show_keys() {
         keys_->setItem(row, 1, make_cell(date_text(key->from)));
         keys_->setItem(row, 2, make_cell(in_use ? tr("in use") : date_text(key->until)));
         keys_->setItem(row, 3,
-                       make_cell(first            ? tr("the first")
-                                 : key->announced ? tr("✓ announced by the key before it")
-                                                  : tr("✕ not announced by the key before it")));
+                       make_cell(first            ? tr("first key")
+                                 : key->announced ? tr("✓ signed by the previous key")
+                                                  : tr("✕ not signed by the previous key")));
     }
     fit_columns(keys_);
     constexpr int most_rows = 6;

@@ -9,6 +9,8 @@
 #include <QSignalBlocker>
 
 #include "ui/language/language.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -47,20 +49,19 @@ TissuesPage::TissuesPage(Context& context) : Page(context, "tissues_page") {
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Tissue"), "title"));
     layout->addWidget(make_label(
-        tr("The force at which a blade cuts into a tissue and through it. What you set here applies "
-           "for attempts that "
-           "begin afterwards; every attempt keeps the scene that it was performed in."),
+        tr("The force at which a blade cuts into and through a tissue. A change applies to attempts that "
+           "begin afterwards; earlier attempts keep the values with which they were performed."),
         "muted"));
     list_ = new QListWidget;
     list_->setObjectName(QStringLiteral("tissue_tasks"));
     list_->setAccessibleName(tr("Tasks"));
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout->addWidget(list_);
-    none_ = make_label(tr("No task of this programme has tissue that a blade cuts."));
+    none_ = make_label(tr("No task of this programme has tissue that can be cut."));
     layout->addWidget(none_);
     editor_ = build_editor();
     layout->addWidget(editor_);
-    layout->addStretch();
+    layout->addStretch(1);
     connect(list_, &QListWidget::currentRowChanged, this, &TissuesPage::select);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -83,23 +84,26 @@ QWidget* TissuesPage::build_editor() {
     note_->setObjectName(QStringLiteral("tissue_limits"));
     card_layout(card)->addWidget(note_);
     change_ = new QFrame;
-    auto* change = new QHBoxLayout(change_);
+    auto* change = new FlowRow(change_);
     change->setContentsMargins(0, 0, 0, 0);
     reason_ = new QLineEdit;
     reason_->setObjectName(QStringLiteral("tissue_reason"));
-    reason_->setPlaceholderText(tr("why (kept in the audit log)"));
+    reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
     reason_->setAccessibleName(tr("Reason"));
-    change->addWidget(reason_, 1);
-    save_ = make_button(tr("Set"), "save_tissues", "primary");
-    change->addWidget(save_);
+    change->add(reason_, 1, with_text(200));
+    save_ = make_button(tr("Save values"), "save_tissues", "primary");
+    change->add(save_);
     back_ = make_button(tr("Reset to the scene's values"), "scene_tissues");
-    change->addWidget(back_);
+    change->add(back_);
     card_layout(card)->addWidget(change_);
     card_layout(card)->addWidget(make_label(tr("Versions"), "heading"));
     history_ =
         make_table({tr("Version"), tr("Time"), tr("Person"), tr("Values"), tr("Reason")}, "tissue_versions");
     history_->setMinimumHeight(150);
     card_layout(card)->addWidget(history_);
+    no_history_ =
+        make_label(tr("No values have been set at this site yet: those of the scene apply."), "muted");
+    card_layout(card)->addWidget(no_history_);
     connect(save_, &QPushButton::clicked, this, &TissuesPage::save);
     connect(reason_, &QLineEdit::returnPressed, this, &TissuesPage::save);
     connect(back_, &QPushButton::clicked, this, &TissuesPage::back_to_scene);
@@ -187,7 +191,7 @@ void TissuesPage::show_values() {
         table_->setRowHeight(row, std::max(table_->rowHeight(row), edit->sizeHint().height() + 4));
     }
     fit_columns(table_);
-    table_->setColumnWidth(site_column, 110);
+    table_->setColumnWidth(site_column, with_text(110));
     int height = table_->horizontalHeader()->sizeHint().height() + 8;
     for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
     table_->setFixedHeight(height);
@@ -211,6 +215,8 @@ void TissuesPage::show_history() {
         }
     });
     fit_columns(history_, {0, 1});
+    history_->setVisible(history_->rowCount() > 0);
+    no_history_->setVisible(history_->rowCount() == 0);
 }
 
 void TissuesPage::save() {

@@ -37,6 +37,7 @@ class TissuesPage : public Page {
     SiteTissues site_;
     QListWidget* list_;
     QTableWidget *table_, *history_;
+    QLabel* no_history_;
     QLabel *state_, *note_, *none_;  ///< none_: shown where no task has such tissue
     QWidget* editor_;
     QLineEdit* reason_;

@@ -64,13 +64,13 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     connect(import_, &TraceImportCard::imported, this, [this](const QString& id) {
         if (!id.isEmpty()) {
             import_->hide();
-            this->context().say(tr("The trace was imported as an external attempt."));
+            this->context().say(tr("The recording was imported as an external attempt."));
         }
         load();
     });
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
+    outer->addWidget(scrolled(body));
 }
 
 void AttemptsPage::enter() {
@@ -94,10 +94,10 @@ void AttemptsPage::enter() {
 QWidget* AttemptsPage::build_buttons() {
     auto* holder = new QWidget;
     auto* row = new FlowRow(holder);
-    QPushButton* open = make_button(tr("Open the attempt"), "open_attempt", "primary");
+    QPushButton* open = make_button(tr("Open attempt"), "open_attempt", "primary");
     connect(open, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
     row->add(open);
-    show_import_ = make_button(tr("Import a trace …"), "show_trace_import");
+    show_import_ = make_button(tr("Import a recording …"), "show_trace_import");
     connect(show_import_, &QPushButton::clicked, this, [this] {
         import_->setVisible(!import_->isVisible());
         if (!import_->isVisible()) {
@@ -148,9 +148,9 @@ void AttemptsPage::count_stale() {
         [this, count] {
             job_ = nullptr;
             stale_->setText(
-                tr("Scores computed with older metrics or limits: %1. Recomputing adds a new score next "
-                   "to each; the score in force stays.")
-                    .arg(*count));
+                tr("%n scores were computed with older metrics or limits. Recomputing adds a second score to "
+                   "each attempt; the score in force does not change.",
+                   nullptr, static_cast<int>(*count)));
             recompute_->setEnabled(true);
             stale_card_->setVisible(*count > 0);
         },
@@ -267,8 +267,8 @@ void AttemptsPage::fill_cut_off() {
         context().guarded(
             [&] { series = database::Attempts(context().store()).cut_off_series(context().session()); });
     cut_off_card_->setVisible(!series.empty());
-    cut_off_->addWidget(
-        make_label(tr("Cut off three times in a row or more: %1").arg(series.size()), "heading"));
+    cut_off_->addWidget(make_label(
+        tr("People with three or more interrupted attempts in a row: %1").arg(series.size()), "heading"));
     for (const database::CutOffSeries& one : series) {
         const database::AttemptSummary& last = one.attempts.front();
         QStringList recorded;
@@ -276,7 +276,7 @@ void AttemptsPage::fill_cut_off() {
             recorded +=
                 tr("%1 %2").arg(clock_text(attempt.duration_s), verdict(attempt.passed, attempt.provisional));
         QPushButton* button =
-            make_button(tr("%1, %2: %3 attempts cut off, the last %4. Recorded: %5")
+            make_button(tr("%1, %2: %3 interrupted attempts, the last on %4. Recorded: %5")
                             .arg(person_text(last.person_name, last.synthetic), text(last.meta.task_id),
                                  QString::number(one.attempts.size()), local_time(last.meta.started),
                                  recorded.mid(0, 5).join(QStringLiteral(", "))),
@@ -314,7 +314,7 @@ void AttemptsPage::load() {
                                  attempt_state(attempt.state),
                                  clock_text(attempt.duration_s),
                                  verdict(attempt.passed, attempt.provisional),
-                                 figure(attempt.points),
+                                 points_figure(attempt.points),
                                  comments};
         for (int column = 0; column < 10; ++column) {
             const bool numeric = column == 6 || column == 8;
@@ -331,10 +331,10 @@ void AttemptsPage::load() {
         }
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_, {0, 1, 2, 6, 7, 8});
+    fit_columns(table_, {2, 6, 8});
     if (!attempts_.empty()) table_->setCurrentCell(0, 0);
-    count_->setText(attempts_.size() >= 500 ? tr("the newest 500")
-                                            : tr("attempts: %1").arg(attempts_.size()));
+    count_->setText(attempts_.size() >= 500 ? tr("newest 500 attempts")
+                                            : tr("%n attempts", nullptr, static_cast<int>(attempts_.size())));
 }
 
 void AttemptsPage::open_row(int row) {

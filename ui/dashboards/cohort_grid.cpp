@@ -147,13 +147,22 @@ class GridDelegate : public QStyledItemDelegate {
         const int words = index.data(cell_role).isValid()
                               ? 0
                               : std::min(20 * line, QStyledItemDelegate::sizeHint(option, index).width());
-        return {std::max(words, static_cast<int>(3.4 * line)), static_cast<int>(2.1 * line)};
+        return {std::max(words, static_cast<int>(least_cell * line)), static_cast<int>(2.1 * line)};
+    }
+    static constexpr double least_cell = 2.5;  // lines: the badge alone
+    /// Whether a cell has room for bars.
+    static bool shows_bars(int width, const QFontMetrics& font) {
+        return width - 16 - 8 - 1.5 * font.height() >= fewest_bars * step;
     }
 
   private:
+    static constexpr double step = 7;
+    static constexpr std::size_t fewest_bars = 3;
+
     static void paint_bars(QPainter& painter, const QRectF& room, const std::vector<RecentAttempt>& recent) {
-        constexpr double step = 7, bar = 4.5;
+        constexpr double bar = 4.5;
         const auto fitting = static_cast<std::size_t>(std::max(0.0, room.width() / step));
+        if (fitting < fewest_bars) return;  // one or two show no course
         const std::size_t first = recent.size() > fitting ? recent.size() - fitting : 0;
         if (first >= recent.size()) return;
         const Palette& p = colours();
@@ -312,6 +321,16 @@ CohortGrid::CohortGrid(QWidget* parent) : QWidget(parent), model_(new CohortGrid
     view_->setMinimumHeight(300);
     layout->addWidget(view_, 1);
     layout->addWidget(new Legend);
+    bars_ =
+        make_label(tr("Bars: the latest attempts, as high as their points. Filled: passed. Outline: failed. "
+                      "Dotted line: %1 points, the pass mark.")
+                       .arg(figure(pass_mark)),
+                   "muted");
+    layout->addWidget(bars_);
+    connect(view_->horizontalHeader(), &QHeaderView::sectionResized, this,
+            [this](int column, int, int width) {
+                if (column == 1) bars_->setVisible(GridDelegate::shows_bars(width, view_->fontMetrics()));
+            });
     connect(name_, &QLineEdit::textChanged, this, [filter](const QString& name) { filter->set_name(name); });
     connect(standing_, QOverload<int>::of(&QComboBox::activated), this,
             [this, filter] { filter->set_standing(standing_->currentData().toInt()); });
@@ -331,7 +350,7 @@ void CohortGrid::show_table(const database::CohortTable& table, const QStringLis
     model_->set(table.standings, titles, std::move(tasks));
     shown_->sort(0);
     QHeaderView* heads = view_->horizontalHeader();
-    heads->setMinimumSectionSize(static_cast<int>(3.4 * fontMetrics().height()));
+    heads->setMinimumSectionSize(static_cast<int>(GridDelegate::least_cell * fontMetrics().height()));
     heads->setSectionResizeMode(QHeaderView::Stretch);
     if (model_->columnCount() == 0) return;
     heads->setSectionResizeMode(0, QHeaderView::ResizeToContents);

@@ -9,6 +9,7 @@
 #include "database/records/report_data.h"
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 class QTableView;
@@ -36,6 +37,7 @@ class CohortGrid : public QWidget {
     QLineEdit* name_;
     QComboBox *standing_, *order_;
     QTableView* view_;
+    QLabel* bars_;
 };
 
 /// What a cell says: "Ann Other, A2 · Fulcrum targeting: passed (provisional). Latest attempts: failed 41,

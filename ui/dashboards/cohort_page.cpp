@@ -58,7 +58,7 @@ QString cohort_cell_mark(const database::CohortRow& row) {
                           : row.provisional                        ? QStringLiteral("(✓)")
                                                                    : QStringLiteral("✓");
     if (row.best_points)
-        return QStringLiteral("%1 %2 · %3").arg(state, figure(*row.best_points)).arg(row.attempts);
+        return QStringLiteral("%1 %2 · %3").arg(state, points_figure(row.best_points)).arg(row.attempts);
     return QStringLiteral("%1 %2").arg(state).arg(row.attempts);
 }
 
@@ -72,24 +72,41 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     cohort_ = new QComboBox;
     cohort_->setObjectName(QStringLiteral("cohort_choice"));
     cohort_->setAccessibleName(tr("Cohort"));
-    cohort_->setMinimumWidth(240);
-    row->add(cohort_);
+    cohort_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    cohort_->setMinimumContentsLength(18);
+    row->add(cohort_, 1, 240);
     export_ = new ExportRow("export_cohort");
-    row->add(export_, 1);
+    row->add(export_, 1, 560);
     layout->addLayout(row);
     job_ = new JobBar;
     layout->addWidget(job_);
     summary_ = make_label({}, "muted");
     layout->addWidget(summary_);
     layout->addWidget(make_views(), 1);
-    foot_ = make_label({}, "muted");
+    foot_ = make_label(
+        tr("✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points "
+           "and the number of attempts that count, with the type of device used last; +1: with "
+           "one type of device more. The tool tip shows all."),
+        "muted");
     layout->addWidget(foot_);
+    show_versions_ = make_button(tr("Show versions of limits and metrics"), "show_versions", "link");
+    layout->addWidget(show_versions_, 0, Qt::AlignLeft);
+    versions_ = make_label({}, "muted");
+    versions_->setObjectName(QStringLiteral("cohort_versions"));
+    versions_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    versions_->hide();
+    layout->addWidget(versions_);
+    connect(show_versions_, &QPushButton::clicked, this, [this] {
+        versions_->setVisible(!versions_->isVisible());
+        show_versions_->setText(versions_->isVisible() ? tr("Hide versions of limits and metrics")
+                                                       : tr("Show versions of limits and metrics"));
+    });
     connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &CohortPage::load);
     connect(export_, &ExportRow::save_wanted, this,
             [this](const QString& path) { export_to(path, report_format_of(path)); });
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
+    outer->addWidget(scrolled(body));
 }
 
 QWidget* CohortPage::make_views() {
@@ -135,7 +152,10 @@ QWidget* CohortPage::make_views() {
     views_->addTab(concerns_, QString());
     views_->addTab(table_, tr("Table"));
     // A tab's widget may be narrower or of another font when it is first shown.
-    connect(views_, &QTabWidget::currentChanged, this, &CohortPage::fit);
+    connect(views_, &QTabWidget::currentChanged, this, [this] {
+        fit();
+        show_foot();
+    });
     return views_;
 }
 
@@ -168,7 +188,7 @@ void CohortPage::load() {
     if (id.empty()) {
         summary_->setText(
             tr("There is no cohort yet. A director creates cohorts on the page \"Assign cohorts\"."));
-        foot_->clear();
+        show_foot();
         return;
     }
     database::CohortTableOptions options;
@@ -187,20 +207,25 @@ void CohortPage::load() {
     practice_->show_table(*data_);
     show_concerns();
     show_rows();
-    QString line_text = tr("people: n = %1").arg(data_->people);
+    QString line_text = tr("%n people", nullptr, static_cast<int>(data_->people));
     if (data_->left_out_synthetic > 0) {
         line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     }
-    line_text += tr(" · counting attempts only; device classes are never pooled");
+    line_text += tr(" · Only attempts that count. Types of device are not combined.");
     summary_->setText(line_text);
     QStringList sets;
     for (const std::string& set : data_->benchmark_sets) sets << text(set);
-    foot_->setText(
-        tr("Table: ✓ passed, (✓) passed by provisional limits, ○ attempted, – not attempted; best points · "
-           "attempts that count, of the device class used last (+1: one class more; the tooltip has "
-           "all).\nBenchmark sets: %1\nMetrics: %2")
-            .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
-                 versions_in_short(data_->metric_versions)));
+    versions_->setText(tr("Benchmark sets: %1\nMetrics: %2")
+                           .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
+                                versions_in_short(data_->metric_versions)));
+    show_foot();
+}
+
+/// Only the table has signs that need words.
+void CohortPage::show_foot() {
+    foot_->setVisible(data_.has_value() && views_->currentWidget() == table_);
+    show_versions_->setVisible(data_.has_value());
+    if (!data_) versions_->hide();
 }
 
 void CohortPage::show_rows() {
@@ -256,6 +281,7 @@ void CohortPage::show_rows() {
             longest = std::max(longest, QFontMetrics(bold).horizontalAdvance(word));
     table_->horizontalHeader()->setMinimumSectionSize(longest + 26);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     fit();
 }
 

@@ -12,6 +12,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QTableWidget;
 class QTabWidget;
 
@@ -40,10 +41,12 @@ class CohortPage : public Page {
     void show_rows();
     void show_concerns();
     void fit();
+    void show_foot();
 
     std::optional<database::CohortTable> data_;
     QComboBox* cohort_;
-    QLabel *summary_, *foot_;
+    QLabel *summary_, *foot_, *versions_;
+    QPushButton* show_versions_;
     QTabWidget* views_;
     CohortGrid* grid_;
     OverviewView* overview_;

@@ -38,7 +38,7 @@ QString concern_text(const Concern& concern, const QString& task_title, std::int
                 .arg(task_title);
         case ConcernKind::stopped:
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns",
-                                         "No practice for %n days, since %1, and tasks are left."),
+                                         "No practice for %n days, since %1, and tasks remain."),
                        static_cast<int>((now - concern.since) / 86'400'000))
                 .arg(date_text(concern.since));
     }

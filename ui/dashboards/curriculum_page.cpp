@@ -74,10 +74,10 @@ CurriculumPage::CurriculumPage(Context& context)
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
     layout->addWidget(title_);
-    layout->addWidget(make_label(
-        tr("When a trainee is proficient in a task follows from its pass rule. Choose a task, change "
-           "what you like, and see what it would do. Nothing is in force before you publish it."),
-        "muted"));
+    layout->addWidget(
+        make_label(tr("The pass rule of a task decides when a trainee is proficient in it. Choose a task, "
+                      "change its rule, and see the effect. Nothing changes for trainees until you publish."),
+                   "muted"));
     auto* row = new QBoxLayout(text_percent() > 150 ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     row->setSpacing(12);
     row->addWidget(make_tasks(), 1);
@@ -88,7 +88,7 @@ CurriculumPage::CurriculumPage(Context& context)
     connect_parts();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1180));
+    outer->addWidget(scrolled(body));
 }
 
 QWidget* CurriculumPage::make_tasks() {
@@ -99,7 +99,9 @@ QWidget* CurriculumPage::make_tasks() {
     tasks_ = new QListWidget;
     tasks_->setObjectName(QStringLiteral("curriculum_tasks"));
     tasks_->setAccessibleName(tr("Tasks of the curriculum"));
-    tasks_->setMinimumWidth(220);
+    tasks_->setMinimumWidth(240);
+    tasks_->setWordWrap(true);
+    tasks_->setTextElideMode(Qt::ElideNone);
     tasks_->setMinimumHeight(12 * fontMetrics().height());
     tasks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout->addWidget(tasks_, 1);
@@ -112,7 +114,7 @@ QWidget* CurriculumPage::make_tasks() {
     auto* more = new FlowRow;
     new_task_ = make_narrow_choice("task_new", tr("Task to be added"), 8);
     add_ = make_button(tr("Add"), "task_add");
-    more->add(new_task_, 1, with_text(110));
+    more->add(new_task_, 1, with_text(180));  // on a line of its own in a narrow window
     more->add(add_);
     layout->addLayout(more);
     return holder;
@@ -129,10 +131,10 @@ QWidget* CurriculumPage::make_task_card() {
     layout->addWidget(designer_, 1);
     restore_ = make_button(tr("Back to the rule in force"), "rule_restore");
     layout->addWidget(restore_, 0, Qt::AlignLeft);
-    layout->addWidget(make_label(
-        tr("Exact for trainees who pass every attempt with the same chance. Learning, the two days "
-           "and the variants and ratings that a rule may ask for are left out: they delay it further."),
-        "muted"));
+    layout->addWidget(make_label(tr("Calculated for trainees who pass each attempt with the same "
+                                    "probability. Learning, and the days, variants and ratings that a rule "
+                                    "can also require, are not included; they make proficiency later."),
+                                 "muted"));
     tabs_->addTab(rule, tr("Pass rule"));
     tabs_->addTab(needs_, tr("Prerequisites"));
     tabs_->addTab(ratings_, tr("Ratings"));
@@ -163,9 +165,8 @@ QWidget* CurriculumPage::make_publishing() {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(tr("Publish"), "heading"));
     card_layout(card)->addWidget(
-        make_label(tr("People who have begun stay on the version that they follow until an educator moves "
-                      "them; who begins "
-                      "afterwards follows the new one. The audit log keeps your name and reason."),
+        make_label(tr("Trainees who have begun keep their version until an educator moves them. Trainees who "
+                      "begin later follow the new version. Your name and reason are kept in the audit log."),
                    "muted"));
     auto* row = new FlowRow;
     reason_ = new QLineEdit;
@@ -431,7 +432,7 @@ void CurriculumPage::look() {
     publish_->setText(tr("Publish version %1").arg(draft_.version));
     publish_->setEnabled(changed && !blocked && allowed && reason);
     publish_->setToolTip(!allowed   ? tr("An educator publishes, at a station.")
-                         : !changed ? tr("Change something first.")
+                         : !changed ? tr("Change the draft first; it is the same as the version in force.")
                          : blocked  ? tr("Solve the problems marked with ✕ first.")
                          : !reason  ? tr("Give a reason.")
                                     : QString());

@@ -63,19 +63,19 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
     layout->addWidget(make_label(tr("Limits"), "title"));
-    layout->addWidget(make_label(tr("What attempts are held against, and who would pass under other limits. "
-                                    "Nothing is changed here."),
+    layout->addWidget(make_label(tr("The limits that attempts are compared with, and how many people would "
+                                    "pass with other limits. This page changes nothing."),
                                  "muted"));
     layout->addWidget(make_choice());
     QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Limits of each set; a dot is an attempt"), "heading"));
+    card_layout(card)->addWidget(make_label(tr("Limits of each benchmark set"), "heading"));
     count_ = make_label({}, "muted");
     card_layout(card)->addWidget(count_);
     chart_ = new LimitsChart;
     card_layout(card)->addWidget(chart_);
     layout->addWidget(card);
     QFrame* passes = make_card(8);
-    card_layout(passes)->addWidget(make_label(tr("Who would pass under each"), "heading"));
+    card_layout(passes)->addWidget(make_label(tr("Who would pass with each set"), "heading"));
     table_ = make_table(
         {tr("Set"), tr("Made from"), tr("Experts"), tr("Experts pass"), tr("Would pass"), tr("People")},
         "limits_table");
@@ -86,7 +86,7 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1180));
+    outer->addWidget(scrolled(body));
 }
 
 QWidget* LimitsPage::make_choice() {
@@ -117,7 +117,7 @@ QWidget* LimitsPage::make_adding() {
     path_ = new QLineEdit;
     path_->setObjectName(QStringLiteral("limits_file"));
     path_->setAccessibleName(tr("File of a benchmark set"));
-    path_->setPlaceholderText(tr("made by fulcrum benchmark build"));
+    path_->setPlaceholderText(tr("A file made by the command \"fulcrum benchmark build\""));
     row->add(path_, 1, 240);
     add_ = make_button(tr("Compare"), "limits_add", "primary");
     row->add(add_);
@@ -133,8 +133,8 @@ QFrame* LimitsPage::make_groups() {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(tr("Pass mark between two groups"), "heading"));
     card_layout(card)->addWidget(make_label(
-        tr("Where an attempt is as likely one of the set's experts as one of those stored here, if "
-           "both are spread normally: the method of contrasting groups."),
+        tr("The contrasting-groups method: the value at which an attempt is equally likely to come from the "
+           "set's experts and from the attempts stored here, if both are normally distributed."),
         "muted"));
     metrics_ = new QComboBox;
     metrics_->setObjectName(QStringLiteral("limits_metric"));
@@ -168,7 +168,7 @@ void LimitsPage::choose_task() {
     if (task() != nullptr) context().guarded([&] { in_force_ = sets_in_force(task()->id); });
     for (const BenchmarkSet& set : in_force_) {
         QStringList parts{device_class_text(set.device_class)};
-        if (set.variant_family != standard_variant) parts << text(set.variant_family);
+        if (set.variant_family != standard_variant) parts << variant_title(task(), set.variant_family);
         if (set.fidelity != standard_fidelity) parts << text(set.fidelity);
         keys_->addItem(parts.join(QStringLiteral(" · ")));
     }
@@ -242,7 +242,8 @@ void LimitsPage::fill() {
     } else if (attempts_.empty()) {
         count_->setText(tr("No attempt stored here counts under these limits yet."));
     } else {
-        count_->setText(tr("Attempts that count: %1, by people: %2. The newest %3 are looked at.")
+        count_->setText(tr("Each dot is an attempt that counts. Attempts: %1, people: %2; at most the newest "
+                           "%3 attempts.")
                             .arg(attempts_.size())
                             .arg(people.size())
                             .arg(most_tried_attempts));
@@ -311,8 +312,8 @@ void LimitsPage::show_group() {
         return;
     }
     const double value = curves.logarithmic ? std::exp(curves.mark->value) : curves.mark->value;
-    mark_->setText(tr("Pass mark %1. On the passing side of it are %2 % of the attempts here, on the failing "
-                      "side %3 % of the experts'. The limit in force is %4.")
+    mark_->setText(tr("Pass mark: %1. With it, %2 % of the attempts here would pass and %3 % of the experts' "
+                      "attempts would fail. The limit in force is %4.")
                        .arg(figure_with_unit(value, metric.unit))
                        .arg(figure(100 * curves.mark->false_positive))
                        .arg(figure(100 * curves.mark->false_negative))

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QTableWidget>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
@@ -59,9 +60,10 @@ QString share_text(const TaskOverview& task) {
 
 QString days_text(const SurvivalMedian& days, int people) {
     if (people == 0) return QStringLiteral("–");
-    if (!days.median) return OverviewView::tr("not yet by half");
-    const QString median = figure(*days.median), low = figure(days.low.value_or(0));
-    return days.high ? OverviewView::tr("%1 days (%2 to %3)").arg(median, low, figure(*days.high))
+    if (!days.median) return OverviewView::tr("fewer than half so far");
+    const auto whole = [](double value) { return figure(std::round(value)); };
+    const QString median = whole(*days.median), low = whole(days.low.value_or(0));
+    return days.high ? OverviewView::tr("%1 days (%2 to %3)").arg(median, low, whole(*days.high))
                      : OverviewView::tr("%1 days (%2 or more)").arg(median, low);
 }
 
@@ -133,7 +135,18 @@ class OverviewChart : public QWidget {
     void paint_part(QPainter& painter, const QRectF& box, Standing standing, int count) const {
         const double side = box.height() - 6;
         const QString number = QString::number(count);
-        if (box.width() < side + fontMetrics().horizontalAdvance(number) + 14) return;
+        const double digits = fontMetrics().horizontalAdvance(number);
+        if (box.width() < side + digits + 14) {
+            // No room for the sign: the number alone.
+            if (box.width() < digits + 6) return;
+            const QRectF plate(box.center().x() - digits / 2 - 3, box.top() + 2, digits + 6, side + 2);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colours().card);
+            painter.drawRoundedRect(plate, 4, 4);
+            painter.setPen(colours().text);
+            painter.drawText(plate, Qt::AlignCenter, number);
+            return;
+        }
         const QRectF sign(box.left() + 5, box.top() + 3, side, side);
         TaskStanding one;
         one.standing = standing;
@@ -157,11 +170,11 @@ OverviewView::OverviewView(QWidget* parent) : QWidget(parent), chart_(new Overvi
     table_ = make_table({tr("Task"), tr("Passed"), tr("First pass after"), tr("Proficient after")},
                         "cohort_overview");
     layout->addWidget(table_, 1);
-    layout->addWidget(make_label(tr("Passed at least once, of those who tried, with the 95 % interval. Days "
-                                    "from the first attempt that "
-                                    "counts: median over people (Kaplan and Meier), with its 95 % "
-                                    "interval. Provisional limits allow a pass, never proficiency."),
-                                 "muted"));
+    layout->addWidget(make_label(
+        tr("Passed: people who passed at least once, of those who tried (95 % interval). Days: from a "
+           "person's first attempt that counts; median over people by the Kaplan-Meier method (95 % "
+           "interval). With provisional limits a task can be passed, but nobody becomes proficient."),
+        "muted"));
 }
 
 void OverviewView::show_table(const database::CohortTable& table, const QStringList& titles) {

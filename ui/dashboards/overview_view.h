@@ -27,7 +27,7 @@ class OverviewView : public QWidget {
 
 /// "12 of 18 (67 %, 44 to 84 %)"; "–" for nobody.
 QString share_text(const database::TaskOverview& task);
-/// "23 days (15 to 40)", "23 days (15 or more)", "not yet by half"; "–" for nobody.
+/// "23 days (15 to 40)", "23 days (15 or more)", "fewer than half so far"; "–" for nobody.
 QString days_text(const SurvivalMedian& days, int people);
 
 }  // namespace fulcrum::ui

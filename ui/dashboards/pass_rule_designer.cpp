@@ -81,7 +81,7 @@ PassRuleDesigner::PassRuleDesigner(QWidget* parent)
     layout->addWidget(words_);
     QStringList heads{tr("Passes")};
     for (const int attempts : within) heads << tr("%1 attempts").arg(attempts);
-    heads << tr("Half after");
+    heads << tr("Half are proficient after");
     table_ = make_table(heads, "rule_table");
     table_->setRowCount(static_cast<int>(designer_trainees.size()));
     layout->addWidget(table_);
@@ -188,8 +188,8 @@ void PassRuleDesigner::refresh() {
                            table_->rowCount() * table_->rowHeight(0) + 4);
     QString words = pass_rule_words(tried_) + QStringLiteral(". ");
     if (tried_.kind == PassRuleKind::lc_cusum)
-        words += tr("Every pass raises a sum, every failure lowers it more, never below 0; a trainee who "
-                    "reaches the limit is proficient.") +
+        words += tr("LC-CUSUM is a running sum: a pass raises it, a failure lowers it by more, never below "
+                    "0. A trainee whose sum reaches the limit is proficient.") +
                  QLatin1Char(' ');
     words_->setText(
         words + (curves.changed

@@ -151,9 +151,9 @@ class PracticeLegend : public QWidget {
         const int side = height() - 4;
         int x = 0;
         const std::pair<int, QString> steps[] = {{0, PracticeView::tr("no attempt")},
-                                                 {1, PracticeView::tr("1 on the day")},
-                                                 {2, PracticeView::tr("2 or 3")},
-                                                 {4, PracticeView::tr("4 or more")}};
+                                                 {1, PracticeView::tr("1 attempt")},
+                                                 {2, PracticeView::tr("2 or 3 attempts")},
+                                                 {4, PracticeView::tr("4 attempts or more")}};
         for (const auto& [count, words] : steps) {
             const Week one{count, 0, 0, 0, 0, 0, 0};
             painter.save();

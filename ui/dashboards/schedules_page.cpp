@@ -40,10 +40,10 @@ SchedulesPage::SchedulesPage(Context& context) : Page(context, "schedules_page")
     layout->addWidget(make_label(tr("Reports"), "title"));
     layout->addWidget(build_list());
     layout->addWidget(build_research());
-    layout->addStretch();
+    layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1180));
+    outer->addWidget(scrolled(body));
     look();
 }
 
@@ -52,10 +52,10 @@ QWidget* SchedulesPage::build_list() {
     QVBoxLayout* layout = card_layout(card);
     layout->addWidget(make_label(tr("Scheduled reports"), "heading"));
     layout->addWidget(make_label(
-        tr("A report of a cohort that this station writes to a folder once in each day or week (UTC). It is "
-           "written while the window of a director is open, or by \"fulcrum schedule run\"."),
+        tr("This station writes a report of a cohort to a folder every day or week (UTC). It does so while a "
+           "director is signed in, or when the command \"fulcrum schedule run\" is run."),
         "muted"));
-    none_ = make_label(tr("Nothing is scheduled."));
+    none_ = make_label(tr("No report is scheduled yet. Add one below."));
     none_->setObjectName(QStringLiteral("schedules_none"));
     layout->addWidget(none_);
     table_ =
@@ -65,14 +65,14 @@ QWidget* SchedulesPage::build_list() {
     table_->setMinimumHeight(8 * fontMetrics().height());
     layout->addWidget(table_);
     auto* row = new FlowRow;
-    write_due_ = make_button(tr("Write what is due"), "schedules_write_due", "primary");
-    write_one_ = make_button(tr("Write this one now"), "schedules_write_one");
-    remove_ = make_button(tr("Remove"), "schedules_remove");
+    write_due_ = make_button(tr("Write reports that are due"), "schedules_write_due", "primary");
+    write_one_ = make_button(tr("Write selected report now"), "schedules_write_one");
+    remove_ = make_button(tr("Remove schedule"), "schedules_remove");
     for (QPushButton* button : {write_due_, write_one_, remove_}) row->add(button);
     layout->addLayout(row);
     bar_ = new JobBar;
     layout->addWidget(bar_);
-    layout->addWidget(make_label(tr("Add"), "heading"));
+    layout->addWidget(make_label(tr("Add a scheduled report"), "heading"));
     layout->addLayout(build_adding());
     connect(table_, &QTableWidget::itemSelectionChanged, this, &SchedulesPage::look);
     connect(write_due_, &QPushButton::clicked, this, [this] { write({}); });
@@ -99,7 +99,7 @@ QLayout* SchedulesPage::build_adding() {
     folder_->setAccessibleName(tr("Folder of the reports"));
     folder_->setPlaceholderText(tr("Folder, such as /srv/reports"));
     QPushButton* choose = make_button(tr("Folder …"), "schedule_choose");
-    add_ = make_button(tr("Add"), "schedule_add");
+    add_ = make_button(tr("Add report"), "schedule_add");
     row->add(cohort_, 1, with_text(150));
     for (QWidget* one : std::initializer_list<QWidget*>{format_, every_}) row->add(one);
     row->add(folder_, 2, with_text(220));
@@ -117,18 +117,19 @@ QWidget* SchedulesPage::build_research() {
     QFrame* card = make_card(8);
     QVBoxLayout* layout = card_layout(card);
     layout->addWidget(make_label(tr("Files for research"), "heading"));
-    layout->addWidget(make_label(
-        tr("The programme's attempts without names, dates and exact values, as five CSV files with a "
-           "dictionary. Nothing is shown of fewer than 5 people. Somebody who knows a person's attempts well "
-           "may still recognise them: give the files to researchers, and do not publish them."),
-        "muted"));
+    layout->addWidget(
+        make_label(tr("All attempts of the programme without names, dates and exact values: five CSV files "
+                      "with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a "
+                      "person's attempts well might still recognise that person, so give the files to "
+                      "researchers only and do not publish them."),
+                   "muted"));
     auto* row = new FlowRow;
     research_folder_ = new QLineEdit;
     research_folder_->setObjectName(QStringLiteral("research_folder"));
     research_folder_->setAccessibleName(tr("Folder of the files for research"));
-    research_folder_->setPlaceholderText(tr("An existing folder"));
+    research_folder_->setPlaceholderText(tr("Folder that exists"));
     QPushButton* choose = make_button(tr("Folder …"), "research_choose");
-    export_ = make_button(tr("Write the files"), "research_export");
+    export_ = make_button(tr("Write files"), "research_export");
     row->add(research_folder_, 1, with_text(240));
     row->add(choose);
     row->add(export_);
@@ -186,7 +187,7 @@ void SchedulesPage::fill() {
         table_->insertRow(row);
         table_->setItem(
             row, cohort_column,
-            make_cell(one.cohort_name.empty() ? tr("(the cohort is gone)") : text(one.cohort_name)));
+            make_cell(one.cohort_name.empty() ? tr("(cohort no longer exists)") : text(one.cohort_name)));
         table_->setItem(row, format_column, make_cell(text(one.format).toUpper()));
         table_->setItem(row, every_column, make_cell(every_words(one.every)));
         table_->setItem(row, folder_column, make_cell(QDir::toNativeSeparators(text(one.folder))));
@@ -265,7 +266,7 @@ void SchedulesPage::write(const std::string& only) {
                 QTimer::singleShot(look_again_ms, this, [this] {
                     if (context().signed_in() && isVisible()) fill();
                 });
-                context().say(tr("Another run is under way and writes what is due."));
+                context().say(tr("Another program is already writing the reports that are due."));
             } else if (!run->failed.empty())
                 context().complain(tr("%1: %2").arg(text(run->failed[0].cohort), text(run->failed[0].words)));
             else

@@ -22,12 +22,12 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
     layout->addWidget(make_label(tr("Rate attempts"), "title"));
-    layout->addWidget(make_label(
-        tr("Names and scores are left out here. An attempt whose name and score you have not opened "
-           "is rated blind. Attempts whose ratings the curriculum waits for come first."),
-        "muted"));
+    layout->addWidget(
+        make_label(tr("Names and scores are hidden here. Your rating is blind if you have not opened the "
+                      "attempt's name and score. Attempts that the curriculum needs ratings of come first."),
+                   "muted"));
     auto* row = new QHBoxLayout;
-    rated_ = new QCheckBox(tr("Also those that I have rated"));
+    rated_ = new QCheckBox(tr("Include attempts that I have rated"));
     rated_->setObjectName(QStringLiteral("to_rate_rated"));
     connect(rated_, &QCheckBox::toggled, this, &ToRatePage::fill);
     row->addWidget(rated_);
@@ -36,19 +36,19 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     count_->setWordWrap(false);
     row->addWidget(count_);
     layout->addLayout(row);
-    table_ = make_table({tr("Task"), tr("Awaited"), tr("Variant"), tr("Started"), tr("Recorded"),
-                         tr("Ratings"), tr("Your ratings"), tr("Blind")},
+    table_ = make_table({tr("Task"), tr("Needed"), tr("Variant"), tr("Started"), tr("Recorded"),
+                         tr("Ratings"), tr("Yours"), tr("Blind")},
                         "to_rate_table");
     table_->setMinimumHeight(360);
     layout->addWidget(table_, 1);
     connect(table_, &QTableWidget::itemActivated, this,
             [this](QTableWidgetItem* item) { open_row(item->row()); });
-    open_ = make_button(tr("Open to rate"), "to_rate_open", "primary");
+    open_ = make_button(tr("Rate this attempt"), "to_rate_open", "primary");
     connect(open_, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
     layout->addWidget(open_, 0, Qt::AlignLeft);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
+    outer->addWidget(scrolled(body));
 }
 
 void ToRatePage::enter() {
@@ -79,7 +79,7 @@ void ToRatePage::fill() {
         if (one.own_draft) own = tr("draft");
         const QString cells[] = {context().task_title(one.task_id),
                                  one.awaited ? tr("● yes") : QStringLiteral("–"),
-                                 text(one.variant),
+                                 context().variant_title(one.task_id, one.variant),
                                  local_time(one.started),
                                  clock_text(one.duration_s),
                                  QString::number(one.handed_in),
@@ -95,15 +95,15 @@ void ToRatePage::fill() {
     for (int row = 0; row < table_->rowCount(); ++row)
         if (attempts_[static_cast<std::size_t>(row)].awaited)
             table_->item(row, awaited_column)
-                ->setToolTip(tr("The curriculum waits for ratings of this attempt."));
+                ->setToolTip(tr("The curriculum needs ratings of this attempt."));
     fit_columns(table_, {awaited_column, 3, recorded_column, 5});
     if (table_->rowCount() > 0) table_->setCurrentCell(0, 0);
     open_->setEnabled(table_->rowCount() > 0);
     const auto awaited = std::count_if(attempts_.begin(), attempts_.end(),
                                        [](const RatableAttempt& one) { return one.awaited; });
     count_->setText(awaited == 0
-                        ? tr("Attempts: %1").arg(table_->rowCount())
-                        : tr("Attempts: %1, awaiting rating: %2").arg(table_->rowCount()).arg(awaited));
+                        ? tr("%n attempts", nullptr, table_->rowCount())
+                        : tr("%n attempts, %1 awaiting rating", nullptr, table_->rowCount()).arg(awaited));
 }
 
 void ToRatePage::open_row(int row) {

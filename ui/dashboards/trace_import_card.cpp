@@ -61,11 +61,11 @@ TraceImportCard::TraceImportCard(Context& context)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(18, 16, 18, 16);
     layout->setSpacing(8);
-    layout->addWidget(make_label(tr("Import a trace from elsewhere"), "heading"));
-    layout->addWidget(make_label(tr("A recording of a box trainer, a robot or another simulator. It is "
-                                    "measured and shown as external; no limits judge it and it counts for "
-                                    "no standing."),
-                                 "muted"));
+    layout->addWidget(make_label(tr("Import a recording from another system"), "heading"));
+    layout->addWidget(make_label(
+        tr("A recording from a box trainer, a robot or another simulator. It is measured and marked as "
+           "external. It is not compared with limits and does not count in the curriculum."),
+        "muted"));
     layout->addWidget(file_row());
     problem_->setObjectName(QStringLiteral("trace_problem"));
     set_tint(problem_, Tint::bad);
@@ -107,7 +107,7 @@ QWidget* TraceImportCard::add_field(FlowRow* row, const QString& label, QWidget*
 QWidget* TraceImportCard::file_row() {
     auto* holder = new QWidget;
     auto* row = new FlowRow(holder);
-    add_field(row, tr("Trace file"), path_, "trace_path");
+    add_field(row, tr("File of the recording"), path_, "trace_path");
     mapping_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     add_field(row, tr("Format of the file"), mapping_, "trace_mapping");
     QPushButton* file = make_button(tr("File …"), "trace_file");
@@ -168,11 +168,11 @@ void TraceImportCard::enter() {
 }
 
 void TraceImportCard::choose_trace() {
-    auto* dialog = new QFileDialog(this, tr("Trace file"), path_->text());
+    auto* dialog = new QFileDialog(this, tr("File of the recording"), path_->text());
     dialog->setObjectName(QStringLiteral("trace_file_dialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("Traces (*.csv *.txt *.tsv *.xml)"), tr("All files (*)")});
+    dialog->setNameFilters({tr("Recordings (*.csv *.txt *.tsv *.xml)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         path_->setText(QDir::toNativeSeparators(path));
         const bool is_xml = path.endsWith(QStringLiteral(".xml"), Qt::CaseInsensitive);

@@ -44,7 +44,7 @@ void Context::score_interrupted() {
         [this](const QString& why) {
             scoring_ = nullptr;
             complain(
-                tr("Interrupted attempts could not be scored now. It is tried again at the next sign-in: %1")
+                tr("Interrupted attempts could not be scored. Fulcrum tries again at the next sign-in: %1")
                     .arg(why));
         });
 }
@@ -69,6 +69,14 @@ QString Context::task_title(const std::string& id) {
     const TaskDefinition* definition = task(id);
     return definition == nullptr ? text(id)
                                  : text(id) + QStringLiteral(" · ") + asset_text(definition->title);
+}
+
+QString variant_title(const TaskDefinition* task, const std::string& variant) {
+    if (task != nullptr) {
+        for (const TaskVariant& one : task->variants)
+            if (one.id == variant) return asset_text(one.title);
+    }
+    return text(variant);
 }
 
 bool Context::guarded(const std::function<void()>& work) {

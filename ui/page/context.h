@@ -17,6 +17,9 @@ namespace fulcrum::ui {
 
 class BackgroundJob;
 
+/// "Deeper spheres"; the id alone for a variant that the task does not have, or without a task.
+QString variant_title(const TaskDefinition* task, const std::string& variant);
+
 class Context : public QObject {
     Q_OBJECT
   public:
@@ -38,6 +41,9 @@ class Context : public QObject {
     const TaskDefinition* task(const std::string& id);
     /// "A2 · Fulcrum targeting"; the id alone for a task that this program does not know.
     QString task_title(const std::string& id);
+    QString variant_title(const std::string& task_id, const std::string& variant) {
+        return ui::variant_title(task(task_id), variant);
+    }
 
     /// Runs `work`; what it throws becomes a message and false. The one place where errors of a page end.
     bool guarded(const std::function<void()>& work);

@@ -3,6 +3,7 @@
 // and the ratings that the trainee is shown.
 #include <QCoreApplication>
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -46,10 +47,10 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.new_page();
     if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(
-        join_with_dots({text(paper.provenance.programme), ReportTexts::tr("report on one attempt")}));
+    sheet.paragraph(join_with_dots(
+        {text(paper.provenance.programme), capital(ReportTexts::tr("report on one attempt"))}));
     sheet.font(17, true);
-    sheet.paragraph(text(attempt.meta.task_id) + QStringLiteral("  ") + asset_text(paper.task.title));
+    sheet.paragraph(join_with_dots({text(attempt.meta.task_id), asset_text(paper.task.title)}));
     sheet.font(9, false, paper_palette().muted);
     sheet.paragraph(join_with_dots(
         {text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
@@ -70,7 +71,7 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     }
     sheet.font(11, true);
     sheet.paragraph(
-        join_with_dots({verdict(attempt.passed, attempt.provisional),
+        join_with_dots({capital(verdict(attempt.passed, attempt.provisional)),
                         attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
     sheet.font(9);
     const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
@@ -84,10 +85,11 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
 
 void gates(Sheet& sheet, const database::ScoreRow& score) {
     if (score.gates.empty()) return;
-    Columns columns(sheet, {0.40, 0.10, 0.16, 0.16, 0.18}, 2);
+    Columns columns(sheet, {0.36, 0.16, 0.15, 0.15, 0.18}, 2);
     sheet.font(8, true, paper_palette().muted);
-    columns.row({ReportTexts::tr("gate"), ReportTexts::tr("hand"), ReportTexts::tr("value"),
-                 ReportTexts::tr("limit"), ReportTexts::tr("result")});
+    columns.row({capital(ReportTexts::tr("gate")), capital(ReportTexts::tr("hand")),
+                 capital(ReportTexts::tr("value")), capital(ReportTexts::tr("limit")),
+                 capital(ReportTexts::tr("result"))});
     sheet.rule();
     for (const database::GateRow& gate : score.gates) {
         const MetricDescriptor* metric = find_metric(gate.metric);
@@ -104,15 +106,26 @@ void gates(Sheet& sheet, const database::ScoreRow& score) {
     sheet.skip(4);
 }
 
-void pathology(Sheet& sheet, const PathologyReport& report) {
+/// Where the foot of a page begins.
+double foot_of(const Sheet& sheet) {
+    return sheet.height() - Sheet::mm(24);
+}
+
+/// `turn`: begins a new page, with a foot on the one before.
+void pathology(Sheet& sheet, const PathologyReport& report, const std::function<void()>& turn) {
     sheet.font(12, true);
     sheet.paragraph(ReportTexts::tr("Pathology report (simulated)"));
     sheet.skip(1);
     sheet.font(7.5);
     const double unit = dots_per_inch / 96.0;
     const QFontMetricsF metrics(sheet.painter().font(), sheet.painter().device());
+    const double map = specimen_map_layout(report, sheet.width(), metrics, unit).height;
+    if (sheet.y() + map + Sheet::mm(45) > foot_of(sheet)) {
+        turn();
+        sheet.font(7.5);
+    }
     paint_specimen_map(sheet.painter(), QPointF(0, sheet.y()), sheet.width(), report, paper_palette(), unit);
-    sheet.to(sheet.y() + specimen_map_layout(report, sheet.width(), metrics, unit).height);
+    sheet.to(sheet.y() + map);
     sheet.skip(3);
     for (const PathologyLine& line : pathology_lines(report)) {
         sheet.font(8.5, true, paper_palette().muted);
@@ -125,11 +138,16 @@ void pathology(Sheet& sheet, const PathologyReport& report) {
         sheet.to(used.bottom() + Sheet::mm(0.8));
     }
     sheet.skip(3);
+    const std::vector<QStringList> rows = pathology_rows(report);
+    sheet.font(8);
+    // The table, its head and its legend stay together.
+    const double table =
+        static_cast<double>(rows.size() + 2) * (sheet.line_height() + Sheet::mm(0.6)) + Sheet::mm(15);
+    if (sheet.y() + table > foot_of(sheet)) turn();
     Columns columns(sheet, {0.06, 0.10, 0.10, 0.105, 0.10, 0.10, 0.105, 0.105, 0.125, 0.10}, 2);
     sheet.font(6.2, true, paper_palette().muted);
     columns.row(pathology_columns());
     sheet.rule();
-    const std::vector<QStringList> rows = pathology_rows(report);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i == report.findings.size()) sheet.rule();
         sheet.font(8, i >= report.findings.size());
@@ -149,7 +167,7 @@ void rating_table(Sheet& sheet, const Rated& raters) {
     sheet.font(9, true);
     sheet.paragraph(form_text(form.title));
     std::vector<double> shares{0.40};
-    QStringList names{ReportTexts::tr("item")}, totals{ReportTexts::tr("total")};
+    QStringList names{capital(ReportTexts::tr("item"))}, totals{capital(ReportTexts::tr("total"))};
     for (const database::RatingRow* one : raters) {
         shares.push_back(0.60 / static_cast<double>(raters.size()));
         names << text(one->rater_name);
@@ -179,7 +197,7 @@ void rating_table(Sheet& sheet, const Rated& raters) {
     sheet.skip(3);
 }
 
-void ratings(Sheet& sheet, const AttemptPaper& paper, const QString& n) {
+void ratings(Sheet& sheet, const AttemptPaper& paper, const std::function<void()>& turn) {
     constexpr std::size_t most_in_a_table = 5;
     std::map<std::string, Rated> by_form;
     for (const database::RatingRow& one : paper.ratings) by_form[one.form.name()].push_back(&one);
@@ -190,11 +208,7 @@ void ratings(Sheet& sheet, const AttemptPaper& paper, const QString& n) {
                 all.begin() + static_cast<std::ptrdiff_t>(first),
                 all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), first + most_in_a_table)));
             const double lines = static_cast<double>(some.front()->form.items.size() + 4 + 5 * some.size());
-            if (sheet.y() + lines * Sheet::mm(4.2) > sheet.height() - Sheet::mm(24)) {
-                footer(sheet, paper.provenance, n);
-                sheet.new_page();
-                if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
-            }
+            if (sheet.y() + lines * Sheet::mm(4.2) > foot_of(sheet)) turn();
             if (!titled) {
                 sheet.skip(2);
                 sheet.font(12, true);
@@ -281,9 +295,14 @@ void write_attempt_pdf(const AttemptPaper& paper, const std::string& path) {
                     .arg(text(paper.report.attempt.person_name), text(paper.task.id)));
     head(sheet, paper);
     if (paper.report.score) gates(sheet, *paper.report.score);
-    if (paper.report.pathology) pathology(sheet, *paper.report.pathology);
     const QString n = ReportTexts::tr("attempt %1").arg(text(paper.report.attempt.meta.id));
-    ratings(sheet, paper, n);
+    const auto turn = [&] {
+        footer(sheet, paper.provenance, n);
+        sheet.new_page();
+        if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
+    };
+    if (paper.report.pathology) pathology(sheet, *paper.report.pathology, turn);
+    ratings(sheet, paper, turn);
     footer(sheet, paper.provenance, n);
     sheet.finish();
 }

@@ -61,7 +61,7 @@ ExportRow::ExportRow(const char* save_name, QWidget* parent)
     row->addWidget(path_, 1);
     QPushButton* other = make_button(tr("Choose …"), "export_choose");
     row->addWidget(other);
-    save_ = make_button(tr("Save"), save_name, "primary");
+    save_ = make_button(tr("Save report"), save_name, "primary");
     row->addWidget(save_);
     connect(format_, QOverload<int>::of(&QComboBox::activated), this, &ExportRow::format_chosen);
     connect(path_, &QLineEdit::textChanged, this, &ExportRow::look);
@@ -94,7 +94,7 @@ void ExportRow::look() {
     if (has_ending(path_->text().trimmed()))
         format_->setCurrentIndex(static_cast<int>(report_format_of(file)));
     save_->setEnabled(!file.isEmpty() && !QFileInfo(file).isDir());
-    save_->setText(QFileInfo(file).isFile() ? tr("Replace") : tr("Save"));
+    save_->setText(QFileInfo(file).isFile() ? tr("Replace report") : tr("Save report"));
 }
 
 void ExportRow::format_chosen() {

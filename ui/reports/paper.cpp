@@ -69,10 +69,11 @@ void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) 
     sheet.to(top);
     sheet.rule();
     sheet.font(7, false, paper_palette().muted);
-    sheet.paragraph(ReportTexts::tr("Metrics: %1").arg(versions_in_short(provenance.metric_versions)));
-    sheet.paragraph(
-        join_with_dots({ReportTexts::tr("Benchmark sets: %1").arg(joined(provenance.benchmark_sets)), n,
-                        ReportTexts::tr("program %1").arg(text(provenance.program_version))}));
+    if (!provenance.metric_versions.empty())
+        sheet.paragraph(ReportTexts::tr("Metrics: %1").arg(versions_in_short(provenance.metric_versions)));
+    const QString sets = ReportTexts::tr("Benchmark sets: %1").arg(joined(provenance.benchmark_sets));
+    sheet.paragraph(join_with_dots({provenance.benchmark_sets.empty() ? QString() : sets, n,
+                                    ReportTexts::tr("program %1").arg(text(provenance.program_version))}));
     const bool of_attempt = provenance.attempt_key.has_value();
     const QString key = text(provenance.attempt_key.value_or(provenance.station_key).substr(0, 16));
     const QString audit = text(provenance.audit_head.substr(0, 16));

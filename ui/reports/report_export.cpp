@@ -41,11 +41,12 @@ void export_report(Context& context, QWidget* page, JobBar* bar, const ReportReq
         },
         [&context, files, done = std::move(done)] {
             if (files->empty()) return;
-            context.say(words("Saved %1").arg(text(files->front())));
+            context.say(
+                words(QT_TRANSLATE_NOOP("fulcrum::ui::report_export", "Saved %1")).arg(text(files->front())));
             done(text(files->front()));
         },
         [&context](const QString& error) { context.complain(error); });
-    bar->watch(job, words("Writing the report …"));
+    bar->watch(job, words(QT_TRANSLATE_NOOP("fulcrum::ui::report_export", "Writing the report …")));
 }
 
 }  // namespace fulcrum::ui

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "ui/charts/attempt_chart.h"
 #include "ui/reports/paper.h"
@@ -88,7 +89,7 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
     sheet.new_page();
     if (provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(join_with_dots({text(provenance.programme), kind}));
+    sheet.paragraph(join_with_dots({text(provenance.programme), capital(kind)}));
     sheet.font(17, true);
     sheet.paragraph(text(title));
     sheet.font(9, false, paper_palette().muted);
@@ -108,7 +109,9 @@ void person_charts(Sheet& sheet, const std::vector<const database::PersonProgres
                    const std::function<void()>& turn) {
     constexpr double lowest_mm = 40, highest_mm = 72;
     const bool landscape = sheet.width() > sheet.height();
-    const std::size_t per_row = landscape ? std::min<std::size_t>(drawn.size(), 3) : drawn.size() > 3 ? 2 : 1;
+    const std::size_t per_row = landscape || drawn.size() > 4 ? std::min<std::size_t>(drawn.size(), 3)
+                                : drawn.size() > 3            ? 2
+                                                              : 1;
     std::size_t chart_rows = (drawn.size() + per_row - 1) / per_row;
     if (bottom_of(sheet) - sheet.y() < static_cast<double>(chart_rows) * Sheet::mm(lowest_mm)) {
         turn();
@@ -145,7 +148,7 @@ QString share_words(double scaled) {
 // Attempts with released forms, one line for each form: from where the sheet is, over as many pages as it
 // needs.
 void person_ratings(Sheet& sheet, const PersonReport& report, const std::function<void()>& turn) {
-    const double columns[] = {0, 0.29, 0.49, 0.79, 0.88, 1.0};
+    const double columns[] = {0, 0.10, 0.27, 0.74, 0.88, 1.0};
     const auto line = [&](const QStringList& cells) {
         for (int i = 0; i < cells.size(); ++i)
             sheet.cell(columns[i] * sheet.width(), (columns[i + 1] - columns[i]) * sheet.width(), cells[i],
@@ -156,8 +159,9 @@ void person_ratings(Sheet& sheet, const PersonReport& report, const std::functio
         sheet.font(10, true);
         sheet.paragraph(ReportTexts::tr("Ratings by observers"));
         sheet.font(8, true, paper_palette().muted);
-        line({ReportTexts::tr("task"), ReportTexts::tr("attempt of"), ReportTexts::tr("form"),
-              ReportTexts::tr("raters"), ReportTexts::tr("mean")});
+        line({capital(ReportTexts::tr("task")), capital(ReportTexts::tr("attempt of")),
+              capital(ReportTexts::tr("form")), capital(ReportTexts::tr("raters")),
+              capital(ReportTexts::tr("mean"))});
         sheet.rule();
         sheet.font(8.5);
     };
@@ -191,7 +195,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
                  ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of))}),
             report.synthetic || report.provenance.demo, any_provisional(report.rows));
     };
-    const double columns[] = {0, 0.29, 0.49, 0.67, 0.77, 0.85, 0.92, 1.0};
+    const double columns[] = {0, 0.25, 0.445, 0.655, 0.745, 0.855, 0.93, 1.0};
     const QString titles[] = {ReportTexts::tr("task"),   ReportTexts::tr("device"),
                               ReportTexts::tr("state"),  ReportTexts::tr("attempts"),
                               ReportTexts::tr("passed"), ReportTexts::tr("other"),
@@ -203,7 +207,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
     const auto table_head = [&] {
         head();
         sheet.font(8, true, paper_palette().muted);
-        for (int column = 0; column < 7; ++column) cell(column, titles[column]);
+        for (int column = 0; column < 7; ++column) cell(column, capital(titles[column]));
         sheet.skip(5);
         sheet.rule();
     };
@@ -212,7 +216,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         sheet.font(8.5);
         QString title = text(row.task_id);
         for (const ReportTask& task : report.tasks) {
-            if (task.id == row.task_id) title += QStringLiteral(" ") + asset_text(task.title);
+            if (task.id == row.task_id) title += QStringLiteral(" · ") + asset_text(task.title);
         }
         const double title_width = columns[1] * sheet.width();
         const QStringList lines = wrapped(sheet, title, QStringLiteral(" "), title_width - Sheet::mm(3));
@@ -229,7 +233,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         cell(3, QString::number(row.attempts));
         cell(4, QString::number(row.passes));
         cell(5, QString::number(row.not_counting));
-        cell(6, figure(row.best_points));
+        cell(6, points_figure(row.best_points));
         sheet.to(top + height);
     }
     sheet.skip(4);
@@ -254,7 +258,8 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
 }
 
 // The standing in the curriculum first; without one, the state with each device class.
-QString cohort_cell(const database::CohortTable& table, const std::string& person, const std::string& task) {
+QString cohort_cell(const database::CohortTable& table, const std::string& person, const std::string& task,
+                    bool with_device) {
     QStringList lines;
     const TaskStanding* standing = standing_in(table, person, task);
     if (standing != nullptr) lines << standing_name(*standing);
@@ -264,13 +269,13 @@ QString cohort_cell(const database::CohortTable& table, const std::string& perso
             if (standing == nullptr) lines << state_text(row);
             continue;
         }
-        const QString best = figure(row.best_points) + (row.best_points ? QStringLiteral("/100") : QString());
+        const QString best = points_figure(row.best_points);
         lines << (standing != nullptr ? ReportTexts::tr("attempts %1 · best %2").arg(row.attempts).arg(best)
                                       : ReportTexts::tr("%1 · attempts %2 · best %3")
                                             .arg(state_text(row))
                                             .arg(row.attempts)
                                             .arg(best));
-        lines << device_class_text(*row.device_class);
+        if (with_device) lines << device_class_text(*row.device_class);
         for (const database::RatedForm& form : row.ratings)
             lines << ReportTexts::tr("%1: %2, attempts %3")
                          .arg(text(form.form).section(QLatin1Char('@'), 0, 0).toUpper(),
@@ -290,15 +295,19 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const double task_width =
         (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
     const QString n = ReportTexts::tr("people: n = %1").arg(report.table.people);
+    std::set<DeviceClass> devices;  // one is named at the head, several in each cell
+    for (const database::CohortRow& row : report.table.rows)
+        if (row.device_class) devices.insert(*row.device_class);
     const int left_out = report.table.left_out_synthetic;
     const QString line = join_with_dots(
         {ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)), n,
+         devices.size() == 1 ? device_class_text(*devices.begin()) : QString(),
          left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
     const auto head = [&] {
         page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name, line,
                   false, any_provisional(report.table.rows));
         sheet.font(8.5, true, paper_palette().muted);
-        sheet.cell(0, name_width, ReportTexts::tr("person"));
+        sheet.cell(0, name_width, capital(ReportTexts::tr("person")));
         const double first_line = sheet.y();
         int head_lines = 1;
         for (std::size_t t = 0; t < report.tasks.size(); ++t) {
@@ -319,7 +328,8 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         sheet.font(8.5);
         for (const ReportTask& task : report.tasks) {
             QStringList cell;
-            for (const QString& part : cohort_cell(report.table, person, task.id).split(QLatin1Char('\n'))) {
+            for (const QString& part :
+                 cohort_cell(report.table, person, task.id, devices.size() > 1).split(QLatin1Char('\n'))) {
                 for (const QString& piece :
                      wrapped(sheet, part, QStringLiteral(" · "), task_width - Sheet::mm(3)))
                     cell << wrapped(sheet, piece, QStringLiteral(" "), task_width - Sheet::mm(3));

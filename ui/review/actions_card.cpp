@@ -71,8 +71,8 @@ void ActionsCard::open(const database::AttemptSummary& attempt) {
     right_person_row_->setVisible(false);
     request_->setVisible(can_ask);
     reason_->clear();
-    reason_->setPlaceholderText(can_void ? tr("reason, kept in the audit log")
-                                         : tr("what is wrong with this attempt"));
+    reason_->setPlaceholderText(can_void ? tr("Reason (kept in the audit log)")
+                                         : tr("What is wrong with this attempt"));
     hint_->setText(can_void
                        ? tr("Voiding removes the attempt from progress, cohorts and benchmarks. It stays "
                             "visible, struck through, with your reason. Reassigning voids it as well and "

@@ -255,14 +255,14 @@ std::array<Headline, 4> scope_headlines(const AttemptModel& model) {
 
 QString trace_not_kept_text() {
     return HeadlineTexts::tr(
-        "The trace of this attempt was not kept: there is no replay and there are no charts. Its "
-        "result and its scores are stored.");
+        "The recording of this attempt was not kept, so there is no replay and there are no charts. The "
+        "result and the scores are kept.");
 }
 
 QString external_trace_text(const std::string& source) {
     return HeadlineTexts::tr(
-               "External attempt, recorded by: %1. It was imported as a trace: its metrics are shown, there "
-               "is no scene to replay, no limit judges it, and it never counts towards a standing.")
+               "External attempt, recorded by: %1. Its metrics are shown, but there is no scene to replay. "
+               "It is not compared with limits and does not count in the curriculum.")
         .arg(text(source));
 }
 

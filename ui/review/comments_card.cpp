@@ -62,7 +62,8 @@ void CommentsCard::fill() {
     context_.guarded(
         [&] { comments = database::Reviews(context_.store()).comments(context_.session(), attempt_id_); });
     title_->setText(comments.empty() ? tr("Comments") : tr("Comments (%1)").arg(comments.size()));
-    if (comments.empty() && composer_->isHidden()) list_->addWidget(make_label(tr("None yet."), "muted"));
+    if (comments.empty() && composer_->isHidden())
+        list_->addWidget(make_label(tr("No comments yet."), "muted"));
     const bool own = context_.session().person_id() == person_id_;
     for (const database::Comment& comment : comments) {
         const bool draft = comment.sent == 0;

@@ -68,11 +68,11 @@ ComparePage::ComparePage(Context& context) : Page(context, "compare_page") {
     content->addLayout(build_range());
     content->addWidget(build_tabs(), 1);
     layout->addWidget(content_, 1);
-    layout->addStretch();
+    layout->addStretch(1);
     content_->hide();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1320));
+    outer->addWidget(scrolled(body));
     connect_parts();
 }
 
@@ -137,8 +137,8 @@ QLayout* ComparePage::build_range() {
     row->add(name);
     step_ = make_narrow_choice("compare_step", tr("Part of the attempt"), 14);
     row->add(step_, 1, with_text(180));
-    begin_ = make_button(tr("Begins here"), "range_begin");
-    end_ = make_button(tr("Ends here"), "range_end");
+    begin_ = make_button(tr("Start part here"), "range_begin");
+    end_ = make_button(tr("End part here"), "range_end");
     whole_ = make_button(tr("Whole attempt"), "range_whole");
     for (QPushButton* button : {begin_, end_, whole_}) row->add(button);
     range_words_ = make_label({}, "muted");
@@ -165,7 +165,7 @@ QWidget* ComparePage::build_tabs() {
     quantity_ = make_narrow_choice("compare_quantity", tr("What is drawn"), 8);
     quantity_->addItems({tr("Force"), tr("Speed")});
     row->add(quantity_);
-    row->add(make_label(tr("Drag with Shift to choose a part."), "muted"), 1, with_text(200));
+    row->add(make_label(tr("Hold Shift and drag to choose a part."), "muted"), 1, with_text(200));
     layout->addLayout(row);
     for (std::size_t h = 0; h < hand_count; ++h) {
         charts_[h] = new TimeChart(h == 0 ? tr("left hand") : tr("right hand"));
@@ -210,7 +210,8 @@ void ComparePage::open(const std::string& attempt_id) {
     std::optional<Scene> scene;
     if (!context().guarded([&] {
             attempt = database::Attempts(context().store()).read(context().session(), attempt_id);
-            choices_ = comparison_choices(context().store(), context().session(), attempt);
+            choices_ = comparison_choices(context().store(), context().session(), attempt,
+                                          context().task(attempt.meta.task_id));
             if (context().task(attempt.meta.task_id) != nullptr)
                 scene = context().services().scene_of(context().session(), attempt);
         }))
@@ -292,7 +293,7 @@ void ComparePage::own_loaded() {
 void ComparePage::other_loaded() {
     other_side_->setVisible(other_ != nullptr && own_->has_trace());
     if (other_ != nullptr) {
-        other_words_->setText(tr("The other one: %1").arg(compared_words(*other_)));
+        other_words_->setText(tr("Other attempt: %1").arg(compared_words(*other_)));
         const auto model = std::make_shared<const AttemptModel>(other_->model);
         other_replay_->open(model, context().task(other_->model.summary.meta.task_id));
         QString why;
@@ -300,7 +301,8 @@ void ComparePage::other_loaded() {
         other_replay_->set_record(model, std::move(picture), why);
     }
     QStringList notes;
-    if (other_ != nullptr) notes = comparison_notes(*own_, *other_, *pair_);
+    if (other_ != nullptr)
+        notes = comparison_notes(*own_, *other_, *pair_, context().task(own_->model.summary.meta.task_id));
     if (cohort_) notes = comparison_notes(*own_, *cohort_);
     notes_->setText(notes.join(QLatin1Char('\n')));
     show_charts();
@@ -335,7 +337,7 @@ void ComparePage::show_charts() {
             if (!band.empty()) chart.add_band(tr("cohort"), &Palette::limit, band);
         }
         if (pair_ && other_->has_trace())
-            chart.add_series(tr("the other one"), &Palette::right_hand, Qt::DashLine,
+            chart.add_series(tr("other attempt"), &Palette::right_hand, Qt::DashLine,
                              force ? pair_->force[h] : pair_->speed[h]);
         chart.add_series(tr("this attempt"), &Palette::left_hand, Qt::SolidLine,
                          force ? own_->model.force[h] : own_->model.speed[h]);
@@ -399,7 +401,7 @@ void ComparePage::show_range() {
     if (part) {
         words = tr("%1 to %2").arg(clock_text(from_), clock_text(to_));
         if (pair_ && other_->has_trace())
-            words += tr("; the other one %1 to %2")
+            words += tr("; other attempt %1 to %2")
                          .arg(clock_text(pair_->map.to_second(from_)), clock_text(pair_->map.to_second(to_)));
         if (cohort_) words += tr("; metrics of this attempt alone");
     }
@@ -436,7 +438,7 @@ void ComparePage::time_changed(double time) {
     if (pair_ && other_->has_trace()) {
         const double there = pair_->map.to_second(time);
         other_replay_->seek(there);
-        words += tr("; the other one %1 / %2").arg(clock_text(there), clock_text(other_->model.duration));
+        words += tr("; other attempt %1 / %2").arg(clock_text(there), clock_text(other_->model.duration));
     }
     clock_->setText(words);
     if (!own_replay_->is_playing()) play_->setText(tr("Play"));

@@ -20,13 +20,13 @@ struct ComparisonTexts {
 };
 
 /// Short: it has to be readable in a line of large text.
-QString choice_text(const database::AttemptSummary& attempt, bool with_result) {
+QString choice_text(const database::AttemptSummary& attempt, bool with_result, const TaskDefinition* task) {
     QStringList parts{local_time(attempt.meta.started)};
     if (with_result)
         parts << (attempt.points && attempt.passed ? points_text(*attempt.points)
                                                    : verdict(attempt.passed, attempt.provisional));
     if (!attempt.meta.variant.empty() && attempt.meta.variant != "standard")
-        parts << text(attempt.meta.variant);
+        parts << variant_title(task, attempt.meta.variant);
     return parts.join(QStringLiteral(", "));
 }
 
@@ -39,7 +39,8 @@ bool is_comparable(const database::AttemptSummary& one, const database::AttemptS
 
 std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
                                                  const database::Session& session,
-                                                 const database::AttemptSummary& own) {
+                                                 const database::AttemptSummary& own,
+                                                 const TaskDefinition* task) {
     using Kind = ComparisonChoice::Kind;
     std::vector<ComparisonChoice> choices;
     database::AttemptFilter filter;
@@ -61,10 +62,10 @@ std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
     }
     if (best != nullptr)
         choices.push_back({Kind::attempt, best->meta.id,
-                           ComparisonTexts::tr("Own best: %1").arg(choice_text(*best, false))});
+                           ComparisonTexts::tr("Best attempt: %1").arg(choice_text(*best, false, task))});
     if (last != nullptr)
         choices.push_back({Kind::attempt, last->meta.id,
-                           ComparisonTexts::tr("Own last: %1").arg(choice_text(*last, false))});
+                           ComparisonTexts::tr("Latest attempt: %1").arg(choice_text(*last, false, task))});
     if (!database::is_external_task(own.meta.task_id))
         choices.push_back({Kind::expert, {}, ComparisonTexts::tr("An expert of the benchmark (simulated)")});
     if (session.role() != database::Role::trainee) {
@@ -74,7 +75,7 @@ std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
     }
     for (const database::AttemptSummary& one : others)
         if (&one != best && &one != last)
-            choices.push_back({Kind::attempt, one.meta.id, choice_text(one, true)});
+            choices.push_back({Kind::attempt, one.meta.id, choice_text(one, true, task)});
     return choices;
 }
 
@@ -195,29 +196,30 @@ std::optional<CohortSide> load_cohort(const database::Store& store, const databa
     return side;
 }
 
-QStringList comparison_notes(const ComparedSide& own, const ComparedSide& other, const ComparedPair& pair) {
+QStringList comparison_notes(const ComparedSide& own, const ComparedSide& other, const ComparedPair& pair,
+                             const TaskDefinition* task) {
     const database::AttemptMeta &a = own.model.summary.meta, &b = other.model.summary.meta;
     QStringList notes;
     if (a.variant != b.variant)
         notes << ComparisonTexts::tr(
-                     "Different variants: %1 and %2. The scenes differ; the steps are put on each other.")
-                     .arg(text(a.variant), text(b.variant));
+                     "Different variants: %1 and %2. The scenes differ; the attempts are aligned by steps.")
+                     .arg(variant_title(task, a.variant), variant_title(task, b.variant));
     if (a.task_version != b.task_version)
         notes << ComparisonTexts::tr("Different versions of the task: %1 and %2.")
                      .arg(a.task_version)
                      .arg(b.task_version);
     if (b.device_class != DeviceClass::synthetic && a.device_class != b.device_class)
-        notes << ComparisonTexts::tr("Different devices: %1 and %2. Their values are not on one scale.")
+        notes << ComparisonTexts::tr(
+                     "Different devices: %1 and %2. Their values cannot be compared directly.")
                      .arg(device_class_text(a.device_class), device_class_text(b.device_class));
     if (!own.has_trace()) notes << ComparisonTexts::tr("This attempt: %1").arg(own.why_no_trace);
-    if (!other.has_trace()) notes << ComparisonTexts::tr("The other one: %1").arg(other.why_no_trace);
+    if (!other.has_trace()) notes << ComparisonTexts::tr("Other attempt: %1").arg(other.why_no_trace);
     if (own.has_trace() && other.has_trace()) {
         const auto steps = static_cast<int>(pair.map.common_goals().size());
-        notes << (steps == 0
-                      ? ComparisonTexts::tr(
-                            "No step was completed in both: they are aligned from the first movement on.")
-                      : ComparisonTexts::tr("Aligned by the %n steps that were completed in both.", nullptr,
-                                            steps));
+        notes << (steps == 0 ? ComparisonTexts::tr("No step was completed in both attempts, so they are "
+                                                   "aligned at the first movement.")
+                             : ComparisonTexts::tr("Aligned by the %n steps that were completed in both.",
+                                                   nullptr, steps));
     }
     return notes;
 }
@@ -239,9 +241,8 @@ QStringList comparison_notes(const ComparedSide& own, const CohortSide& cohort) 
                  .arg(cohort.name);
     if (cohort.without_trace > 0)
         notes << ComparisonTexts::tr(
-            "The trace of %n of them was not kept here: only their metrics are "
-            "compared.",
-            nullptr, static_cast<int>(cohort.without_trace));
+            "The recording of %n of them was not kept here: only their metrics are compared.", nullptr,
+            static_cast<int>(cohort.without_trace));
     if (!own.has_trace()) notes << ComparisonTexts::tr("This attempt: %1").arg(own.why_no_trace);
     return notes;
 }

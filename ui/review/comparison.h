@@ -28,7 +28,8 @@ struct ComparisonChoice {
 /// this task, newest first. Throws AccessDenied, StoreError.
 std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
                                                  const database::Session& session,
-                                                 const database::AttemptSummary& own);
+                                                 const database::AttemptSummary& own,
+                                                 const TaskDefinition* task);
 
 /// Fewest people of whom a band is shown.
 inline constexpr std::size_t least_in_band = 5;
@@ -68,7 +69,8 @@ std::optional<CohortSide> load_cohort(const database::Store& store, const databa
                                       const Progress& progress);
 
 /// What has to be known before the two are compared: other variant, other devices, no trace, no common step.
-QStringList comparison_notes(const ComparedSide& own, const ComparedSide& other, const ComparedPair& pair);
+QStringList comparison_notes(const ComparedSide& own, const ComparedSide& other, const ComparedPair& pair,
+                             const TaskDefinition* task);
 QStringList comparison_notes(const ComparedSide& own, const CohortSide& cohort);
 
 }  // namespace fulcrum::ui

@@ -95,7 +95,7 @@ ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     table_ = make_table({CompareWords::tr("Metric"), CompareWords::tr("Hand"),
-                         CompareWords::tr("This attempt"), CompareWords::tr("The other one"),
+                         CompareWords::tr("This attempt"), CompareWords::tr("Other attempt"),
                          CompareWords::tr("Difference"), CompareWords::tr("This attempt is")},
                         "comparison_table");
     table_->setAccessibleName(CompareWords::tr("Differences of the metrics"));
@@ -139,7 +139,7 @@ void ComparisonTable::show_pair(const std::vector<ComparedMetric>& own,
                                   Qt::AlignRight | Qt::AlignVCenter));
         set_verdict(table_, row, metric.direction, *metric.value, *against->value, precision_of(metric.id));
     }
-    table_->horizontalHeaderItem(other_column)->setText(CompareWords::tr("The other one"));
+    table_->horizontalHeaderItem(other_column)->setText(CompareWords::tr("Other attempt"));
     fit_columns(table_);
 }
 

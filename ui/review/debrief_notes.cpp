@@ -26,9 +26,9 @@ QStringList DebriefPage::notes() const {
         const double from_s = attempt.meta.origin->tick * model_->tick;
         notes
             << (attempt.meta.origin->source_id.empty()
-                    ? tr("Practice from goal %1 of a demonstration: never scored.")
+                    ? tr("Practice from step %1 of a demonstration: never scored.")
                           .arg(attempt.meta.origin->goal + 1)
-                    : tr("Practice taken over from an attempt at %1: never scored.").arg(clock_text(from_s)));
+                    : tr("Practice from the moment %1 of an attempt: never scored.").arg(clock_text(from_s)));
     } else if (!passed && !voided) {
         const Statement why = model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
         // Where the advice above says the same, once is enough.
@@ -41,8 +41,8 @@ QStringList DebriefPage::notes() const {
     }
     if (attempt.provisional) {
         notes << tr(
-            "The limits are provisional (synthetic operators): they allow \"passed (provisional)\", never "
-            "proficiency.");
+            "The limits are provisional: they come from simulated experts, not from surgeons. With them a "
+            "task can be passed, but nobody becomes proficient.");
     }
     if (model_->recomputed) {
         const database::ScoreRow& recomputed = *model_->recomputed;

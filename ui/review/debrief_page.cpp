@@ -57,11 +57,11 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     content->addWidget(comments_);
     content->addWidget(build_tabs());
     layout->addWidget(content_);
-    layout->addStretch();
+    layout->addStretch(1);
     content_->hide();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
+    outer->addWidget(scrolled(body));
 
     connect_parts();
 }
@@ -76,7 +76,7 @@ QWidget* DebriefPage::build_blind_head() {
     why->setObjectName(QStringLiteral("rating_blind_notice"));
     card_layout(card)->addWidget(why);
     QPushButton* lift =
-        make_button(tr("Show name and score; my rating is then not blind"), "lift_blinding", "link");
+        make_button(tr("Show name and score (my rating is then not blind)"), "lift_blinding", "link");
     connect(lift, &QPushButton::clicked, this, &DebriefPage::lift_blinding);
     card_layout(card)->addWidget(lift, 0, Qt::AlignLeft);
     return card;
@@ -387,6 +387,7 @@ void DebriefPage::fill_head() {
     const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
     QString verdict_words = verdict(passed, attempt.provisional);
     if (voided) verdict_words = tr("voided");
+    verdict_words = capital(verdict_words);
     verdict_->setText(
         (!voided && passed ? (*passed ? QStringLiteral("✓ ") : QStringLiteral("✕ ")) : QString()) +
         verdict_words);

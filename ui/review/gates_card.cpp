@@ -6,15 +6,19 @@
 #include <QStyle>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "assessment/metrics/registry.h"
 #include "ui/review/attempt_model.h"
 #include "ui/review/metrics_table.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
 namespace {
+
+constexpr int least_source_width = 220;  // px: fewer break a source into more lines than can be read
 
 /// Qt reckons a wrapped cell's height from the whole column's width, the style sheet's padding included,
 /// where no word can stand; the last line was then cut off.
@@ -55,10 +59,13 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     table_->setItemDelegateForColumn(table_->columnCount() - 1, new WrappedCell(table_));
     table_->viewport()->installEventFilter(this);
     layout->addWidget(table_);
-    layout->addWidget(make_label(tr("Every gate must be met. Select a row to jump to the moment that decided "
-                                    "it, Explain to read what is "
-                                    "measured."),
-                                 "muted"));
+    sources_ = make_label({}, "muted");
+    sources_->setObjectName(QStringLiteral("gates_sources"));
+    layout->addWidget(sources_);
+    layout->addWidget(make_label(
+        tr("A gate is a pass criterion: every gate must be met. z: standard deviations from the experts' "
+           "mean. Select a row to go to the moment that decided it, or Explain to read what is measured."),
+        "muted"));
     const auto jump = [this](QTableWidgetItem* item) {
         const QString metric = explained_metric(table_, item->row(), item->column());
         if (!metric.isEmpty()) return emit metric_chosen(metric);
@@ -71,6 +78,7 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
 
 void GatesCard::open(const AttemptModel& model) {
     table_->setRowCount(0);
+    std::vector<std::pair<QString, QStringList>> sources;  // each with the gates that have it
     setVisible(model.score.has_value() && !model.score->gates.empty());
     if (!model.score) return;
     for (const database::GateRow& gate : model.score->gates) {
@@ -108,15 +116,28 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 4, make_cell(z_text(gate.z), right));
         table_->setItem(row, 5, verdict_cell);
         const bool judged = gate.value && gate.limit;
-        QString source = judged ? asset_text(gate.limit_source) : statement_text(gate.not_passed_because);
+        QString source =
+            judged ? limit_source_text(gate.limit_source) : statement_text(gate.not_passed_because);
         if (gate.provisional)
             source = judged ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
         auto* source_cell = make_cell(source);
         source_cell->setToolTip(source);
+        auto same = std::find_if(sources.begin(), sources.end(),
+                                 [&](const auto& one) { return one.first == source; });
+        if (same == sources.end()) same = sources.insert(sources.end(), {source, {}});
+        if (!same->second.contains(name)) same->second += name;
         set_explain_cell(table_, row, 6, gate.metric);
         table_->setItem(row, 7, source_cell);
     }
+    QStringList lines;
+    for (const auto& [source, names] : sources)
+        if (!source.isEmpty()) lines += tr("%1: %2").arg(names.join(QStringLiteral(", ")), source);
+    sources_->setText(tr("Source of each limit") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
+    table_->setColumnHidden(table_->columnCount() - 1, false);
     size_columns(table_, 2);  // words need the room more than figures
+    others_ = 0;
+    for (int column = 0; column + 1 < table_->columnCount(); ++column) others_ += table_->columnWidth(column);
+    last_but_one_ = table_->columnWidth(table_->columnCount() - 2);
     fit();
 }
 
@@ -129,9 +150,13 @@ void GatesCard::fit() {
     QHeaderView* header = table_->horizontalHeader();
     header->setStretchLastSection(false);
     const int last = table_->columnCount() - 1;
-    int others = 0;
-    for (int column = 0; column < last; ++column) others += header->sectionSize(column);
-    header->resizeSection(last, std::max(120, table_->viewport()->width() - others));
+    // Where no column is left for the sources, they follow the table.
+    const int room = table_->viewport()->width() - others_;
+    const bool narrow = room < with_text(least_source_width);
+    table_->setColumnHidden(last, narrow);
+    sources_->setVisible(narrow);
+    header->resizeSection(last - 1, narrow ? last_but_one_ + std::max(0, room) : last_but_one_);
+    if (!narrow) header->resizeSection(last, room);
     fit_rows(table_);
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                            table_->verticalHeader()->length() + 2 * table_->frameWidth());

@@ -4,6 +4,7 @@
 
 #include <QFrame>
 
+class QLabel;
 class QTableWidget;
 
 namespace fulcrum::ui {
@@ -26,6 +27,8 @@ class GatesCard : public QFrame {
     bool eventFilter(QObject* watched, QEvent* event) override;
     void fit();
     QTableWidget* table_;
+    QLabel* sources_;                    ///< where the table has no room for their column
+    int others_ = 0, last_but_one_ = 0;  ///< px
 };
 
 }  // namespace fulcrum::ui

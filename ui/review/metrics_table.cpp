@@ -45,10 +45,10 @@ MetricsTable::MetricsTable(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 8, 0, 0);
     layout->addWidget(
-        make_label(tr("Select a row to jump to its moment, Explain to read what is measured."), "muted"));
-    table_ = make_table(
-        {tr("Metric"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent"), tr("Meaning")},
-        "metrics_table");
+        make_label(tr("Select a row to go to its moment, or Explain to read what is measured."), "muted"));
+    table_ = make_table({tr("Metric"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Direction"),
+                         tr("Why absent"), tr("Meaning")},
+                        "metrics_table");
     table_->setMinimumHeight(320);
     layout->addWidget(table_);
     const auto choose = [this](QTableWidgetItem* item) {

@@ -57,7 +57,7 @@ RatingEditor::RatingEditor(Context& context, QWidget* parent) : QWidget(parent),
     row->addWidget(hand_in_);
     row->addWidget(discard_);
     row->addWidget(
-        make_label(tr("The draft is kept. A rating that was handed in is never changed."), "muted"), 1);
+        make_label(tr("The draft is saved. After you hand in a rating, it cannot be changed."), "muted"), 1);
     layout->addLayout(row);
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);

@@ -124,7 +124,7 @@ void RatingsCard::fill() {
     setVisible(may_rate || !shown.empty() || hidden > 0);
     title_->setText(shown.empty() ? tr("Ratings") : tr("Ratings (%1)").arg(shown.size()));
     hidden_->setText(
-        may_rate ? tr("Ratings by others: %1. You see them once you have handed in yours.").arg(hidden)
+        may_rate ? tr("Ratings by others: %1. You will see them when you have handed in yours.").arg(hidden)
                  : tr("Ratings that are not shown to you: %1.").arg(hidden));
     hidden_->setVisible(hidden > 0);
     reveal_->setText(tr("Show those that the trainee sees, without rating (%1)").arg(held));

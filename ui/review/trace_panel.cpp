@@ -63,7 +63,7 @@ TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
     }
     layout->addWidget(charts_, 3);
     layout->addWidget(make_label(tr("What happened"), "heading"));
-    penalties_only_ = new QCheckBox(tr("penalties only"));
+    penalties_only_ = new QCheckBox(tr("Penalties only"));
     penalties_only_->setObjectName(QStringLiteral("penalties_only"));
     layout->addWidget(penalties_only_);
     events_ = new QListWidget;

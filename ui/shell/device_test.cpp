@@ -193,9 +193,8 @@ void DeviceTest::show_settings() {
     const double scale = devices.motion_scale(used.kind);
     motion_->setCurrentIndex(motion_->findData(static_cast<int>(std::lround(100 * scale))));
     motion_note_->setText(
-        mice ? tr("For the same movement of the mouse, from the next attempt on; 100 %: 1 mm of the handle "
-                  "for "
-                  "about 3 pixels.")
+        mice ? tr("How far the instrument moves for the same movement of the mouse, from the next attempt. "
+                  "At 100 %, about 3 pixels move the handle by 1 mm.")
         : controller
             ? tr("Speed for the same push of a stick, from the next attempt on; 100 %: at most 12 cm/s of "
                  "the "

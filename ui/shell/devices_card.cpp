@@ -92,7 +92,7 @@ DevicesCard::DevicesCard(Context& context)
     layout->addWidget(test_);
     list_->setSpacing(6);
     layout->addLayout(list_);
-    again_ = make_button(tr("Look again"), "look_for_devices");
+    again_ = make_button(tr("Search for devices again"), "look_for_devices");
     layout->addWidget(again_, 0, Qt::AlignLeft);
     connect(again_, &QPushButton::clicked, this, &DevicesCard::look);
     look_timer_.setInterval(look_every_ms);
@@ -148,12 +148,11 @@ void DevicesCard::hideEvent(QHideEvent* event) {
 void DevicesCard::show_use() {
     const DeviceInUse used = context_.services().device_in_use();
     const QString title = device_words(used.title);
-    use_->setText(
-        context_.services().device_can_be_chosen()
-            ? tr("In use: %1. It moves the hands from the next attempt on.").arg(title)
-            : tr("In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum "
-                 "starts; without it, the device is chosen here.")
-                  .arg(title));
+    use_->setText(context_.services().device_can_be_chosen()
+                      ? tr("In use: %1. It moves the hands from the next attempt on.").arg(title)
+                      : tr("In use: %1. This device was set when Fulcrum was started (environment variable "
+                           "FULCRUM_DEVICE). Start Fulcrum without it to choose a device here.")
+                            .arg(title));
     test_->show_settings();
     force_->setVisible(!used.kind.empty() && used.device_class == DeviceClass::haptic);
     const double scale = context_.services().force_scale(used.kind);
@@ -214,7 +213,7 @@ void DevicesCard::show_list(const std::vector<ListedDevice>& devices) {
         if (device.state == DeviceState::usable) set_tint(state, Tint::good);
         if (device.state == DeviceState::connected) set_tint(state, Tint::bad);
         list_->addWidget(state);
-        const bool choosable = device.state == DeviceState::usable && device.kind != "virtual" &&
+        const bool choosable = device.state == DeviceState::usable && device.can_be_chosen &&
                                context_.services().device_can_be_chosen();
         if (choosable) {
             QPushButton* use = make_button(tr("Use for the hands"), "");

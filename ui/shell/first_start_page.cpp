@@ -23,7 +23,7 @@ FirstStartPage::FirstStartPage(Context& context) : Page(context, "first_start_pa
     steps_->addWidget(build_recovery());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scrolled(steps_, 860));
+    layout->addWidget(scrolled(steps_, 860, PagePlace::centred));
 }
 
 QWidget* FirstStartPage::build_choice() {
@@ -46,10 +46,10 @@ QWidget* FirstStartPage::build_choice() {
     row->setSpacing(18);
     QFrame* create = make_card(12);
     card_layout(create)->addWidget(make_label(tr("Create programme"), "heading"));
-    card_layout(create)->addWidget(make_label(
-        tr("For a department or a training centre. You become its first administrator. Then you add "
-           "people, roles and cohorts."),
-        "muted"));
+    card_layout(create)->addWidget(
+        make_label(tr("For a department or a training centre. You become its first administrator and then "
+                      "add people, roles and cohorts."),
+                   "muted"));
     card_layout(create)->addStretch();
     start_create_ = make_button(tr("Create programme"), "create_programme", "primary");
     connect(start_create_, &QPushButton::clicked, this, [this] {
@@ -60,10 +60,10 @@ QWidget* FirstStartPage::build_choice() {
     row->addWidget(create);
     QFrame* look = make_card(12);
     card_layout(look)->addWidget(make_label(tr("Look around"), "heading"));
-    card_layout(look)->addWidget(
-        make_label(tr("A demonstration programme: 24 simulated trainees after 12 weeks. No real people, but "
-                      "real simulated attempts. You can practise in it, and every screen has content."),
-                   "muted"));
+    card_layout(look)->addWidget(make_label(
+        tr("A demonstration programme: 24 simulated trainees after 12 weeks of training. The people are not "
+           "real; their attempts were simulated in full. You can practise, and every screen has content."),
+        "muted"));
     card_layout(look)->addStretch();
     QPushButton* look_button = make_button(tr("Look around"), "look_around");
     connect(look_button, &QPushButton::clicked, this, &FirstStartPage::look_around);
@@ -92,7 +92,7 @@ QWidget* FirstStartPage::build_form() {
     programme_->setPlaceholderText(tr("for example: Department of Surgery"));
     name_ = field(tr("Your name"), "administrator_name", false);
     login_ = field(tr("Your login"), "administrator_login", false);
-    login_->setPlaceholderText(tr("letters, digits, . _ - @"));
+    login_->setPlaceholderText(tr("Letters, digits and . _ - @"));
     password_ = field(tr("Password"), "administrator_password", true);
     password_->setPlaceholderText(tr("at least %1 characters").arg(database::password_minimum_length));
     repeat_ = field(tr("Password again"), "administrator_password_again", true);
@@ -104,7 +104,7 @@ QWidget* FirstStartPage::build_form() {
     auto* buttons = new QHBoxLayout;
     QPushButton* back = make_button(tr("Back"), "create_back");
     connect(back, &QPushButton::clicked, this, [this] { steps_->setCurrentIndex(0); });
-    create_ = make_button(tr("Create"), "create_confirm", "primary");
+    create_ = make_button(tr("Create programme"), "create_confirm", "primary");
     connect(create_, &QPushButton::clicked, this, &FirstStartPage::create);
     for (QLineEdit* edit : {programme_, name_, login_, password_, repeat_}) {
         connect(edit, &QLineEdit::returnPressed, this, &FirstStartPage::create);
@@ -126,8 +126,8 @@ QWidget* FirstStartPage::build_recovery() {
     layout->addWidget(make_label(tr("Your recovery code"), "title"));
     QFrame* card = make_card(12);
     card_layout(card)->addWidget(
-        make_label(tr("It is shown only now. Write it down and lock it away: it is the only way for the last "
-                      "administrator to set a new password.")));
+        make_label(tr("This code is shown only once. Write it down and lock it away: without it, the last "
+                      "administrator cannot set a new password.")));
     code_ = make_label({}, "number");
     code_->setObjectName(QStringLiteral("recovery_code"));
     code_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

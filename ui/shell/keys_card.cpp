@@ -18,8 +18,8 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
     column->setContentsMargins(18, 16, 18, 16);
     column->setSpacing(8);
     column->addWidget(make_label(tr("Mouse and keys for the hands"), "heading"));
-    column->addWidget(make_label(tr("Kept for you on this computer, from the next attempt on. They are shown "
-                                    "when an attempt begins, and with F1."),
+    column->addWidget(make_label(tr("Saved for you on this computer. A change applies from the next attempt. "
+                                    "The keys are shown when an attempt begins, and when you press F1."),
                                  "muted"));
     auto* choices = new QWidget;
     auto* row = new FlowRow(choices);
@@ -34,9 +34,8 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
     }
     column->addWidget(choices);
     column->addWidget(
-        make_label(tr("With the mouse in the left hand its buttons change places, and the keys of the "
-                      "hand that it moves are on the right side. Choosing one gives all keys their "
-                      "usual places."),
+        make_label(tr("With the mouse in the left hand, its two buttons are swapped, and the keys of the "
+                      "mouse's hand move to the right side of the keyboard. This choice resets all keys."),
                    "muted"));
     auto* groups = new QWidget;
     auto* flow = new FlowRow(groups);
@@ -46,7 +45,7 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
     message_ = make_label({});
     message_->setObjectName(QStringLiteral("keys_message"));
     column->addWidget(message_);
-    QPushButton* reset = make_button(tr("Usual keys"), "reset_keys");
+    QPushButton* reset = make_button(tr("Reset all keys"), "reset_keys");
     column->addWidget(reset, 0, Qt::AlignLeft);
     const auto use_standard = [this](bool left_handed) {
         waiting_.reset();

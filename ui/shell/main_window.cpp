@@ -179,7 +179,7 @@ void MainWindow::show_banner() {
     const bool shown = store != nullptr && (store->is_demo() || store->is_server());
     if (shown)
         banner_text_->setText(
-            store->is_demo() ? tr("Demonstration: the people are not real, and neither are their attempts.")
+            store->is_demo() ? tr("Demonstration: the people and their attempts are simulated.")
                              : tr("Programme server, read only: attempts, ratings and decisions are made at "
                                   "the stations."));
     banner_->setVisible(shown);
@@ -314,6 +314,8 @@ void MainWindow::show_session() {
     programme_->setText(context_.store().is_demo() ? tr("Demonstration")
                                                    : text(context_.store().programme_name()));
     person_->setText(text(session.display_name()));
+    // A usual name is whole; the programme, which is the same on every screen, gives way.
+    person_->setMinimumWidth(std::min(person_->sizeHint().width(), text_percent() > 150 ? 120 : 240));
     role_->clear();
     for (const database::Role held : session.roles()) {
         role_->addItem(tr("Acting as %1").arg(role_text(database::role_name(held))), static_cast<int>(held));

@@ -60,11 +60,12 @@ QWidget* MainWindow::build_top_bar() {
     bar->setSpacing(12);
     programme_ = new ElidedLabel;
     programme_->setProperty("role", "heading");
-    bar->addWidget(programme_, 2);
+    bar->addWidget(programme_);
+    bar->addStretch(1);  // the two names have what they need before space is left over
     person_ = new ElidedLabel;
     person_->setObjectName(QStringLiteral("signed_in_person"));
     person_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    bar->addWidget(person_, 1);
+    bar->addWidget(person_);
     role_ = new QComboBox;
     role_->setObjectName(QStringLiteral("acting_role"));
     role_->setAccessibleName(tr("Acting role"));

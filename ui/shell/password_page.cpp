@@ -57,7 +57,7 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
     }
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 640));
+    outer->addWidget(scrolled(body, 640, PagePlace::centred));
 }
 
 void PasswordPage::enter() {

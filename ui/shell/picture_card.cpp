@@ -42,17 +42,16 @@ QString PictureCard::picture_text(const PictureQuality& quality) {
     lines << tr("Drawn by: %1").arg(quality.device);
     if (quality.software) {
         lines << tr("The processor draws the picture, because OpenGL offers no graphics card here.");
-        lines
-            << tr("Resolution: %1 % of the window's, %2 % inside the pelvis, so that a picture takes less "
-                  "than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again "
-                  "when there is time.")
-                   .arg(percent(quality.share))
-                   .arg(percent(quality.share_in_hollow))
-                   .arg(decimal(DrawingPace::goal_ms, 0))
-                   .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
+        lines << tr("Resolution: %1 % of the window's, %2 % inside the pelvis, so that drawing takes less "
+                    "than %3 ms. If it takes longer, the resolution is reduced, to %4 % of that at the "
+                    "least, and raised again when there is time.")
+                     .arg(percent(quality.share))
+                     .arg(percent(quality.share_in_hollow))
+                     .arg(decimal(DrawingPace::goal_ms, 0))
+                     .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
     } else {
-        lines << tr("Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to "
-                    "as little as %2 %; it rises again when there is time.")
+        lines << tr("Resolution: that of the window. If drawing takes longer than %1 ms, it is reduced, to "
+                    "%2 % at the least, and raised again when there is time.")
                      .arg(decimal(DrawingPace::goal_ms, 0))
                      .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
     }

@@ -30,10 +30,9 @@ SendingCard::SendingCard(Context& context)
     trouble_->setObjectName(QStringLiteral("sending_trouble"));
     layout->addWidget(state_);
     layout->addWidget(trouble_);
-    layout->addWidget(
-        make_label(tr("For example to 3D Slicer: poses of instruments and camera, and forces, 60 times a "
-                      "second, without names of people."),
-                   "muted"));
+    layout->addWidget(make_label(tr("For example to 3D Slicer: positions of the instruments and the camera, "
+                                    "and forces, 60 times a second. No names are sent."),
+                                 "muted"));
     connect(wanted_, &QCheckBox::clicked, this, [this](bool wanted) {
         context_.services().choose_sending(wanted);
         show_state();

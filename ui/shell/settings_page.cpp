@@ -42,17 +42,16 @@ SettingsPage::SettingsPage(Context& context)
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Settings"), "title"));
-    layout->addWidget(
-        make_label(tr("They are remembered. All but the keys are the same for everyone who uses this "
-                      "account of the computer."),
-                   "muted"));
+    layout->addWidget(make_label(tr("Settings are saved on this computer. All except the keys apply to "
+                                    "everyone who uses this account of the operating system."),
+                                 "muted"));
     layout->addWidget(build_appearance());
     layout->addWidget(build_language());
     layout->addWidget(new PictureCard);
     layout->addWidget(new KeysCard(context));
     layout->addWidget(new DevicesCard(context));
     layout->addWidget(new SendingCard(context));
-    layout->addStretch();
+    layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1000));
@@ -90,7 +89,7 @@ QFrame* SettingsPage::build_appearance() {
     });
     card_layout(card)->addLayout(grid);
     card_layout(card)->addWidget(make_label(
-        tr("The text in the picture of an attempt grows as far as there is room for it."), "muted"));
+        tr("During an attempt, the text over the picture grows only as far as there is room."), "muted"));
     return card;
 }
 

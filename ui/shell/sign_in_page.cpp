@@ -104,7 +104,7 @@ SignInPage::SignInPage(Context& context) : Page(context, "sign_in_page") {
 
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 900));
+    outer->addWidget(scrolled(body, 900, PagePlace::centred));
     setFocusProxy(login_);
 }
 
@@ -120,9 +120,10 @@ void SignInPage::enter() {
     const auto& interrupted = context().store().interrupted_at_open();
     notice_->setVisible(!interrupted.empty());
     if (!interrupted.empty()) {
-        notice_->setText(tr("Attempts that were running when the program last ended: %1. They are listed as "
-                            "interrupted; nothing that was recorded is lost.")
-                             .arg(interrupted.size()));
+        notice_->setText(
+            tr("%n attempts were running when the program last ended. They are listed as interrupted; "
+               "everything recorded until then is kept.",
+               nullptr, static_cast<int>(interrupted.size())));
     }
     if (demo) {
         picker_->hide();
@@ -184,7 +185,7 @@ void SignInPage::fill_demo() {
 void SignInPage::sign_in() {
     if (busy_) return;
     if (login_->text().trimmed().isEmpty() || password_->text().isEmpty()) {
-        problem_->setText(tr("Type your login and your password."));
+        problem_->setText(tr("Enter your login and your password."));
         (login_->text().trimmed().isEmpty() ? login_ : password_)->setFocus();
         return;
     }

@@ -34,6 +34,7 @@ QLabel[role="muted"] { color: @muted; }
 QLabel[role="number"] { font-size: @number_size; font-weight: 600; }
 QLabel[role="good"] { color: @good; font-weight: 600; }
 QLabel[role="bad"] { color: @bad; font-weight: 600; }
+QLabel[role="strong"] { font-weight: 600; }
 QLabel[role="neutral"] { color: @muted; font-weight: 600; }
 QLabel[tint="good"] { color: @good; }
 QLabel[tint="bad"] { color: @bad; }
@@ -67,10 +68,12 @@ QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView { background: @card; selection-background-color: @accent; selection-color: @accent_text; border: 1px solid @line; }
 QTableWidget, QTableView, QListWidget { background: @card; alternate-background-color: @raised; border: 1px solid @line; border-radius: 8px; gridline-color: @line; selection-background-color: @accent; selection-color: @accent_text; }
-QTableView::item, QListWidget::item { border: none; padding: 4px 8px; }
+QTableView::item { border: none; padding: 4px 5px; }
+QListWidget::item { border: none; padding: 4px 8px; }
 QTableView::item:selected, QListWidget::item:selected { background: @accent; color: @accent_text; }
-QHeaderView { background: @card; }
-QHeaderView::section { background: @card; color: @muted; border: none; border-bottom: 1px solid @line; padding: 7px 8px; font-weight: 600; }
+QAbstractScrollArea::corner { background: transparent; border: none; }
+QHeaderView { background: transparent; }
+QHeaderView::section { background: transparent; color: @muted; border: none; border-bottom: 1px solid @line; padding: 7px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @card; border: none; }
 QProgressBar { background: @raised; border: none; border-radius: 4px; height: 8px; text-align: center; color: transparent; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
@@ -78,7 +81,7 @@ QSlider::groove:horizontal { background: @line; height: 6px; border-radius: 3px;
 QSlider::sub-page:horizontal { background: @accent; border-radius: 3px; }
 QSlider::handle:horizontal { background: @accent; width: 16px; margin: -6px 0; border-radius: 8px; border: 2px solid @card; }
 QSlider:focus { outline: none; border: 1px solid @accent; border-radius: 4px; }
-QTabWidget::pane { border: 1px solid @line; border-radius: 8px; background: @card; top: -1px; }
+QTabWidget::pane { border: none; border-top: 1px solid @line; }
 QTabBar::tab { background: transparent; padding: 8px 16px; border-bottom: 3px solid transparent; color: @muted; }
 QTabBar::tab:selected { color: @text; border-bottom: 3px solid @accent; }
 QTabBar::tab:focus { color: @accent; }

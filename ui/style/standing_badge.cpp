@@ -37,8 +37,11 @@ void paint_padlock(QPainter& painter, const QRectF& box, const QColor& colour) {
     painter.drawRoundedRect(body, 0.06 * box.width(), 0.06 * box.width());
 }
 
-void paint_clock(QPainter& painter, const QRectF& disc, const QPen& pen) {
-    painter.setPen(pen);
+/// Yellow on white cannot be seen: the disc is filled, and rim and hands are dark in both themes.
+void paint_clock(QPainter& painter, const QRectF& disc, double line, const Palette& p) {
+    painter.setPen(QPen(current_theme() == Theme::light ? p.text : p.card, 0.8 * line, Qt::SolidLine,
+                        Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(p.warning);
     painter.drawEllipse(disc);
     const QPointF centre = disc.center();
     painter.drawLine(centre, centre - QPointF(0, 0.33 * disc.height()));
@@ -115,7 +118,7 @@ void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& st
             }
             break;
         case Standing::due:
-            paint_clock(painter, disc, pen(p.warning));
+            paint_clock(painter, disc, line, p);
             break;
         case Standing::relapsed:
             paint_triangle(painter, disc, p);
@@ -171,6 +174,25 @@ QString standing_text(const TaskStanding& standing) {
     return {};
 }
 
+const char* standing_role(Standing standing) {
+    switch (standing) {
+        case Standing::passed:
+        case Standing::awaiting_rating:
+        case Standing::proficient:
+        case Standing::maintained:
+            return "good";
+        case Standing::due:
+            return "strong";
+        case Standing::relapsed:
+            return "bad";
+        case Standing::locked:
+        case Standing::open:
+        case Standing::attempted:
+            break;
+    }
+    return "neutral";
+}
+
 QString standing_detail(const TaskStanding& standing) {
     switch (standing.standing) {
         case Standing::locked:
@@ -190,18 +212,19 @@ QString standing_detail(const TaskStanding& standing) {
                 .arg(date_text(standing.next_check));
         case Standing::due:
             if (standing.provisional)
-                return say(QT_TRANSLATE_NOOP(
-                    "fulcrum::ui::standing",
-                    "The limits are provisional, and passes on them do not complete it: ask your educator."));
-            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Two passes on one day complete it."));
-        case Standing::relapsed:
+                return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                             "The check cannot be completed while the limits of this task "
+                                             "are provisional. An educator can decide."));
             return say(
-                QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Three passes in four attempts restore it."));
+                QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass twice on one day to complete the check."));
+        case Standing::relapsed:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                         "Three passes in four attempts restore proficiency."));
     }
     if (standing.met_provisionally)
-        return say(QT_TRANSLATE_NOOP(
-            "fulcrum::ui::standing",
-            "The rule is met on provisional limits: later tasks unlock, but nobody is declared proficient."));
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                     "You have enough passes, but the limits are provisional: later tasks "
+                                     "are unlocked, and proficiency is not declared."));
     if (standing.rated_low)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
                                      "The ratings of the attempt of %1 are below the limit: the next pass "
@@ -218,7 +241,7 @@ QString standing_detail(const TaskStanding& standing) {
         return say(
             QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%n attempts without proficiency: ask your educator."),
             standing.attempts);
-    return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%1 % of the way to proficiency."))
+    return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%1 % of the way to proficiency"))
         .arg(static_cast<int>(100 * standing.progress));
 }
 

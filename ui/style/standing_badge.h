@@ -19,6 +19,8 @@ void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& st
 QString standing_name(const TaskStanding& standing);
 /// "passed (provisional)", "locked until you are proficient in B1, B2", in the second person.
 QString standing_text(const TaskStanding& standing);
+/// The role of the label that shows it: the same colour for the same standing on every page.
+const char* standing_role(Standing standing);
 /// What is missing or comes next, one sentence; empty where there is nothing to say.
 QString standing_detail(const TaskStanding& standing);
 /// A date without its time, "12 Nov 2026".

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,7 +28,8 @@ std::string in_readers_language(const char* context, const char* source) {
 }  // namespace
 
 QString statement_text(const Statement& statement) {
-    return text(words_of(statement, in_readers_language));
+    static const QRegularExpression minus(QStringLiteral("(?<=[ (])-(?=[0-9])"));
+    return text(words_of(statement, in_readers_language)).replace(minus, QString(QChar(0x2212)));
 }
 
 QString metric_text(const std::string& id) {
@@ -70,7 +72,32 @@ QString figure(double value) {
         if (shown.endsWith(QLatin1Char('.'))) shown.chop(1);
     }
     if (shown == QLatin1String("-0")) shown = QStringLiteral("0");
-    return with_decimal_sign(shown);
+    return with_decimal_sign(shown).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString points_figure(const std::optional<double>& points) {
+    return points ? decimal(*points, 1) : QStringLiteral("–");
+}
+
+QString limit_source_text(const std::string& source) {
+    static const QRegularExpression of_a_set(
+        QStringLiteral("^(.*), set ([0-9]+), ([0-9]+) experts(, worst counted value)?$"));
+    const QRegularExpressionMatch found = of_a_set.match(text(source));
+    if (!found.hasMatch()) return asset_text(source);
+    const bool simulated = found.captured(1).startsWith(QLatin1String("synthetic operators"));
+    QString shown =
+        simulated ? words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 simulated experts, benchmark set %2"))
+                  : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 experts, benchmark set %2"));
+    shown = shown.arg(found.captured(3), found.captured(2));
+    if (!simulated) shown += QStringLiteral(" (%1)").arg(asset_text(plain(found.captured(1))));
+    if (found.capturedLength(4) > 0)
+        shown += words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "; the worst value that counts"));
+    return shown;
+}
+
+QString capital(QString words) {
+    if (!words.isEmpty()) words[0] = words[0].toUpper();
+    return words;
 }
 
 QString figure(const std::optional<double>& value) {
@@ -81,13 +108,15 @@ QString unit_text(const std::string& unit) {
     if (unit.empty() || unit == "count" || unit == "-" || unit == "1" || unit == "–" || unit == "share") {
         return {};
     }
+    if (unit == "deg") return QStringLiteral("°");
     return text(unit);
 }
 
 QString figure_with_unit(const std::optional<double>& value, const std::string& unit) {
     if (!value) return QStringLiteral("–");
     const QString shown = unit_text(unit);
-    return shown.isEmpty() ? figure(*value) : figure(*value) + QChar(0x202F) + shown;
+    if (shown.isEmpty() || unit == "deg") return figure(*value) + shown;
+    return figure(*value) + QChar(0x202F) + shown;
 }
 
 QString z_text(const std::optional<double>& z) {
@@ -109,6 +138,13 @@ QString clock_text(double seconds) {
                                  .arg(tenths / 600)
                                  .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))
                                  .arg(tenths % 10));
+}
+
+QString minutes_text(double seconds) {
+    const auto whole = std::llround(std::max(0.0, seconds));
+    return whole % 60 == 0
+               ? QStringLiteral("%1 min").arg(whole / 60)
+               : QStringLiteral("%1:%2 min").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
 QString local_time(std::int64_t utc_ms) {

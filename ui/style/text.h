@@ -45,6 +45,13 @@ QString event_text(const std::string& name);
 /// unit.
 QString figure(double value);
 QString figure(const std::optional<double>& value);
+/// Points in a column: always one decimal.
+QString points_figure(const std::optional<double>& points);
+/// Where a limit comes from, as a score stores it: "synthetic operators, seeds 1000-1999, set 4, 32 experts"
+/// is shown as "32 simulated experts, benchmark set 4".
+QString limit_source_text(const std::string& source);
+/// With a capital letter, where words that are a part of sentences elsewhere are alone.
+QString capital(QString words);
 /// With its unit, "12.3 mm"; counts and dimensionless figures stand alone.
 QString figure_with_unit(const std::optional<double>& value, const std::string& unit);
 /// How far a value is on the worse side of the experts' mean, in their standard deviations: two decimals, and
@@ -56,6 +63,8 @@ QString points_text(double points);
 QString unit_text(const std::string& unit);
 /// "2:05.3" (minutes, seconds, tenths).
 QString clock_text(double seconds);
+/// "5 min", "7:30 min": a limit of time, without tenths.
+QString minutes_text(double seconds);
 /// Local date and time of a UTC time, "21 Nov 2026 04:15"; "–" for 0.
 QString local_time(std::int64_t utc_ms);
 /// "passed", "passed (provisional)", "failed", "not scored".

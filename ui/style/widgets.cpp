@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/widgets.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QEvent>
 #include <QHeaderView>
@@ -151,7 +152,7 @@ QTableWidget* make_table(const QStringList& columns, const char* name) {
     table->setHorizontalHeaderLabels(columns);
     table->setItemDelegate(new TintDelegate(table));
     table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(34);
+    table->verticalHeader()->setDefaultSectionSize(QFontMetrics(QApplication::font()).height() + 16);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -187,15 +188,28 @@ void size_columns(QTableWidget* table, int air) {
 
 namespace {
 
+/// Pixels of a cell next to its words: the style sheet's padding and Qt's margin, at both sides.
+constexpr int beside_words = 18;
+
+int height_of(const QTableWidgetItem* item, int width, const QFont& font) {
+    if (item == nullptr) return 0;
+    constexpr int above_and_below = 16;
+    const QRect room(0, 0, std::max(1, width - beside_words), 10000);
+    return QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, item->text()).height() + above_and_below;
+}
+
 /// Narrows the columns of its table to the width of the viewport. Child of the table.
 class ColumnFitter : public QObject {
   public:
     explicit ColumnFitter(QTableWidget* table) : QObject(table), table_(table) {
         setObjectName(QString::fromLatin1(name));
         table->viewport()->installEventFilter(this);
-        connect(table->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
-            dragged_ = dragged_ || (!fitting_ && column + 1 < table_->columnCount());
-        });
+        connect(table->horizontalHeader(), &QHeaderView::sectionResized, this,
+                [this](int column, int before, int now) {
+                    const bool hidden_or_shown = before == 0 || now == 0;
+                    dragged_ =
+                        dragged_ || (!fitting_ && !hidden_or_shown && column + 1 < table_->columnCount());
+                });
     }
     static ColumnFitter* of(QTableWidget* table) {
         auto* present = table->findChild<QObject*>(QString::fromLatin1(name), Qt::FindDirectChildrenOnly);
@@ -210,13 +224,12 @@ class ColumnFitter : public QObject {
         dragged_ = false;
         wanted_.clear();
         for (int column = 0; column < table_->columnCount(); ++column)
-            wanted_.push_back(table_->columnWidth(column));
+            wanted_.push_back(table_->isColumnHidden(column) ? held_by(column) + 4
+                                                             : table_->columnWidth(column));
         // The last one is stretched: what it holds counts.
         if (!wanted_.empty()) {
             int& end = wanted_[static_cast<std::size_t>(last())];
-            end = std::min(end, std::max(static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(last()),
-                                         table_->horizontalHeader()->sectionSizeHint(last())) +
-                                    16);
+            end = std::min(end, held_by(last()) + 16);
         }
         if (table_->isVisible()) narrow();
     }
@@ -230,6 +243,11 @@ class ColumnFitter : public QObject {
   private:
     static constexpr const char* name = "column_fitter";
 
+    /// Pixels that a column needs for its head and all that it holds.
+    int held_by(int column) const {
+        return std::max(static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(column),
+                        table_->horizontalHeader()->sectionSizeHint(column));
+    }
     /// Columns may stand in another order than they are numbered.
     int last() const { return table_->horizontalHeader()->logicalIndex(table_->columnCount() - 1); }
     void narrow() {
@@ -238,6 +256,7 @@ class ColumnFitter : public QObject {
         int left = table_->viewport()->width();
         std::vector<int> narrowest_first;
         for (int column = 0; column < table_->columnCount(); ++column) {
+            if (table_->isColumnHidden(column)) continue;
             const int wanted = wanted_[static_cast<std::size_t>(column)];
             if (is_whole(column))
                 left -= wanted;
@@ -256,19 +275,50 @@ class ColumnFitter : public QObject {
         }
         share = std::max(share, table_->fontMetrics().horizontalAdvance(QLatin1Char('m')) * 7);
         fitting_ = true;
+        std::vector<int> narrow;
         for (int column = 0; column < table_->columnCount(); ++column) {
+            if (table_->isColumnHidden(column)) continue;
             const int wanted = wanted_[static_cast<std::size_t>(column)];
             const bool fits = is_whole(column) || wanted <= share;
-            // The column's own head stays whole.
-            const int narrowed = std::max(share, std::min(wanted, head_width(column)));
+            // The column's own head and its words stay whole.
+            const int least = std::max(head_width(column), word_width(column));
+            const int narrowed = std::max(share, std::min(wanted, least));
             table_->horizontalHeader()->resizeSection(column, fits ? wanted : narrowed);
-            if (fits) continue;
-            for (int row = 0; row < table_->rowCount(); ++row)
-                if (QTableWidgetItem* cell = table_->item(row, column);
-                    cell != nullptr && cell->toolTip().isEmpty())
-                    cell->setToolTip(cell->text());
+            if (!fits) narrow.push_back(column);
         }
         fitting_ = false;
+        wrap(narrow);
+    }
+
+    /// Rows become as high as the words of these columns need, up to three lines.
+    void wrap(const std::vector<int>& columns) {
+        const int usual = table_->verticalHeader()->defaultSectionSize();
+        const int most = std::max(usual, 3 * table_->fontMetrics().lineSpacing() + 16);
+        for (int row = 0; row < table_->rowCount(); ++row) {
+            int height = usual;
+            for (const int column : columns) {
+                QTableWidgetItem* cell = table_->item(row, column);
+                if (cell == nullptr) continue;
+                if (cell->toolTip().isEmpty()) cell->setToolTip(cell->text());
+                height = std::max(
+                    height, height_of(cell, table_->horizontalHeader()->sectionSize(column), table_->font()));
+            }
+            if (!columns.empty() || wrapped_) table_->setRowHeight(row, std::min(height, most));
+        }
+        wrapped_ = !columns.empty();
+    }
+
+    /// The longest word of a column, up to a length that only keys and paths have.
+    int word_width(int column) const {
+        const int most = table_->fontMetrics().averageCharWidth() * 18;
+        int widest = 0;
+        for (int row = 0; row < table_->rowCount() && widest < most; ++row) {
+            const QTableWidgetItem* cell = table_->item(row, column);
+            if (cell == nullptr) continue;
+            for (const QString& word : cell->text().split(QLatin1Char(' ')))
+                widest = std::max(widest, table_->fontMetrics().horizontalAdvance(word));
+        }
+        return std::min(widest, most) + beside_words;
     }
 
     int head_width(int column) const {
@@ -286,7 +336,7 @@ class ColumnFitter : public QObject {
     QTableWidget* table_;
     std::vector<int> whole_;   ///< columns that are not narrowed
     std::vector<int> wanted_;  ///< px, of each column, for all that it holds
-    bool fitting_ = false, dragged_ = false;
+    bool fitting_ = false, dragged_ = false, wrapped_ = false;
 };
 
 }  // namespace
@@ -294,17 +344,6 @@ class ColumnFitter : public QObject {
 void fit_columns(QTableWidget* table, std::vector<int> whole) {
     ColumnFitter::of(table)->renew(std::move(whole));
 }
-
-namespace {
-
-int height_of(const QTableWidgetItem* item, int width, const QFont& font) {
-    if (item == nullptr) return 0;
-    constexpr int beside = 24, above_and_below = 16;
-    const QRect room(0, 0, std::max(1, width - beside), 10000);
-    return QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, item->text()).height() + above_and_below;
-}
-
-}  // namespace
 
 void fit_rows(QTableWidget* table) {
     for (int row = 0; row < table->rowCount(); ++row) {
@@ -344,14 +383,24 @@ void clear_layout(QLayout* layout) {
     }
 }
 
-QWidget* scrolled(QWidget* body, int width) {
+QWidget* scrolled(QWidget* body, int width, PagePlace place) {
     body->setMaximumWidth(with_text(width));
     auto* holder = new QWidget;
     holder->setObjectName(QStringLiteral("page_body"));
     auto* row = new QHBoxLayout(holder);
     row->setContentsMargins(18, 22, 18, 22);
     row->addStretch(1);
-    row->addWidget(body, 1000);
+    if (place == PagePlace::centred) {
+        row->addWidget(body, 1000);
+    } else {
+        auto* column = new QWidget;
+        column->setMaximumWidth(with_text(std::max(width, page_width)));
+        auto* in_column = new QHBoxLayout(column);
+        in_column->setContentsMargins(0, 0, 0, 0);
+        in_column->addWidget(body, 1000);
+        in_column->addStretch(1);
+        row->addWidget(column, 1000);
+    }
     row->addStretch(1);
     auto* area = new QScrollArea;
     area->setWidgetResizable(true);

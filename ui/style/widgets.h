@@ -63,8 +63,8 @@ QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::
 /// header is aligned with its values; the last column takes the rest.
 void size_columns(QTableWidget* table, int air = 16);
 /// size_columns(), and from now on the widest columns are narrowed to the table's width, also when it
-/// changes: a text without room ends in "…" and is whole in its tool tip. Columns named in `whole` (times,
-/// figures) keep their width. A column that a person drags stays as it is.
+/// changes: a text without room continues on the next line, up to three, and is whole in its tool tip.
+/// Columns named in `whole` (times, figures) keep their width. A column that a person drags stays as it is.
 void fit_columns(QTableWidget* table, std::vector<int> whole = {});
 /// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
 /// measure takes no account of what the style leaves free next to the words.
@@ -74,8 +74,10 @@ void fit_heads(QTableWidget* table);
 void set_role(QWidget* widget, const char* role);
 /// Empties a layout and deletes its widgets.
 void clear_layout(QLayout* layout);
-/// A widget inside a scroll area of its own, as a page body of at most `width` pixels at the usual text size,
-/// centred.
-QWidget* scrolled(QWidget* body, int width = 1180);
+/// Pixels of a page at the usual text size. Narrower ones begin at the same left edge.
+inline constexpr int page_width = 1240;
+enum class PagePlace { in_column, centred };
+/// A widget inside a scroll area of its own, as a page body of at most `width` pixels at the usual text size.
+QWidget* scrolled(QWidget* body, int width = page_width, PagePlace place = PagePlace::in_column);
 
 }  // namespace fulcrum::ui

@@ -281,10 +281,9 @@ void TheatrePage::ask_before_leaving() {
     input_->release_all();
     const bool counts = session_->assessed() && session_->display().moving_seen;
     show_panel(Panel::leaving, tr("Abandon this attempt?"),
-               counts
-                   ? tr("This attempt is assessed and has begun: if you abandon it, it is failed. Everything "
-                        "recorded so far is kept.")
-                   : tr("It is stored as abandoned and does not count."));
+               counts ? tr("This attempt is assessed and has begun. If you abandon it, it counts as failed. "
+                           "Everything recorded so far is kept.")
+                      : tr("This attempt is stored as abandoned and does not count."));
 }
 
 void TheatrePage::abandon() {

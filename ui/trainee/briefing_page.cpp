@@ -100,7 +100,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     card_layout(start_card)->addWidget(fidelity_note_);
     start_ = make_button({}, "start_attempt", "primary");
     watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
-    watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Escape to stop."));
+    watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Esc to stop."));
     QPushButton* history = make_button(tr("My attempts and learning curve"), "briefing_progress");
     connect(history, &QPushButton::clicked, this, [this] {
         emit this->context().progress_wanted(text(this->context().session().person_id()), text(task_id_));
@@ -109,7 +109,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     for (QPushButton* button : {start_, watch_, history}) buttons->add(button);
     card_layout(start_card)->addLayout(buttons);
     layout->addWidget(start_card);
-    layout->addStretch();
+    layout->addStretch(1);
     connect(start_, &QPushButton::clicked, this, [this] {
         const bool assessed = assessed_->isChecked();
         emit this->context().attempt_wanted(
@@ -131,6 +131,7 @@ QLayout* BriefingPage::make_variants() {
     variants_ = new QComboBox;
     variants_->setObjectName(QStringLiteral("variants"));
     variants_->setAccessibleName(tr("Variant"));
+    variants_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     variant_note_ = make_label({}, "muted");
     variant_note_->setObjectName(QStringLiteral("variant_note"));
     row->add(variant_words_);
@@ -192,11 +193,11 @@ QLayout* BriefingPage::make_beginning() {
     begin_at_->setMinimumContentsLength(18);
     beginning->add(begin_words_);
     beginning->add(begin_at_, 1);
-    ghost_ = new QCheckBox(tr("With the ghost of an expert"));
+    ghost_ = new QCheckBox(tr("Show an expert's instruments"));
     ghost_->setObjectName(QStringLiteral("with_ghost"));
     ghost_->setToolTip(
-        tr("Translucent instruments show an expert's next movement and wait for you. The scene is then "
-           "that of the demonstration."));
+        tr("Translucent instruments show an expert's next movement and wait for you. The scene is the one in "
+           "which the expert was simulated."));
     beginning->add(ghost_);
     connect(practice_, &QRadioButton::toggled, begin_at_, &QWidget::setEnabled);
     connect(practice_, &QRadioButton::toggled, ghost_, &QWidget::setEnabled);
@@ -247,7 +248,7 @@ QString BriefingPage::why_locked() {
     });
     for (const TaskStanding& one : standings)
         if (one.task == task_id_ && one.standing == Standing::locked)
-            return tr("For you this task is %1; until then it is practice only.").arg(standing_text(one));
+            return tr("This task is %1. Until then, you can only practise it.").arg(standing_text(one));
     return {};
 }
 
@@ -300,7 +301,7 @@ void BriefingPage::fill() {
         steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(asset_text(step))));
     }
     steps_->addWidget(make_label(
-        tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), asset_text(task->product)),
+        tr("Time limit %1 · Outcome: %2").arg(minutes_text(task->time_limit_s), asset_text(task->product)),
         "muted"));
     steps_->addStretch();
     show_variant(*task);
@@ -363,7 +364,9 @@ void BriefingPage::show_fidelity_note() {
     std::optional<TaskFidelityCost> costs;
     context().guarded([&] { costs = fidelity_cost(task_id_); });
     if (!costs) {
-        fidelity_note_->setText(tr("Fidelity of the simulation: its effect on the score is not measured."));
+        fidelity_note_->setText(
+            tr("The effect of the simulation's level of detail on the score has not been measured for this "
+               "task."));
         return;
     }
     QStringList lines;
@@ -379,8 +382,9 @@ void BriefingPage::show_fidelity_note() {
         lines << tr("%1: %2").arg(level_text(cost.fidelity),
                                   parts.isEmpty() ? tr("the same score") : parts.join(QStringLiteral("; ")));
     }
-    fidelity_note_->setText(tr("Fidelity of the simulation, compared with %1 (synthetic operators). %2.")
-                                .arg(level_text(finest_fidelity()), lines.join(QStringLiteral(". "))));
+    fidelity_note_->setText(
+        tr("Effect of the simulation's level of detail on the score, compared with the level \"%1\": %2.")
+            .arg(level_text(finest_fidelity()), lines.join(QStringLiteral(". "))));
 }
 
 void BriefingPage::show_notes() {
@@ -393,8 +397,8 @@ void BriefingPage::show_notes() {
     });
     QString note;
     if (site.differ)
-        note = tr("This site has its own tissue values (version %1): cutting parameters differ from the "
-                  "scene's.")
+        note = tr("This site uses its own tissue values (version %1); its cutting parameters differ from "
+                  "those of the scene.")
                    .arg(site.version);
     const QString gap = note.isEmpty() ? QString() : QStringLiteral(" ");
     if (!limits.empty())

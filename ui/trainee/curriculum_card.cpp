@@ -44,7 +44,7 @@ CurriculumCard::CurriculumCard(Context& context) : context_(context) {
     reason_ = new QLineEdit;
     reason_->setObjectName(QStringLiteral("curriculum_reason"));
     reason_->setAccessibleName(tr("Reason"));
-    reason_->setPlaceholderText(tr("reason, kept in the audit log"));
+    reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
     row->addWidget(reason_, 1);
     QPushButton* go = make_button(tr("Move"), "curriculum_move");
     row->addWidget(go);
@@ -91,8 +91,8 @@ void CurriculumCard::fill() {
                     .arg(text(one.name), text(one.moved_by), date_text(one.since), text(one.reason)),
                 "muted"));
     if (now.name != newest.name())
-        lines_->addWidget(make_label(tr("There is a newer version, %1. People stay on their version until an "
-                                        "educator moves them.")
+        lines_->addWidget(make_label(tr("There is a newer version, %1. Each person stays on their version "
+                                        "until an educator moves them.")
                                          .arg(newest.version),
                                      "muted"));
     const auto add = [&](const Curriculum& one) {

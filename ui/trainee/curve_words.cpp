@@ -2,6 +2,7 @@
 #include "ui/trainee/curve_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "ui/style/text.h"
 
@@ -26,11 +27,12 @@ QString limit_words(const std::vector<double>& values, const CurveFit& fit, doub
     const AttemptsToLimit met = attempts_to_limit(values, fit, limit, lower_is_better);
     if (!met.attempts)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
-                                     "It does not meet the limit of %1: something has to change."))
+                                     "At this level it does not meet the limit of %1. Discuss with your "
+                                     "educator what to change."))
             .arg(shown);
     if (*met.attempts <= static_cast<int>(values.size()))
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
-                                     "It meets the limit of %1 since attempt %2."))
+                                     "It has met the limit of %1 since attempt %2."))
             .arg(shown)
             .arg(*met.attempts);
     const QString interval =
@@ -49,7 +51,8 @@ QString limit_words(const std::vector<double>& values, const CurveFit& fit, doub
 }  // namespace
 
 LearningCurve learning_curve(const std::vector<CurveValue>& values, const std::optional<double>& limit,
-                             bool lower_is_better, const std::string& unit) {
+                             bool lower_is_better, const std::string& unit,
+                             const std::optional<double>& highest) {
     LearningCurve curve;
     if (values.empty()) return curve;
     std::vector<double> measured;
@@ -61,9 +64,14 @@ LearningCurve learning_curve(const std::vector<CurveValue>& values, const std::o
                           .arg(fewest_attempts_of_a_curve);
         return curve;
     }
-    const CurveFit& fit = best_curve(fits);
+    CurveFit fit = best_curve(fits);
     for (std::size_t i = 0; i < values.size(); ++i)
         curve.line.emplace_back(values[i].number, fit.at(static_cast<double>(i + 1)));
+    if (highest) {
+        fit.plateau = std::min(fit.plateau, *highest);
+        for (std::optional<double>* end : {&fit.plateau_low, &fit.plateau_high})
+            if (*end) *end = std::min(**end, *highest);
+    }
     if (fit.plateau_low && fit.plateau_high) {
         curve.plateau_low = fit.plateau_low;
         curve.plateau_high = fit.plateau_high;

@@ -21,8 +21,10 @@ struct LearningCurve {
     std::optional<double> plateau_low, plateau_high;
     QString words;  ///< one or two sentences; empty without values
 };
-/// `limit`: of the metric's gate; none without one. `unit`: as stored.
+/// `limit`: of the metric's gate; none without one. `unit`: as stored. `highest`: no value can be above, such
+/// as 100 points; a plateau that is fitted above it is said to be there.
 LearningCurve learning_curve(const std::vector<CurveValue>& values, const std::optional<double>& limit,
-                             bool lower_is_better, const std::string& unit);
+                             bool lower_is_better, const std::string& unit,
+                             const std::optional<double>& highest = {});
 
 }  // namespace fulcrum::ui

@@ -118,10 +118,10 @@ void GoalsCard::show_person(const std::string& person_id) {
     if (own_) {
         const bool settable = may_set();
         if (settable && goals.empty())
-            lines_->addWidget(make_label(
-                tr("A goal of your own: so many attempts a week, or a value of a metric by a day. Only you "
-                   "and your educators see it."),
-                "muted"));
+            lines_->addWidget(
+                make_label(tr("Set a goal for yourself: a number of attempts a week, or a value of a metric "
+                              "by a date. Only you and your educators see it."),
+                           "muted"));
         close_editor();
         add_->setVisible(settable && goals.size() < database::most_goals);
         setVisible(readable && (settable || !goals.empty()));
@@ -149,7 +149,7 @@ QWidget* GoalsCard::line_of(const database::GoalProgress& progress) {
         QPushButton* change = make_button(tr("Change"), "goal_change", "link");
         connect(change, &QPushButton::clicked, this, [this, id = progress.goal.id, wish] { edit(id, wish); });
         buttons->add(change);
-        QPushButton* remove = make_button(tr("Drop"), "goal_drop", "link");
+        QPushButton* remove = make_button(tr("Remove goal"), "goal_drop", "link");
         connect(remove, &QPushButton::clicked, this, [this, id = progress.goal.id] { drop(id); });
         buttons->add(remove);
         words->addLayout(buttons);

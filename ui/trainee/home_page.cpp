@@ -41,10 +41,10 @@ HomePage::HomePage(Context& context) : Page(context, "home_page") {
     cards_ = new QGridLayout;
     cards_->setSpacing(14);
     layout->addLayout(cards_);
-    layout->addStretch();
+    layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1180));
+    outer->addWidget(scrolled(body));
 }
 
 void HomePage::enter() {
@@ -130,7 +130,7 @@ void HomePage::fill_next(const Summaries& summaries) {
         remedy ? remedy_reason_text(next, context().task_title(next.task), context().services().tasks())
                : reason_text(next, stage == nullptr ? QString() : asset_text(stage->title),
                              context().store().now());
-    next_->addWidget(make_label(tr("Next"), "muted"));
+    next_->addWidget(make_label(tr("Recommended next"), "muted"));
     if (next.reason == RecommendationReason::nothing) {
         next_->addWidget(make_label(why, "heading"));
         return;
@@ -157,7 +157,7 @@ void HomePage::fill_interrupted() {
     const std::vector<InterruptedScore>& scored = context().interrupted();
     interrupted_card_->setVisible(!scored.empty());
     interrupted_->addWidget(
-        make_label(tr("Interrupted before you signed in: %1").arg(scored.size()), "heading"));
+        make_label(tr("Attempts interrupted before you signed in: %1").arg(scored.size()), "heading"));
     for (const InterruptedScore& one : scored) {
         const QString what =
             tr("%1, %2, %3 recorded: ")
@@ -232,9 +232,8 @@ QFrame* HomePage::task_card(const std::string& task_id, const TaskStanding* stan
     head->addWidget(title, 1);
     card_layout(card)->addLayout(head);
     if (standing != nullptr) {
-        const bool done = standing->declared_at != 0 || standing->standing == Standing::passed ||
-                          standing->standing == Standing::awaiting_rating;
-        card_layout(card)->addWidget(make_label(standing_text(*standing), done ? "good" : "neutral"));
+        card_layout(card)->addWidget(
+            make_label(capital(standing_text(*standing)), standing_role(standing->standing)));
         const QString detail = standing_detail(*standing);
         if (!detail.isEmpty()) card_layout(card)->addWidget(make_label(detail, "muted"));
     }
@@ -244,7 +243,8 @@ QFrame* HomePage::task_card(const std::string& task_id, const TaskStanding* stan
     if (summary.best_points)
         figures = join_with_dots({figures, tr("best %1").arg(points_text(*summary.best_points))});
     if (summary.not_counting > 0)
-        figures = join_with_dots({figures, tr("not counting: %1").arg(summary.not_counting)});
+        figures =
+            join_with_dots({figures, tr("%n do not count", nullptr, static_cast<int>(summary.not_counting))});
     if (!figures.isEmpty()) card_layout(card)->addWidget(make_label(figures, "muted"));
     auto* row = new QHBoxLayout;
     QPushButton* briefing =

@@ -59,10 +59,9 @@ JudgedCard::JudgedCard(QWidget* parent) : QFrame(parent) {
     bar_grid_->setHorizontalSpacing(28);
     bar_grid_->setVerticalSpacing(2);
     layout->addWidget(bars_);
-    legend_ =
-        make_label(tr("Line: the limit; the filled part of the bar meets it. Box: the experts (mean ± one "
-                      "standard deviation). Diamond: your last value with this device. * provisional limit."),
-                   "muted");
+    legend_ = make_label(tr("Line: the limit. Green: values that meet it. Box: experts (mean ± one standard "
+                            "deviation). Diamond: your last value with this device. * Provisional limit."),
+                         "muted");
     layout->addWidget(legend_);
     list_ = new QWidget;
     list_->setObjectName(QStringLiteral("judged_list"));
@@ -110,7 +109,17 @@ void JudgedCard::fill_bars(const std::vector<JudgedLimit>& limits,
         for (const database::MetricRow& row : own)
             if (row.id == limit.metric && row.hand == limit.hand && row.tissue == limit.tissue)
                 shown.last = row.value;
-        bar_grid_->addWidget(new LimitBar(std::move(shown)), i % rows, i / rows);
+        // A bar has room for few words: the reason why there is no limit is in its tool tip, and below.
+        const QString reason = limit.limit ? QString() : statement_text(limit.absent_because);
+        if (!limit.limit) shown.limit_words = tr("no limit");
+        if (!limit.hand.empty())
+            shown.name = metric_text(limit.metric) + QStringLiteral(", ") +
+                         (limit.hand == "left" ? tr("left") : tr("right"));
+        const QString whole = tr("%1: %2").arg(name_of(limit), words_of_limit(limit));
+        auto* bar = new LimitBar(std::move(shown));
+        if (!reason.isEmpty()) bar->setAccessibleName(whole);
+        bar->setToolTip(whole);
+        bar_grid_->addWidget(bar, i % rows, i / rows);
     }
     bar_grid_->setColumnStretch(0, 1);
     bar_grid_->setColumnStretch(1, 1);

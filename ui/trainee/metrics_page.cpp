@@ -22,19 +22,19 @@ QString better(Direction direction) {
         case Direction::context:
             break;
     }
-    return MetricsPage::tr("neither: context only");
+    return MetricsPage::tr("for information only");
 }
 
 QString evidence(EvidenceGrade grade) {
     switch (grade) {
         case EvidenceGrade::strong:
-            return MetricsPage::tr("strong: several studies separate experts from novices with it");
+            return MetricsPage::tr("strong (several studies separate experts from novices with it)");
         case EvidenceGrade::moderate:
-            return MetricsPage::tr("moderate: one study, or several with small groups");
+            return MetricsPage::tr("moderate (one study, or several with small groups)");
         case EvidenceGrade::expert:
             break;
     }
-    return MetricsPage::tr("expert opinion: no published study separates experts from novices with it");
+    return MetricsPage::tr("expert opinion (no published study separates experts from novices with it)");
 }
 
 }  // namespace
@@ -49,16 +49,16 @@ MetricsPage::MetricsPage(Context& context) : Page(context, "metrics_page") {
             [this] { emit this->context().debrief_wanted(attempt_, time_); });
     layout->addWidget(back_, 0, Qt::AlignLeft);
     layout->addWidget(make_label(tr("Metrics"), "title"));
-    layout->addWidget(make_label(
-        tr("What the simulator measures. A gate is a pass criterion of a task: every gate must be met."),
-        "muted"));
+    layout->addWidget(make_label(tr("What the simulator measures. A gate is a pass criterion of a task; to "
+                                    "pass, every gate of the task must be met."),
+                                 "muted"));
     search_ = new QLineEdit;
     search_->setObjectName(QStringLiteral("metric_search"));
     search_->setAccessibleName(tr("Search"));
     search_->setPlaceholderText(tr("Search names and explanations"));
     search_->setClearButtonEnabled(true);
     layout->addWidget(search_);
-    table_ = make_table({tr("Metric"), tr("Better"), tr("Unit"), tr("Gate in")}, "metric_table");
+    table_ = make_table({tr("Metric"), tr("Direction"), tr("Unit"), tr("Gate in")}, "metric_table");
     table_->setMinimumHeight(260);
     layout->addWidget(table_, 1);
     QFrame* card = make_card(6);

@@ -110,36 +110,38 @@ QString reason_text(const Recommendation& next, const QString& stage, std::int64
             return words(
                 QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "No task of the curriculum is unlocked."));
         case RecommendationReason::check_due:
-            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "You are proficient in it; a check is due since %1."))
+            return words(QT_TRANSLATE_NOOP(
+                             "fulcrum::ui::next_task",
+                             "You are proficient in this task. A retention check has been due since %1."))
                 .arg(date_text(next.check));
         case RecommendationReason::relapsed:
             return words(QT_TRANSLATE_NOOP(
                 "fulcrum::ui::next_task",
-                "Your results have fallen below proficiency; three passes in four attempts restore it."));
+                "Your results have fallen below proficiency. Three passes in four attempts restore it."));
         case RecommendationReason::not_tried:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "You have not tried this task of the stage %1 yet."))
                 .arg(stage);
         case RecommendationReason::longest_ago:
-            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "Of the tasks left in the stage %1 it is the one you have not "
-                                           "practised for longest (%2)."))
+            return words(
+                       QT_TRANSLATE_NOOP(
+                           "fulcrum::ui::next_task",
+                           "Of the tasks left in the stage %1, you practised this one least recently (%2)."))
                 .arg(stage, ago_text(next.last, now_ms));
         case RecommendationReason::remedy:
             break;  // remedy_reason_text()
         case RecommendationReason::practice_only:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "What is left cannot be assessed with mouse and keyboard; you can "
-                                           "practise this task."));
+                                           "The remaining tasks cannot be assessed with mouse and keyboard, "
+                                           "but you can practise this one."));
         case RecommendationReason::awaits_rating:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "What is left waits for the ratings of your educators; until then "
-                                           "you can practise this task."));
+                                           "The remaining tasks await ratings by your educators. Until then "
+                                           "you can practise this one."));
         case RecommendationReason::all_done:
-            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "Every task is done; this is the one that you performed longest "
-                                           "ago (%1)."))
+            return words(QT_TRANSLATE_NOOP(
+                             "fulcrum::ui::next_task",
+                             "You have completed every task. You performed this one least recently (%1)."))
                 .arg(ago_text(next.last, now_ms));
     }
     return {};

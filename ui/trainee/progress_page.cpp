@@ -46,8 +46,17 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
         auto* box = new QComboBox;
         box->setObjectName(QString::fromLatin1(name));
         box->setAccessibleName(label);
-        box->setMinimumWidth(210);
-        row->add(box);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(20);
+        auto* named = new QWidget;
+        auto* in_named = new QVBoxLayout(named);
+        in_named->setContentsMargins(0, 0, 0, 0);
+        in_named->setSpacing(2);
+        QLabel* name_of = make_label(label, "muted");
+        name_of->setBuddy(box);
+        in_named->addWidget(name_of);
+        in_named->addWidget(box);
+        row->add(named, 1, with_text(230));
         connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
             if (box == metric_) {
                 draw();
@@ -92,11 +101,11 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     chart_ = new AttemptChart;
     chart_->setMinimumHeight(280);
     card_layout(card)->addWidget(chart_);
-    card_layout(card)->addWidget(make_label(
-        tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are shown "
-           "separately. Thick line: the fitted curve; its band: where it levels off (95 % interval). "
-           "Select a point to open the attempt."),
-        "muted"));
+    card_layout(card)->addWidget(
+        make_label(tr("● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has "
+                      "its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % "
+                      "interval). Select a point to open the attempt."),
+                   "muted"));
     layout->addWidget(card);
     table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"),
                          tr("Result"), tr("Points")},
@@ -106,6 +115,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     table_->horizontalHeader()->moveSection(2, table_->columnCount() - 1);
     layout->addWidget(table_);
     layout->addWidget(curriculum_);
+    layout->addStretch(1);
     connect(chart_, &AttemptChart::attempt_chosen, this,
             [this](const QString& id) { emit this->context().debrief_wanted(id, -1); });
     connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
@@ -151,7 +161,7 @@ void ProgressPage::fill_choices() {
         }
     }
     person_->setCurrentIndex(std::max(0, person_->findData(text(person_id_))));
-    person_->setVisible(person_->count() > 1);
+    person_->parentWidget()->setVisible(person_->count() > 1);
     task_->clear();
     for (const TaskDefinition& task : context().services().tasks()) {
         task_->addItem(context().task_title(task.id), text(task.id));
@@ -257,7 +267,7 @@ void ProgressPage::draw() {
         }
     }
     summary_->setText(
-        tr("%1 · counting attempts: %2 · passed: %3").arg(task_->currentText()).arg(counting).arg(passed));
+        tr("%1 · %3 of %2 counting attempts passed").arg(task_->currentText()).arg(counting).arg(passed));
     add_experts(drawn, key);
     explain_->setVisible(key != QLatin1String("points"));
     if (drawn.limit) drawn.limit_name = tr("limit");
@@ -313,7 +323,8 @@ QString ProgressPage::add_curve(const database::ProgressSeries& series, AttemptS
             if (gate.metric == metric->id && gate.hand == metric->hand && gate.tissue == metric->tissue)
                 here = gate.limit;
     }
-    const LearningCurve curve = learning_curve(values, here, lower, unit);
+    const LearningCurve curve =
+        learning_curve(values, here, lower, unit, points ? std::optional<double>(100) : std::nullopt);
     shown.curve = curve.line;
     shown.plateau_low = curve.plateau_low;
     shown.plateau_high = curve.plateau_high;
@@ -342,10 +353,11 @@ void ProgressPage::fill_table() {
                             make_cell(measured ? clock_text(*time->value) : QStringLiteral("–"),
                                       Qt::AlignRight | Qt::AlignVCenter));
             table_->setItem(row, 6, make_cell(verdict(point.passed, point.provisional)));
-            table_->setItem(row, 7, make_cell(figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
+            table_->setItem(row, 7,
+                            make_cell(points_figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
         }
     }
-    fit_columns(table_, {0, 1, 5, 6, 7});
+    fit_columns(table_, {0, 1, 5, 7});
 }
 
 void ProgressPage::export_to(const QString& path, ReportFormat format) {

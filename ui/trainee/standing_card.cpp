@@ -29,7 +29,7 @@ StandingCard::StandingCard(Context& context) : context_(context) {
     reason_ = new QLineEdit;
     reason_->setObjectName(QStringLiteral("decision_reason"));
     reason_->setAccessibleName(tr("Reason"));
-    reason_->setPlaceholderText(tr("reason, kept in the audit log"));
+    reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
     row->addWidget(reason_, 1);
     QPushButton* button = make_button(tr("Decide"), "decide_standing");
     row->addWidget(button);
@@ -70,7 +70,7 @@ void StandingCard::fill() {
     });
     auto* head = new QHBoxLayout;
     head->addWidget(new StandingBadge(here));
-    QLabel* state = make_label(standing_text(here), "heading");
+    QLabel* state = make_label(capital(standing_text(here)), "heading");
     state->setObjectName(QStringLiteral("standing_text"));
     head->addWidget(state, 1);
     lines_->addLayout(head);

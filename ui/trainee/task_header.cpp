@@ -15,7 +15,7 @@ namespace {
 /// "Narrow pelvis: 3 attempts, 1 passed".
 QString words_of(const TaskVariant& variant, const database::VariantPractice& practice) {
     if (practice.attempts == 0) return TaskHeader::tr("%1: not practised yet").arg(asset_text(variant.title));
-    return TaskHeader::tr("%1: attempts %2, passed %3")
+    return TaskHeader::tr("%1: %3 of %2 attempts passed")
         .arg(asset_text(variant.title))
         .arg(practice.attempts)
         .arg(practice.passes);
@@ -42,7 +42,7 @@ TaskHeader::TaskHeader(Context& context) : context_(context) {
     variants_ = new QVBoxLayout;
     variants_->setSpacing(2);
     words->addLayout(variants_);
-    perform_ = make_button(tr("Go to the briefing"), "task_briefing", "primary");
+    perform_ = make_button(tr("Open the briefing"), "task_briefing", "primary");
     words->addWidget(perform_, 0, Qt::AlignLeft);
     words->addStretch();
     row->addLayout(words, 1);
@@ -66,7 +66,7 @@ void TaskHeader::fill_variants(const std::string& person_id, const TaskDefinitio
             continue;
         }
         QPushButton* button = make_button(words, "task_variant", "link");
-        button->setToolTip(tr("Go to the briefing with this variant"));
+        button->setToolTip(tr("Open the briefing with this variant"));
         connect(button, &QPushButton::clicked, this,
                 [this, id = variant.id] { emit context_.briefing_wanted(text(task_id_), text(id)); });
         variants_->addWidget(button, 0, Qt::AlignLeft);
@@ -83,7 +83,7 @@ void TaskHeader::show_task(const std::string& person_id, const std::string& task
     title_->setText(context_.task_title(task_id));
     briefing_->setText(asset_text(task->briefing));
     product_->setText(
-        tr("Outcome: %1 · time limit %2").arg(asset_text(task->product), clock_text(task->time_limit_s)));
+        tr("Outcome: %1 · Time limit %2").arg(asset_text(task->product), minutes_text(task->time_limit_s)));
     const bool may_perform =
         person_id == context_.session().person_id() &&
         context_.allowed(database::Operation::perform_attempt, database::Subject::person(person_id));

@@ -2,7 +2,7 @@
 // The delivered demonstration: *Look around* opens it at once, it is a good store with what the plan says,
 // and every screen of each of its roles has something to show. FULCRUM_TEST_DEMONSTRATION=FILE tests another
 // packed programme (`fulcrum lab demonstration -o FILE`) in its place; FULCRUM_PICTURES=FOLDER stores every
-// screen.
+// screen, in the kinds of FULCRUM_PICTURES_AS.
 #include "app/services/demo.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,10 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/processor_time.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/picture_kinds.h"
 #include "ui/page/background_job.h"
+#include "ui/reports/certificate.h"
+#include "ui/reports/report.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_table.h"
@@ -185,6 +188,64 @@ TEST_F(DemonstrationStore, HasCommentsOfEachEducatorRatingsAndARequest) {
     EXPECT_TRUE(std::any_of(requests.begin(), requests.end(), [](const auto& one) { return !one.settled; }));
 }
 
+// With FULCRUM_REPORT_PAGE=FOLDER the reports are kept there, in both languages.
+TEST_F(DemonstrationStore, PrintsItsReports) {
+    const QTemporaryDir own;
+    const QString kept = qEnvironmentVariable("FULCRUM_REPORT_PAGE");
+    const QString folder = kept.isEmpty() ? own.path() : kept;
+    const database::Session director = people.demo_session(demo_director, Role::director);
+    std::vector<TaskDefinition> tasks;
+    for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
+    const Curriculum curriculum = installed_curriculum();
+    database::AttemptFilter filter;
+    filter.limit = -1;
+    std::string cut, targets, cohort;
+    for (const auto& one : database::Attempts(store).list(director, filter)) {
+        if (one.meta.task_id == "C4" && one.meta.keep_trace) cut = one.meta.id;
+        if (one.meta.task_id == "A2" && one.passed) targets = one.meta.id;
+    }
+    for (const database::Cohort& one : people.cohorts(director)) cohort = one.id;
+    const std::string amara = people.demo_session("demo-amara", Role::trainee).person_id();
+    const auto print = [&](const char* name, ui::ReportRequest request) {
+        request.path = folder.toStdString() + "/" + name + "-" +
+                       row_of(ui::languages, ui::language_in_use()).name + ".pdf";
+        request.curriculum = &curriculum;
+        EXPECT_EQ(ui::write_report(store, director, request, tasks, "1").size(), 1U) << name;
+        EXPECT_GT(std::filesystem::file_size(request.path), 10'000U) << name;
+    };
+    for (const ui::Language language : {ui::Language::english, ui::Language::german}) {
+        if (kept.isEmpty() && language != ui::Language::english) continue;
+        ui::use_language(language);
+        ui::ReportRequest request;
+        request.person_id = amara;
+        print("person", request);
+        request = {};
+        request.attempt_id = cut;
+        print("attempt-c4", request);
+        request.attempt_id = targets;
+        print("attempt-a2", request);
+        request = {};
+        request.cohort_id = cohort;
+        if (!kept.isEmpty()) print("cohort", request);  // a page of each person
+        database::Certificate certificate;              // the demonstration awards none
+        certificate.programme = "Department of Surgery, University Hospital";
+        certificate.person_id = amara;
+        certificate.person_name = "Amara Okafor";
+        certificate.curriculum = "rectal@2";
+        certificate.curriculum_title = curriculum.title;
+        certificate.stage = "A";
+        certificate.stage_title = "Instruments";
+        for (const char* task : {"A1", "A2", "A3"}) certificate.tasks.push_back({task, demo_begin, false});
+        certificate.completed_at = demo_begin;
+        certificate.code = "7K2Q-9XWB-4TRM-0HJD";
+        const std::string path =
+            folder.toStdString() + "/certificate-" + row_of(ui::languages, language).name + ".pdf";
+        ui::write_certificate(store, director, certificate, tasks, "1", path);
+        EXPECT_GT(std::filesystem::file_size(path), 5'000U);
+    }
+    ui::use_language(ui::Language::english);
+}
+
 TEST(DemonstrationUnpacking, CanBeStoppedAndLeavesNothing) {
     ASSERT_TRUE(has_demonstration()) << demo_asset << " is missing";
     const QTemporaryDir folder;
@@ -245,9 +306,9 @@ class DemonstrationWindow : public ::testing::Test {
         const QString pictures = QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES"));
         if (pictures.isEmpty()) return;
         QDir().mkpath(pictures);
-        window->grab().save(
-            QStringLiteral("%1/demo-%2-%3.png")
-                .arg(pictures, screen, ui::current_theme() == ui::Theme::light ? "light" : "dark"));
+        const PictureKind kind{window->size(), ui::current_theme(), ui::language_in_use(),
+                               ui::text_percent()};
+        window->grab().save(QStringLiteral("%1/demo-%2-%3.png").arg(pictures, screen, kind.name()));
     }
     void visit_rail(const QString& who) {
         for (const ui::PageEntry* entry : ui::pages_of(window->context())) {
@@ -261,6 +322,13 @@ class DemonstrationWindow : public ::testing::Test {
                 settle();
                 expect_good(screen + '-' + QString::number(i));
             }
+        }
+    }
+    void draw_briefings(const QString& who) {
+        for (const char* task : {"A1", "A2", "A3", "B0", "B1", "B2", "B3", "C4"}) {
+            emit window->context().briefing_wanted(QString::fromLatin1(task));
+            settle();
+            expect_good(who + "-briefing-" + task);
         }
     }
     /// An attempt of the session's people, with its trace or without.
@@ -294,9 +362,12 @@ TEST_F(DemonstrationWindow, LookAroundShowsItsPeopleWithinThreeSeconds) {
 }
 
 TEST_F(DemonstrationWindow, EveryScreenOfEachRoleOpens) {
-    for (const ui::Theme theme : {ui::Theme::light, ui::Theme::dark}) {
-        ui::apply_theme(*qApp, theme);
-        open({1280, 800});
+    for (const PictureKind& kind :
+         picture_kinds({{{1280, 800}, ui::Theme::light}, {{1280, 800}, ui::Theme::dark}})) {
+        ui::use_language(kind.language);
+        ui::apply_text_size(*qApp, kind.percent);
+        ui::apply_theme(*qApp, kind.theme);
+        open(kind.size);
         look_around();
         for (const char* name : {"Amara", "Dr Hanna", "Prof. Anna"}) {
             pick(name);
@@ -310,10 +381,13 @@ TEST_F(DemonstrationWindow, EveryScreenOfEachRoleOpens) {
             }
             debrief(lost);
             expect_good(who + "-debrief-no-trace");
+            if (who == "amara" && !qEnvironmentVariableIsEmpty("FULCRUM_PICTURES_AS")) draw_briefings(who);
             click(*window, "switch_user");
         }
         window.reset();
     }
+    ui::apply_text_size(*qApp, 100);
+    ui::use_language(ui::Language::english);
 }
 
 TEST_F(DemonstrationWindow, DebriefSaysThatTheTraceWasNotKept) {

@@ -43,7 +43,7 @@ TEST_F(PeopleImport, ShowsThePlanThenMakesTheAccounts) {
     auto* table = find<QTableWidget>(*window, "import_table");
     ASSERT_EQ(table->rowCount(), 3);
     EXPECT_EQ(table->item(0, 3)->text(), "new account");
-    EXPECT_EQ(table->item(1, 3)->text(), "is there already");
+    EXPECT_EQ(table->item(1, 3)->text(), "exists already");
     EXPECT_TRUE(find<QLabel>(*window, "import_summary")->text().startsWith("2 new accounts"));
     EXPECT_EQ(people(), before) << "looking changes nothing";
     bring(*find<QPushButton>(*window, "import_people"));

@@ -140,7 +140,7 @@ TEST(Statements, AreTranslatedPartByPart) {
     EXPECT_EQ(words_of({StatementId::gates_met_narrowly,
                         {{"metric", std::string("f_max")}, {"value", 3.9}, {"limit", 4.0}}},
                        shout),
-              "All gates are met, most narrowly METRIC (3.9 N; the limit is 4.0 N); METRIC.");
+              "All gates are met. Closest to its limit: METRIC (3.9 N, limit 4.0 N). To improve: METRIC.");
 }
 
 /// All texts that sources below `folder` mark for a context; adjacent literals joined, as lupdate joins them.

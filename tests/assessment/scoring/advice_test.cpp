@@ -89,10 +89,10 @@ TEST(Advice, OfATaskTakesThePlaceOfTheMetrics) {
 }
 
 TEST(Advice, OfAPassNamesTheNarrowestGate) {
-    EXPECT_EQ(advice_of(figures(std::exp(4.0), -1.65, 1, 0)),
-              "All gates are met, most narrowly Smoothness (SPARC), right hand (-1.65; the limit is "
-              "-1.70); start each "
-              "move slowly and let it run out in one stroke.");
+    EXPECT_EQ(
+        advice_of(figures(std::exp(4.0), -1.65, 1, 0)),
+        "All gates are met. Closest to its limit: Smoothness (SPARC), right hand (-1.65, limit -1.70). To "
+        "improve: start each move slowly and let it run out in one stroke.");
 }
 
 TEST(Advice, OfWhatHasNoFigure) {
@@ -101,9 +101,9 @@ TEST(Advice, OfWhatHasNoFigure) {
     EXPECT_EQ(advice_of(metrics).substr(0, 47), "Time has no value because nothing was grasped; ");
     metrics[0] = test::missing("time", "", Absence::not_measured);
     EXPECT_EQ(advice_of(metrics), "Not scored: Time: not recorded: left.fx.");
-    EXPECT_EQ(
-        advice_of(figures(50, -1.5, 1, 0), {}, AttemptState::abandoned),
-        "The attempt was abandoned before the last goal was reached; carry the next one through to its end.");
+    EXPECT_EQ(advice_of(figures(50, -1.5, 1, 0), {}, AttemptState::abandoned),
+              "The attempt was abandoned before the last step was completed. Carry the next one through to "
+              "the end.");
 }
 
 // A force that was never made is no fault of an attempt that was given up: the sentence is about giving up.

@@ -148,7 +148,7 @@ TEST_F(RecordStoreTest, ThatAsksForLessIsLeftUntilItSays) {
     EXPECT_EQ(send().postponed, 1);
     lrs.instead = [](const HttpRequest&) { return 0; };
     lrs.extra.clear();
-    EXPECT_EQ(send().sent, 1) << "the other one";
+    EXPECT_EQ(send().sent, 1) << "other attempt";
     programme.clock.pass_s(599);
     EXPECT_EQ(send().sent, 0);
     programme.clock.pass_s(1);

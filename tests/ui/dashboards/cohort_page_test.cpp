@@ -196,7 +196,7 @@ TEST(OverviewWords, NameTheShareAndTheDaysWithTheirIntervals) {
     task.share = wilson(12, 18);
     EXPECT_EQ(share_text(task), "12 of 18 (67 %, 44 to 84 %)");
     EXPECT_EQ(days_text({}, 0), "–");
-    EXPECT_EQ(days_text({}, 18), "not yet by half");
+    EXPECT_EQ(days_text({}, 18), "fewer than half so far");
     EXPECT_EQ(days_text({23, 15, 40}, 18), "23 days (15 to 40)");
     EXPECT_EQ(days_text({23, 15, {}}, 18), "23 days (15 or more)");
 }

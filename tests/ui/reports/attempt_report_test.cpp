@@ -181,6 +181,21 @@ TEST(AttemptReport, RatingsArePrintedAndMoveToAPageOfTheirOwnWhereThereIsNoRoom)
     EXPECT_EQ(pages_of(plain(path)).size(), 1);
 }
 
+TEST(AttemptReport, TheTableOfSectorsMovesToTheNextPageInOnePieceWhereThereIsNoRoom) {
+    const QTemporaryDir folder;
+    const std::string path = plain(folder.filePath("long.pdf"));
+    AttemptPaper one = paper();
+    database::GateRow gate = one.report.score->gates.front();
+    for (int more = 0; more < 13; ++more) one.report.score->gates.push_back(gate);
+    write_attempt_pdf(one, path);
+    const QList<QByteArray> pages = pages_of(path);
+    ASSERT_EQ(pages.size(), 2);
+    EXPECT_TRUE(pages[0].contains("Circumferential margin"));
+    EXPECT_FALSE(pages[0].contains("Median mm")) << "the table would run over the foot";
+    for (const char* words : {"Median mm", "Levels from cranial to caudal", "attempt a1"})
+        EXPECT_TRUE(pages[1].contains(words)) << words;
+}
+
 TEST(AttemptReport, InGermanIsAGermanPageWhileTheTablesKeepEveryByte) {
     const std::string csv = attempt_csv(paper()), json = attempt_json(paper());
     use_language(Language::german);

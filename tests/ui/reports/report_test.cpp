@@ -242,9 +242,9 @@ TEST(Report, LinesHaveNoSeparatorForMissingParts) {
     pages += pages_of(path);
     ASSERT_EQ(pages.size(), 3);
     for (const QByteArray& page : pages) expect_no_part_missing(page);
-    EXPECT_TRUE(pages[0].startsWith("cohort report\n")) << pages[0].toStdString();
-    EXPECT_TRUE(pages[1].startsWith("progress report\n")) << pages[1].toStdString();
-    EXPECT_TRUE(pages[2].startsWith("report on one attempt\n")) << pages[2].toStdString();
+    EXPECT_TRUE(pages[0].startsWith("Cohort report\n")) << pages[0].toStdString();
+    EXPECT_TRUE(pages[1].startsWith("Progress report\n")) << pages[1].toStdString();
+    EXPECT_TRUE(pages[2].startsWith("Report on one attempt\n")) << pages[2].toStdString();
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ TEST_F(Comparing, TwoAttemptsMoveTogetherAlignedByTheirSteps) {
     const std::string own = record("tara", {});
     ComparePage& page = open("tara", own);
     ASSERT_NE(page.pair(), nullptr) << "the own best is shown at once";
-    EXPECT_TRUE(find<QComboBox>(*window, "compare_with")->currentText().startsWith("Own best"));
+    EXPECT_TRUE(find<QComboBox>(*window, "compare_with")->currentText().startsWith("Best attempt: "));
     EXPECT_EQ(notes(), "Aligned by the 3 steps that were completed in both.");
     auto* slider = find<QSlider>(*window, "compare_slider");
     slider->setFocus();
@@ -211,7 +211,7 @@ TEST_F(Comparing, TwoAttemptsMoveTogetherAlignedByTheirSteps) {
     EXPECT_NEAR(page.moment(), here + 0.02, 1e-9);
     EXPECT_NEAR(other->time(), 2 * (here + 0.02), 2e-3);
     keep("compare-pair");
-    EXPECT_EQ(line("Time"), (QStringList{"6 s", "12 s", "-6 s (-50 %)", "✓ better"}));
+    EXPECT_EQ(line("Time"), (QStringList{"6 s", "12 s", "−6 s (−50 %)", "✓ better"}));
     keep("compare-metrics");
     click(*window, "compare_back");
     EXPECT_EQ(window->current_page()->objectName(), "debrief_page");
@@ -227,7 +227,7 @@ TEST_F(Comparing, APartHasTheMetricsOfBothByTheSameFunction) {
     QTest::keyClick(step, Qt::Key_Down);  // the second step: 2 to 5 s, in the other one 4 to 10 s
     ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
     EXPECT_EQ(find<QLabel>(*window, "range_words")->text(),
-              "0:02.0 to 0:05.0; the other one 0:04.0 to 0:10.0");
+              "0:02.0 to 0:05.0; other attempt 0:04.0 to 0:10.0");
     EXPECT_NEAR(page.moment(), 2, 1e-3);
     const QStringList force = line("Largest force", "left");
     ASSERT_EQ(force.size(), 4);
@@ -273,16 +273,17 @@ TEST_F(Comparing, SaysWhatCannotBeCompared) {
     record("tara", {1, 1, "deep", true, 20});
     const std::string own = record("tara", {});
     ComparePage& page = open("tara", own);
-    EXPECT_TRUE(notes().startsWith("The other one: The trace of this attempt was not kept"))
+    EXPECT_TRUE(notes().startsWith("Other attempt: The recording of this attempt was not kept"))
         << notes().toStdString();
     EXPECT_EQ(line("Time"), (QStringList{"6 s", "6 s", "0 s (0 %)", "–"}));
-    choose(page, "Own last");
-    EXPECT_TRUE(notes().startsWith("Different variants: standard and deep.")) << notes().toStdString();
+    choose(page, "Latest attempt");
+    EXPECT_TRUE(notes().startsWith("Different variants: Standard and Deeper plane."))
+        << notes().toStdString();
 
     // The attempt itself without a trace: no replay, the metrics alone.
     const std::string bare = record("tara", {1, 1, "standard", false, 40});
     ComparePage& again = open("tara", bare);
-    EXPECT_TRUE(notes().contains("This attempt: The trace of this attempt was not kept"));
+    EXPECT_TRUE(notes().contains("This attempt: The recording of this attempt was not kept"));
     EXPECT_FALSE(sees(*window, "compare_slider"));
     EXPECT_FALSE(sees(*window, "compare_own_replay"));
     EXPECT_EQ(line("Time")[0], "6 s");

@@ -130,7 +130,7 @@ TEST_F(Corrections, TraineeRequestsAndEducatorReassignsToTheRightPerson) {
     type(*window, "action_reason", "signed in as Tara");
     keep_picture(*window, "30-reassign");
     click(*window, "reassign_confirm");
-    ASSERT_TRUE(wait_for([&] { return sees(*window, "verdict") && shown("verdict") == "voided"; }));
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "verdict") && shown("verdict") == "Voided"; }));
     EXPECT_TRUE(shown("debrief_notes").contains("signed in as Tara"));
     EXPECT_TRUE(shown("debrief_notes").contains("copy"));
 

@@ -57,7 +57,7 @@ TEST_F(ExternalAttemptPages, ListAndDebriefSayWhatItIs) {
             const QString words = words_of_page();
             for (const char* part :
                  {"External: peg-transfer", "external trace", "Not scored", "recorded elsewhere",
-                  "Box trainer of the skills laboratory", "never counts towards a standing"})
+                  "Box trainer of the skills laboratory", "does not count in the curriculum"})
                 EXPECT_TRUE(words.contains(part)) << part << "\n" << words.toStdString();
             EXPECT_FALSE(words.contains("was not kept"));
             expect_fits("external-debrief");

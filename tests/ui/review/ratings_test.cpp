@@ -216,7 +216,7 @@ TEST_F(RatingPages, TheSecondRaterSeesTheFirstOnlyAfterwardsAndTheTraineeOnceRel
     open_debrief(id);
     EXPECT_TRUE(sees(*window, "verdict"));
     EXPECT_EQ(shown("ratings_hidden"),
-              QStringList("Ratings by others: 1. You see them once you have handed in yours."));
+              QStringList("Ratings by others: 1. You will see them when you have handed in yours."));
     EXPECT_FALSE(sees(*window, "rating_shown"));
     EXPECT_FALSE(sees(*window, "rating_profile"));
     EXPECT_FALSE(sees(*window, "ratings_reveal")) << "not even the trainee sees it";
@@ -294,12 +294,12 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
         return page_text();
     };
     QString home = at_home();
-    EXPECT_TRUE(home.contains("passed, awaiting rating"));
+    EXPECT_TRUE(home.contains("Passed, awaiting rating"));
     EXPECT_TRUE(home.contains("0 of 2 ratings are released"));
-    EXPECT_TRUE(home.contains("locked until proficient in A2"));
+    EXPECT_TRUE(home.contains("Locked until proficient in A2"));
     keep("home-awaiting-rating");
     use_language(Language::german);
-    EXPECT_TRUE(at_home().contains(QString::fromUtf8("bestanden, Beurteilung steht aus")));
+    EXPECT_TRUE(at_home().contains(QString::fromUtf8("Bestanden, Beurteilung steht aus")));
     use_language(Language::english);
     act_as(*ed);
     click(*window, "rail_rate");
@@ -327,8 +327,8 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     click(*window, "ratings_release");
     home = at_home();
     EXPECT_FALSE(home.contains("awaiting rating"));
-    EXPECT_TRUE(home.contains("proficient since"));
-    EXPECT_FALSE(home.contains("locked until proficient in A2"));
+    EXPECT_TRUE(home.contains("Proficient since"));
+    EXPECT_FALSE(home.contains("Locked until proficient in A2"));
     keep("home-rated");
 }
 

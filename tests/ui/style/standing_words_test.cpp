@@ -9,10 +9,10 @@ namespace {
 TEST(StandingWords, DoNotPromiseThatPassesOnProvisionalLimitsCompleteACheck) {
     TaskStanding check;
     check.standing = Standing::due;
-    EXPECT_EQ(standing_detail(check), "Two passes on one day complete it.");
+    EXPECT_EQ(standing_detail(check), "Pass twice on one day to complete the check.");
     check.provisional = true;
-    EXPECT_FALSE(standing_detail(check).contains("Two passes"));
-    EXPECT_TRUE(standing_detail(check).contains("ask your educator"));
+    EXPECT_FALSE(standing_detail(check).contains("Pass twice"));
+    EXPECT_TRUE(standing_detail(check).contains("An educator can decide"));
 }
 
 }  // namespace

@@ -56,6 +56,31 @@ TEST_F(TableColumns, ThatMustBeReadKeepTheirWidth) {
     EXPECT_LE(width_of_columns(), table->viewport()->width());
 }
 
+TEST_F(TableColumns, ThatAreNarrowedWrapTheirTextAndKeepEveryWordWhole) {
+    table->item(1, 1)->setText("administrator of Heidelberg");
+    fit_columns(table.get());
+    const int line = table->fontMetrics().lineSpacing(),
+              usual = table->verticalHeader()->defaultSectionSize();
+    show(520);
+    EXPECT_GE(table->rowHeight(0), 2 * line + 16) << "more than a line, so that the row is higher";
+    EXPECT_LE(table->rowHeight(0), std::max(usual, 3 * line + 16)) << "and not without end";
+    EXPECT_GE(table->columnWidth(1), table->fontMetrics().horizontalAdvance("administrator"));
+    table->resize(2400, 300);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(table->rowHeight(0), usual) << "one line again where there is room";
+}
+
+TEST_F(TableColumns, ThatAreHiddenTakeNoRoomAndHaveTheirWidthWhenShown) {
+    table->setColumnHidden(1, true);
+    fit_columns(table.get());
+    show(1000);
+    EXPECT_EQ(table->rowHeight(0), table->verticalHeader()->defaultSectionSize()) << "one line is enough";
+    table->setColumnHidden(1, false);
+    table->resize(1020, 300);
+    QCoreApplication::processEvents();
+    EXPECT_GT(table->columnWidth(1), 100);
+}
+
 TEST_F(TableColumns, GetTheirWidthBackWhenTheTableGrows) {
     fit_columns(table.get());
     const int wanted = table->columnWidth(1);

@@ -35,7 +35,7 @@ TEST(LearningCurveWords, SaysWhereItLevelsOffAndWhetherTheLimitIsMet) {
     ASSERT_TRUE(met.plateau_low && met.plateau_high);
     EXPECT_NEAR(*met.plateau_low, 30, 1);
     EXPECT_TRUE(words_of(met).startsWith("The curve levels off at 30")) << met.words.toStdString();
-    EXPECT_TRUE(words_of(met).contains("meets the limit of 40 mm since attempt 7"))
+    EXPECT_TRUE(words_of(met).contains("has met the limit of 40 mm since attempt 7"))
         << met.words.toStdString();
     const LearningCurve never = learning_curve(improving(30, 30), 20.0, true, "mm");
     EXPECT_TRUE(words_of(never).contains("does not meet the limit of 20 mm")) << never.words.toStdString();
@@ -51,6 +51,16 @@ TEST(LearningCurveWords, SaysWhenTheLimitWouldBeMet) {
     EXPECT_TRUE(words_of(curve).contains("It would meet the limit of 60 s at attempt"))
         << curve.words.toStdString();
     EXPECT_FALSE(curve.plateau_low.has_value());
+}
+
+TEST(LearningCurveWords, NameNoPlateauAboveTheHighestPossibleValue) {
+    std::vector<CurveValue> rising;  // towards 104, as a fit through points of 97 to 99 may be
+    for (int n = 1; n <= 30; ++n) rising.push_back({n, 104 - 60 / std::sqrt(n) + (n % 2 == 0 ? 0.3 : -0.3)});
+    EXPECT_FALSE(learning_curve(rising, {}, false, "").words.contains("levels off at 100 "));
+    const LearningCurve curve = learning_curve(rising, {}, false, "", 100);
+    EXPECT_TRUE(curve.words.contains("levels off at 100 (")) << curve.words.toStdString();
+    ASSERT_TRUE(curve.plateau_high);
+    EXPECT_LE(*curve.plateau_high, 100);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST_F(ProgressWithHistory, ShowsTheCurveItsPlateauAndTheLimit) {
     emit metric->activated(index);
     const QString words = find<QLabel>(*window, "learning_curve")->text();
     EXPECT_TRUE(words.startsWith("The curve levels off at 7")) << words.toStdString();
-    EXPECT_TRUE(words.contains("It meets the limit of 900")) << words.toStdString();
+    EXPECT_TRUE(words.contains("It has met the limit of 900")) << words.toStdString();
     keep("progress-curve");
     window->set_theme(Theme::dark);
     keep("progress-curve-dark");
@@ -194,19 +194,19 @@ TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
     auto* task = find<QComboBox>(*window, "progress_task");
     task->setCurrentIndex(task->findData("B1"));
     emit task->activated(task->currentIndex());
-    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "locked until proficient in A2");
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "Locked until proficient in A2");
     EXPECT_EQ(find<QComboBox>(*window, "decision_kind")->count(), 2);
     click(*window, "decide_standing");
-    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "locked until proficient in A2")
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "Locked until proficient in A2")
         << "nothing is decided without a reason";
     QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "course elsewhere");
     click(*window, "decide_standing");
-    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "open");
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "Open");
     EXPECT_EQ(find<QComboBox>(*window, "decision_kind")->count(), 1) << "there is nothing left to unlock";
     keep("progress-decided");
     QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "examined in theatre");
     click(*window, "decide_standing");
-    EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("proficient since"));
+    EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("Proficient since"));
     const auto rows = database::Standings(*services.store())
                           .overrides(sessions.at(Role::trainee), sessions.at(Role::trainee).person_id());
     ASSERT_EQ(rows.size(), 2U);
@@ -216,7 +216,7 @@ TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
     task = find<QComboBox>(*window, "progress_task");
     task->setCurrentIndex(task->findData("B1"));
     emit task->activated(task->currentIndex());
-    EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("proficient since"));
+    EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("Proficient since"));
     EXPECT_FALSE(sees(*window, "decide_standing"));
     keep("progress-decided-trainee");
 }
@@ -248,7 +248,7 @@ TEST_F(ProgressWithHistory, TheTaskShowsItsVariantsAndLeadsToTheBriefingOfOne) {
     open(Role::trainee);
     const QList<QPushButton*> variants = window->findChildren<QPushButton*>("task_variant");
     ASSERT_EQ(variants.size(), 3);
-    EXPECT_EQ(variants[0]->text(), "Standard: attempts 1, passed 1");
+    EXPECT_EQ(variants[0]->text(), "Standard: 1 of 1 attempts passed");
     EXPECT_EQ(variants[2]->text(), "Trocars further right: not practised yet");
     keep("progress-variants");
     QTest::mouseClick(variants[2], Qt::LeftButton);

@@ -1012,5 +1012,17 @@
         <source>PerkTutor transform recording (3D Slicer, tracked tools)</source>
         <translation>PerkTutor-Aufzeichnung von Transformationen (3D Slicer, getrackte Werkzeuge)</translation>
     </message>
+    <message>
+        <source>synthetic operators, seeds 1000-1999</source>
+        <translation>simulierte Operateure, Startwerte 1000-1999</translation>
+    </message>
+    <message>
+        <source>synthetic operators through a model of mouse and keyboard, seeds 1000-1999</source>
+        <translation>simulierte Operateure mit einem Modell von Maus und Tastatur, Startwerte 1000-1999</translation>
+    </message>
+    <message>
+        <source>synthetic operators through a model of tracked instruments, seeds 1000-1999</source>
+        <translation>simulierte Operateure mit einem Modell von Instrumenten mit Tracking, Startwerte 1000-1999</translation>
+    </message>
 </context>
 </TS>

@@ -1175,10 +1175,6 @@
         <translation>Der neue Schlüssel signiert von jetzt an. Der alte signiert die Protokollzeile, die den neuen nennt, dann wird seine geheime Hälfte gelöscht; was er signiert hat, bleibt gültig, und nichts Späteres wird von ihm angenommen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann und wenn jemand geht, der sie lesen konnte.</translation>
     </message>
     <message>
-        <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
-        <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
-    </message>
-    <message>
         <source>The version, such as rectal@3.</source>
         <translation>Die Version, zum Beispiel rectal@3.</translation>
     </message>
@@ -1189,6 +1185,10 @@
     <message>
         <source>PATH is a folder or ZIP archive with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
         <translation>PATH ist ein Ordner oder ZIP-Archiv mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann also wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>Open this device (%1) and measure rate, jitter and delays.</source>
+        <translation>Dieses Gerät öffnen (%1) und Rate, Schwankung und Verzögerungen messen.</translation>
     </message>
 </context>
 <context>
@@ -6802,10 +6802,6 @@
         <translation>„%1“ ist nicht der Name einer Art von Gerät</translation>
     </message>
     <message>
-        <source>write two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse or virtual:SCRIPT.json, in small letters; `fulcrum devices` lists what is connected</source>
-        <translation>schreiben Sie two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse oder virtual:SCRIPT.json, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
-    </message>
-    <message>
         <source>write haply:PORT, then left=ID, right=ID, events=PORT, grip=+z or axes=+x+z-y, each after a comma</source>
         <translation>schreiben Sie haply:PORT, dann left=ID, right=ID, events=PORT, grip=+z oder axes=+x+z-y, jeweils nach einem Komma</translation>
     </message>
@@ -7277,6 +7273,126 @@
         <source>name the version: --to rectal@3</source>
         <translation>nennen Sie die Version: --to rectal@3</translation>
     </message>
+    <message>
+        <source>The trainer was unplugged. Plug it in again; where it comes off by itself, use another cable or port.</source>
+        <translation>Der Trainer wurde ausgesteckt. Stecken Sie ihn wieder ein; wo er sich von selbst löst, nehmen Sie ein anderes Kabel oder einen anderen Anschluss.</translation>
+    </message>
+    <message>
+        <source>The trainer sends nothing new. Press the reset button of its board; where that does not help, unplug it and plug it in again.</source>
+        <translation>Der Trainer sendet nichts Neues. Drücken Sie die Reset-Taste seiner Platine; wo das nicht hilft, stecken Sie ihn aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>What the trainer sends cannot be read. Press the reset button of its board, and load the sketch that came with this version of Fulcrum.</source>
+        <translation>Was der Trainer sendet, kann nicht gelesen werden. Drücken Sie die Reset-Taste seiner Platine, und laden Sie den Sketch, der mit dieser Version von Fulcrum kam.</translation>
+    </message>
+    <message>
+        <source>Lines of the trainer arrive damaged. Use a shorter cable, away from motors and electrosurgery, or a lower rate on both sides.</source>
+        <translation>Zeilen des Trainers kommen beschädigt an. Nehmen Sie ein kürzeres Kabel, fern von Motoren und Elektrochirurgie, oder auf beiden Seiten eine kleinere Rate.</translation>
+    </message>
+    <message>
+        <source>The trainer reports an angle or a length that is not possible. Check the plugs of its sensors and the ranges in its sketch.</source>
+        <translation>Der Trainer meldet einen Winkel oder eine Länge, die nicht möglich sind. Prüfen Sie die Stecker seiner Sensoren und die Bereiche in seinem Sketch.</translation>
+    </message>
+    <message>
+        <source>run `sudo usermod -aG dialout $USER` (the group that owns the port), then sign out and in again</source>
+        <translation>führen Sie `sudo usermod -aG dialout $USER` aus (die Gruppe, der der Anschluss gehört), melden Sie sich dann ab und wieder an</translation>
+    </message>
+    <message>
+        <source>write one of %1, in small letters; `fulcrum devices` lists what is connected</source>
+        <translation>schreiben Sie eines von %1, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>use trainer:PORT, then baud=BITS (9600 to 1000000) or length=MM (100 to 600), each after a comma</source>
+        <translation>verwenden Sie trainer:PORT, dann baud=BITS (9600 bis 1000000) oder length=MM (100 bis 600), jeweils nach einem Komma</translation>
+    </message>
+    <message>
+        <source>no serial port of a micro-controller was found</source>
+        <translation>es wurde kein serieller Anschluss eines Mikrocontrollers gefunden</translation>
+    </message>
+    <message>
+        <source>plug the trainer in, or name its port: trainer:/dev/ttyUSB0</source>
+        <translation>stecken Sie den Trainer ein, oder nennen Sie seinen Anschluss: trainer:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>more than one port can be the trainer&apos;s: %1</source>
+        <translation>mehr als ein Anschluss kann der des Trainers sein: %1</translation>
+    </message>
+    <message>
+        <source>name it: trainer:%1</source>
+        <translation>nennen Sie ihn: trainer:%1</translation>
+    </message>
+    <message>
+        <source>end the other program that uses it, such as the serial monitor of the Arduino program</source>
+        <translation>beenden Sie das andere Programm, das ihn benutzt, etwa den seriellen Monitor des Arduino-Programms</translation>
+    </message>
+    <message>
+        <source>name a serial port, such as /dev/ttyACM0</source>
+        <translation>nennen Sie einen seriellen Anschluss, etwa /dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>plug the trainer in; `fulcrum devices` shows whether it is found</source>
+        <translation>stecken Sie den Trainer ein; `fulcrum devices` zeigt, ob er gefunden wird</translation>
+    </message>
+    <message>
+        <source>the trainer&apos;s port does not open: %1</source>
+        <translation>der Anschluss des Trainers lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>the trainer was unplugged</source>
+        <translation>der Trainer wurde ausgesteckt</translation>
+    </message>
+    <message>
+        <source>plug it in, and use a cable and a port that hold it firmly</source>
+        <translation>stecken Sie ihn ein, mit einem Kabel und an einem Anschluss, die fest sitzen</translation>
+    </message>
+    <message>
+        <source>the trainer speaks version %1 of the protocol, Fulcrum version %2</source>
+        <translation>der Trainer spricht Version %1 des Protokolls, Fulcrum Version %2</translation>
+    </message>
+    <message>
+        <source>load the sketch that came with this version of Fulcrum</source>
+        <translation>laden Sie den Sketch, der mit dieser Version von Fulcrum kam</translation>
+    </message>
+    <message>
+        <source>the trainer sends angles or lengths that are not possible</source>
+        <translation>der Trainer sendet Winkel oder Längen, die nicht möglich sind</translation>
+    </message>
+    <message>
+        <source>set the ranges of its sensors in its sketch (docs/TRAINER.md)</source>
+        <translation>stellen Sie die Bereiche seiner Sensoren in seinem Sketch ein (docs/TRAINER.md)</translation>
+    </message>
+    <message>
+        <source>the trainer&apos;s lines have wrong checksums</source>
+        <translation>die Zeilen des Trainers haben falsche Prüfsummen</translation>
+    </message>
+    <message>
+        <source>use a shorter cable, or a lower rate on both sides</source>
+        <translation>nehmen Sie ein kürzeres Kabel oder auf beiden Seiten eine kleinere Rate</translation>
+    </message>
+    <message>
+        <source>what it sends are not the lines of a trainer</source>
+        <translation>was er sendet, sind nicht die Zeilen eines Trainers</translation>
+    </message>
+    <message>
+        <source>load the sketch of docs/trainer, and name its rate: trainer:PORT,baud=115200</source>
+        <translation>laden Sie den Sketch aus docs/trainer, und nennen Sie seine Rate: trainer:PORT,baud=115200</translation>
+    </message>
+    <message>
+        <source>no trainer answers</source>
+        <translation>kein Trainer antwortet</translation>
+    </message>
+    <message>
+        <source>check that this is its port, and load the sketch of docs/trainer</source>
+        <translation>prüfen Sie, ob dies sein Anschluss ist, und laden Sie den Sketch aus docs/trainer</translation>
+    </message>
+    <message>
+        <source>the trainer sends no pose of its instruments</source>
+        <translation>der Trainer sendet keine Stellung seiner Instrumente</translation>
+    </message>
+    <message>
+        <source>press the reset button of its board</source>
+        <translation>drücken Sie die Reset-Taste seiner Platine</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -7476,6 +7592,26 @@
     <message>
         <source>install the Inverse service from Haply and start it; connect the device and its power supply</source>
         <translation>installieren Sie den Inverse-Dienst von Haply und starten Sie ihn; schließen Sie das Gerät und sein Netzteil an</translation>
+    </message>
+    <message>
+        <source>box trainer on a serial port</source>
+        <translation>Box-Trainer an einem seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>no serial port of a micro-controller was found</source>
+        <translation>es wurde kein serieller Anschluss eines Mikrocontrollers gefunden</translation>
+    </message>
+    <message>
+        <source>load the sketch of docs/trainer on a board with sensors and plug it in; a port of another kind is named: FULCRUM_DEVICE=trainer:PORT</source>
+        <translation>laden Sie den Sketch aus docs/trainer auf eine Platine mit Sensoren und stecken Sie sie ein; ein anderer Anschluss wird genannt: FULCRUM_DEVICE=trainer:PORT</translation>
+    </message>
+    <message>
+        <source>more than one serial port can be its port</source>
+        <translation>mehr als ein serieller Anschluss kann der seine sein</translation>
+    </message>
+    <message>
+        <source>unplug the others, or name the port: FULCRUM_DEVICE=trainer:PORT</source>
+        <translation>stecken Sie die anderen aus, oder nennen Sie den Anschluss: FULCRUM_DEVICE=trainer:PORT</translation>
     </message>
 </context>
 <context>
@@ -8035,8 +8171,8 @@
         <translation>höher ist besser</translation>
     </message>
     <message>
-        <source>neither: context only</source>
-        <translation>weder noch: nur zur Einordnung</translation>
+        <source>for information only</source>
+        <translation>nur zur Einordnung</translation>
     </message>
 </context>
 <context>
@@ -9546,22 +9682,6 @@
         <translation>{where}{fault} ({excess}){on_tissue}; {remedy}.</translation>
     </message>
     <message>
-        <source>All gates are met; repeat it to make it a habit.</source>
-        <translation>Alle Kriterien sind erfüllt; wiederholen Sie es, bis es zur Gewohnheit wird.</translation>
-    </message>
-    <message>
-        <source>All gates are met, most narrowly {metric}{of_hand} ({value}; the limit is {limit}); {remedy}.</source>
-        <translation>Alle Kriterien sind erfüllt, am knappsten {metric}{of_hand} ({value}; der Grenzwert ist {limit}); {remedy}.</translation>
-    </message>
-    <message>
-        <source>The time ran out before the last goal was reached; {remedy}.</source>
-        <translation>Die Zeit lief ab, bevor der letzte Schritt erreicht war; {remedy}.</translation>
-    </message>
-    <message>
-        <source>The attempt was abandoned before the last goal was reached; carry the next one through to its end.</source>
-        <translation>Der Versuch wurde abgebrochen, bevor der letzte Schritt erreicht war; führen Sie den nächsten bis zum Ende durch.</translation>
-    </message>
-    <message>
         <source>{where}{metric} has no value because {because}; {remedy}.</source>
         <translation>{where}{metric} ohne Wert: {because}; {remedy}.</translation>
     </message>
@@ -9649,6 +9769,22 @@
         <source>the program stood still for {seconds} s</source>
         <translation>das Programm stand {seconds} s still</translation>
     </message>
+    <message>
+        <source>All gates are met. Repeat the task to make it a habit.</source>
+        <translation>Alle Kriterien sind erfüllt. Wiederholen Sie die Aufgabe, bis sie zur Gewohnheit wird.</translation>
+    </message>
+    <message>
+        <source>All gates are met. Closest to its limit: {metric}{of_hand} ({value}, limit {limit}). To improve: {remedy}.</source>
+        <translation>Alle Kriterien sind erfüllt. Am knappsten: {metric}{of_hand} ({value}, Grenzwert {limit}). Zur Verbesserung: {remedy}.</translation>
+    </message>
+    <message>
+        <source>The time ran out before the last step was completed. To improve: {remedy}.</source>
+        <translation>Die Zeit lief ab, bevor der letzte Schritt abgeschlossen war. Zur Verbesserung: {remedy}.</translation>
+    </message>
+    <message>
+        <source>The attempt was abandoned before the last step was completed. Carry the next one through to the end.</source>
+        <translation>Der Versuch wurde abgebrochen, bevor der letzte Schritt abgeschlossen war. Führen Sie den nächsten bis zum Ende durch.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::tissues</name>
@@ -9696,14 +9832,6 @@
         <translation>Ungültig; Kopie für diese Person</translation>
     </message>
     <message>
-        <source>reason, kept in the audit log</source>
-        <translation>Grund, bleibt im Protokoll</translation>
-    </message>
-    <message>
-        <source>what is wrong with this attempt</source>
-        <translation>was an diesem Versuch nicht stimmt</translation>
-    </message>
-    <message>
         <source>Voiding removes the attempt from progress, cohorts and benchmarks. It stays visible, struck through, with your reason. Reassigning voids it as well and stores a copy, with recording and score, for the person who performed it.</source>
         <translation>Ein für ungültig erklärter Versuch zählt nicht mehr für Fortschritt, Gruppen und Richtwerte. Er bleibt sichtbar, durchgestrichen, mit Ihrem Grund. Neu zuordnen erklärt ihn ebenfalls für ungültig und speichert eine Kopie, mit Aufzeichnung und Bewertung, für die Person, die ihn durchgeführt hat.</translation>
     </message>
@@ -9730,6 +9858,14 @@
     <message>
         <source>Your educators will see the request.</source>
         <translation>Ihre Ausbilder sehen die Anfrage.</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
+    <message>
+        <source>What is wrong with this attempt</source>
+        <translation>Was an diesem Versuch nicht stimmt</translation>
     </message>
 </context>
 <context>
@@ -9794,20 +9930,12 @@
         <translation>Kommentare</translation>
     </message>
     <message>
-        <source>Open the attempt</source>
-        <translation>Versuch öffnen</translation>
-    </message>
-    <message>
         <source>My attempts</source>
         <translation>Meine Versuche</translation>
     </message>
     <message>
         <source>Recompute</source>
         <translation>Neu berechnen</translation>
-    </message>
-    <message>
-        <source>Scores computed with older metrics or limits: %1. Recomputing adds a new score next to each; the score in force stays.</source>
-        <translation>Bewertungen, die mit älteren Kennzahlen oder Grenzwerten berechnet sind: %1. Neu berechnen fügt zu jeder eine neue Bewertung hinzu; die geltende Bewertung bleibt.</translation>
     </message>
     <message>
         <source>Recomputed: %1. The result differs from the score in force in %2 of them.</source>
@@ -9842,16 +9970,8 @@
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Cut off three times in a row or more: %1</source>
-        <translation>Dreimal oder öfter in Folge unterbrochen: %1</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1, %2: %3 attempts cut off, the last %4. Recorded: %5</source>
-        <translation>%1, %2: %3 Versuche unterbrochen, der letzte %4. Aufgezeichnet: %5</translation>
     </message>
     <message>
         <source> (%1 unread)</source>
@@ -9862,20 +9982,42 @@
         <translation>Für ungültig erklärt von %1: %2</translation>
     </message>
     <message>
-        <source>the newest 500</source>
-        <translation>die neuesten 500</translation>
-    </message>
-    <message>
-        <source>attempts: %1</source>
-        <translation>Versuche: %1</translation>
-    </message>
-    <message>
-        <source>The trace was imported as an external attempt.</source>
+        <source>The recording was imported as an external attempt.</source>
         <translation>Die Aufzeichnung wurde als externer Versuch importiert.</translation>
     </message>
     <message>
-        <source>Import a trace …</source>
+        <source>Open attempt</source>
+        <translation>Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Import a recording …</source>
         <translation>Aufzeichnung importieren …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</source>
+        <translation>
+            <numerusform>%n Bewertung wurde mit älteren Kennzahlen oder Grenzwerten berechnet. Neu berechnen fügt dem Versuch eine zweite Bewertung hinzu; die geltende Bewertung ändert sich nicht.</numerusform>
+            <numerusform>%n Bewertungen wurden mit älteren Kennzahlen oder Grenzwerten berechnet. Neu berechnen fügt jedem Versuch eine zweite Bewertung hinzu; die geltende Bewertung ändert sich nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>People with three or more interrupted attempts in a row: %1</source>
+        <translation>Personen mit drei oder mehr unterbrochenen Versuchen in Folge: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 interrupted attempts, the last on %4. Recorded: %5</source>
+        <translation>%1, %2: %3 unterbrochene Versuche, der letzte am %4. Aufgezeichnet: %5</translation>
+    </message>
+    <message>
+        <source>newest 500 attempts</source>
+        <translation>die neuesten 500 Versuche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9907,14 +10049,6 @@
     <message>
         <source>Details</source>
         <translation>Details</translation>
-    </message>
-    <message>
-        <source>Show older ones</source>
-        <translation>Ältere zeigen</translation>
-    </message>
-    <message>
-        <source>Texts about an attempt are not shown here; they are visible to people who may read the attempt. Anyone with access to the file can rewrite the chain: compare its head with the one in a report.</source>
-        <translation>Texte zu einem Versuch werden hier nicht gezeigt; sie sind für Personen sichtbar, die den Versuch lesen dürfen. Wer Zugriff auf die Datei hat, kann die Kette neu schreiben: Vergleichen Sie ihren neuesten Hash mit dem in einem Bericht.</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -9961,10 +10095,6 @@
         <translation>Alles</translation>
     </message>
     <message>
-        <source>entries shown: %1</source>
-        <translation>gezeigte Einträge: %1</translation>
-    </message>
-    <message>
         <source>Row %1, object %2, hash %3</source>
         <translation>Zeile %1, Objekt %2, Hash %3</translation>
     </message>
@@ -9993,6 +10123,21 @@ und %1 weitere</translation>
     <message>
         <source>The audit log could not be read: %1</source>
         <translation>Das Protokoll konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Show older entries</source>
+        <translation>Ältere Einträge zeigen</translation>
+    </message>
+    <message>
+        <source>Comments and reasons about an attempt are not shown here; people who may open the attempt see them there. A person who can write to the store&apos;s file could rewrite the whole log: compare the newest hash above with the one printed in a report.</source>
+        <translation>Kommentare und Begründungen zu einem Versuch stehen nicht hier; wer den Versuch öffnen darf, sieht sie dort. Eine Person, die in die Datei des Datenbestands schreiben kann, könnte das ganze Protokoll neu schreiben: Vergleichen Sie den neuesten Hash oben mit dem in einem Bericht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries shown</source>
+        <translation>
+            <numerusform>%n Eintrag gezeigt</numerusform>
+            <numerusform>%n Einträge gezeigt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10034,10 +10179,6 @@ und %1 weitere</translation>
         <translation>Einem Experten zusehen</translation>
     </message>
     <message>
-        <source>A simulated expert performs the task. Nothing is stored. Press Escape to stop.</source>
-        <translation>Ein simulierter Experte führt die Aufgabe durch. Es wird nichts gespeichert. Drücken Sie Esc, um zu beenden.</translation>
-    </message>
-    <message>
         <source>My attempts and learning curve</source>
         <translation>Meine Versuche und Lernkurve</translation>
     </message>
@@ -10074,20 +10215,8 @@ und %1 weitere</translation>
         <translation>Ab einem späteren Schritt übernimmt ein simulierter Experte, was davor kommt. Eine solche Übung wird nie ausgewertet.</translation>
     </message>
     <message>
-        <source>With the ghost of an expert</source>
-        <translation>Mit dem Schattenbild eines Experten</translation>
-    </message>
-    <message>
-        <source>Translucent instruments show an expert&apos;s next movement and wait for you. The scene is then that of the demonstration.</source>
-        <translation>Durchscheinende Instrumente zeigen die nächste Bewegung eines Experten und warten auf Sie. Die Szene ist dann die der Vorführung.</translation>
-    </message>
-    <message>
         <source>the beginning</source>
         <translation>am Anfang</translation>
-    </message>
-    <message>
-        <source>For you this task is %1; until then it is practice only.</source>
-        <translation>Für Sie ist diese Aufgabe %1; bis dahin ist sie nur Übung.</translation>
     </message>
     <message>
         <source>%1 (sha256 %2)</source>
@@ -10106,10 +10235,6 @@ und %1 weitere</translation>
         <translation>Was zu tun ist</translation>
     </message>
     <message>
-        <source>Time limit %1 · outcome: %2</source>
-        <translation>Zeitlimit %1 · Ergebnis: %2</translation>
-    </message>
-    <message>
         <source>You hold the scope with mouse and keyboard. F1 shows the keys.</source>
         <translation>Sie führen die Optik mit Maus und Tastatur. F1 zeigt die Tasten.</translation>
     </message>
@@ -10120,10 +10245,6 @@ und %1 weitere</translation>
     <message>
         <source>The demonstration accepts practice attempts only.</source>
         <translation>In der Vorführung sind nur Übungen möglich.</translation>
-    </message>
-    <message>
-        <source>Fidelity of the simulation: its effect on the score is not measured.</source>
-        <translation>Genauigkeit der Simulation: Die Wirkung auf die Bewertung ist nicht gemessen.</translation>
     </message>
     <message>
         <source>%1 differs by %2 %</source>
@@ -10142,16 +10263,40 @@ und %1 weitere</translation>
         <translation>dieselbe Bewertung</translation>
     </message>
     <message>
-        <source>Fidelity of the simulation, compared with %1 (synthetic operators). %2.</source>
-        <translation>Genauigkeit der Simulation, verglichen mit %1 (synthetische Operateure). %2.</translation>
-    </message>
-    <message>
-        <source>This site has its own tissue values (version %1): cutting parameters differ from the scene&apos;s.</source>
-        <translation>Dieser Standort hat eigene Gewebewerte (Version %1): Die Schnittparameter weichen von denen der Szene ab.</translation>
-    </message>
-    <message>
         <source>Gates based on the experts&apos; range are not scored: %1.</source>
         <translation>Kriterien, die auf dem Bereich der Experten beruhen, werden nicht ausgewertet: %1.</translation>
+    </message>
+    <message>
+        <source>A simulated expert performs the task. Nothing is stored. Press Esc to stop.</source>
+        <translation>Ein simulierter Experte führt die Aufgabe durch. Es wird nichts gespeichert. Drücken Sie Esc, um zu beenden.</translation>
+    </message>
+    <message>
+        <source>Show an expert&apos;s instruments</source>
+        <translation>Instrumente eines Experten zeigen</translation>
+    </message>
+    <message>
+        <source>Translucent instruments show an expert&apos;s next movement and wait for you. The scene is the one in which the expert was simulated.</source>
+        <translation>Durchscheinende Instrumente zeigen die nächste Bewegung eines Experten und warten auf Sie. Die Szene ist die, in der der Experte simuliert wurde.</translation>
+    </message>
+    <message>
+        <source>This task is %1. Until then, you can only practise it.</source>
+        <translation>Diese Aufgabe ist %1. Bis dahin können Sie sie nur üben.</translation>
+    </message>
+    <message>
+        <source>Time limit %1 · Outcome: %2</source>
+        <translation>Zeitlimit %1 · Ergebnis: %2</translation>
+    </message>
+    <message>
+        <source>The effect of the simulation&apos;s level of detail on the score has not been measured for this task.</source>
+        <translation>Die Wirkung der Genauigkeit der Simulation auf die Bewertung ist für diese Aufgabe nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Effect of the simulation&apos;s level of detail on the score, compared with the level &quot;%1&quot;: %2.</source>
+        <translation>Wirkung der Genauigkeit der Simulation auf die Bewertung, verglichen mit der Stufe „%1“: %2.</translation>
+    </message>
+    <message>
+        <source>This site uses its own tissue values (version %1); its cutting parameters differ from those of the scene.</source>
+        <translation>Dieser Standort benutzt eigene Gewebewerte (Version %1); seine Schnittparameter weichen von denen der Szene ab.</translation>
     </message>
 </context>
 <context>
@@ -10243,6 +10388,10 @@ und %1 weitere</translation>
         <source>People by tasks</source>
         <translation>Personen nach Aufgaben</translation>
     </message>
+    <message>
+        <source>Bars: the latest attempts, as high as their points. Filled: passed. Outline: failed. Dotted line: %1 points, the pass mark.</source>
+        <translation>Balken: die letzten Versuche, so hoch wie ihre Punkte. Gefüllt: bestanden. Umriss: nicht bestanden. Gepunktete Linie: %1 Punkte, die Bestehensgrenze.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::CohortPage</name>
@@ -10311,27 +10460,40 @@ und %1 weitere</translation>
         <translation>Es gibt noch keine Gruppe. Die Programmleitung legt Gruppen auf der Seite „Gruppen zuteilen“ an.</translation>
     </message>
     <message>
-        <source>people: n = %1</source>
-        <translation>Personen: n = %1</translation>
-    </message>
-    <message>
         <source> · synthetic left out: %1</source>
         <translation> · synthetische ausgelassen: %1</translation>
-    </message>
-    <message>
-        <source> · counting attempts only; device classes are never pooled</source>
-        <translation> · nur zählende Versuche; Geräteklassen werden nie zusammengefasst</translation>
     </message>
     <message>
         <source>Needs attention (%1)</source>
         <translation>Handlungsbedarf (%1)</translation>
     </message>
     <message>
-        <source>Table: ✓ passed, (✓) passed by provisional limits, ○ attempted, – not attempted; best points · attempts that count, of the device class used last (+1: one class more; the tooltip has all).
-Benchmark sets: %1
+        <source>✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points and the number of attempts that count, with the type of device used last; +1: with one type of device more. The tool tip shows all.</source>
+        <translation>✓ bestanden, (✓) mit vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht. Danach die besten Punkte und die Anzahl der Versuche, die zählen, mit der zuletzt benutzten Art von Gerät; +1: eine weitere Art von Gerät. Der Tooltip zeigt alle.</translation>
+    </message>
+    <message>
+        <source>Show versions of limits and metrics</source>
+        <translation>Versionen der Grenzwerte und Kennzahlen zeigen</translation>
+    </message>
+    <message>
+        <source>Hide versions of limits and metrics</source>
+        <translation>Versionen der Grenzwerte und Kennzahlen verbergen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> · Only attempts that count. Types of device are not combined.</source>
+        <translation> · Nur Versuche, die zählen. Arten von Geräten werden nicht zusammengefasst.</translation>
+    </message>
+    <message>
+        <source>Benchmark sets: %1
 Metrics: %2</source>
-        <translation>Tabelle: ✓ bestanden, (✓) nach vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht; beste Punktzahl · Versuche, die zählen, mit der zuletzt benutzten Geräteklasse (+1: eine weitere Klasse; der Hinweistext zeigt alle).
-Richtwertsätze: %1
+        <translation>Sätze von Grenzwerten: %1
 Kennzahlen: %2</translation>
     </message>
 </context>
@@ -10340,10 +10502,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Assign cohorts</source>
         <translation>Gruppen zuteilen</translation>
-    </message>
-    <message>
-        <source>name of a new cohort</source>
-        <translation>Name einer neuen Gruppe</translation>
     </message>
     <message>
         <source>Add cohort</source>
@@ -10366,12 +10524,16 @@ Kennzahlen: %2</translation>
         <translation>Ausbilder</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>Saved.</source>
         <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>Name of the new cohort</source>
+        <translation>Name der neuen Gruppe</translation>
+    </message>
+    <message>
+        <source>Save cohort</source>
+        <translation>Gruppe speichern</translation>
     </message>
 </context>
 <context>
@@ -10401,10 +10563,6 @@ Kennzahlen: %2</translation>
         <translation>Kommentare (%1)</translation>
     </message>
     <message>
-        <source>None yet.</source>
-        <translation>Noch keine.</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -10423,6 +10581,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>No comments yet.</source>
+        <translation>Noch keine Kommentare.</translation>
     </message>
 </context>
 <context>
@@ -10492,14 +10654,6 @@ Kennzahlen: %2</translation>
         <translation>Abschnitt des Versuchs</translation>
     </message>
     <message>
-        <source>Begins here</source>
-        <translation>Beginnt hier</translation>
-    </message>
-    <message>
-        <source>Ends here</source>
-        <translation>Endet hier</translation>
-    </message>
-    <message>
         <source>Whole attempt</source>
         <translation>Ganzer Versuch</translation>
     </message>
@@ -10510,10 +10664,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>Drag with Shift to choose a part.</source>
-        <translation>Mit Umschalt ziehen, um einen Abschnitt zu wählen.</translation>
     </message>
     <message>
         <source>left hand</source>
@@ -10552,10 +10702,6 @@ Kennzahlen: %2</translation>
         <translation>Es gibt nichts, womit dieser Versuch verglichen werden kann.</translation>
     </message>
     <message>
-        <source>The other one: %1</source>
-        <translation>Der andere: %1</translation>
-    </message>
-    <message>
         <source>Force of the left hand (N)</source>
         <translation>Kraft der linken Hand (N)</translation>
     </message>
@@ -10592,10 +10738,6 @@ Kennzahlen: %2</translation>
         <translation>Kohorte</translation>
     </message>
     <message>
-        <source>the other one</source>
-        <translation>der andere</translation>
-    </message>
-    <message>
         <source>this attempt</source>
         <translation>dieser Versuch</translation>
     </message>
@@ -10612,16 +10754,36 @@ Kennzahlen: %2</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>; the other one %1 to %2</source>
-        <translation>; der andere %1 bis %2</translation>
-    </message>
-    <message>
         <source>; metrics of this attempt alone</source>
         <translation>; nur Messgrößen dieses Versuchs</translation>
     </message>
     <message>
-        <source>; the other one %1 / %2</source>
-        <translation>; der andere %1 / %2</translation>
+        <source>Start part here</source>
+        <translation>Abschnitt hier beginnen</translation>
+    </message>
+    <message>
+        <source>End part here</source>
+        <translation>Abschnitt hier beenden</translation>
+    </message>
+    <message>
+        <source>Hold Shift and drag to choose a part.</source>
+        <translation>Mit gedrückter Umschalttaste ziehen, um einen Abschnitt zu wählen.</translation>
+    </message>
+    <message>
+        <source>Other attempt: %1</source>
+        <translation>Anderer Versuch: %1</translation>
+    </message>
+    <message>
+        <source>other attempt</source>
+        <translation>anderer Versuch</translation>
+    </message>
+    <message>
+        <source>; other attempt %1 to %2</source>
+        <translation>; anderer Versuch %1 bis %2</translation>
+    </message>
+    <message>
+        <source>; other attempt %1 / %2</source>
+        <translation>; anderer Versuch %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -10649,10 +10811,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>This attempt</source>
         <translation>Dieser Versuch</translation>
-    </message>
-    <message>
-        <source>The other one</source>
-        <translation>Der andere</translation>
     </message>
     <message>
         <source>Difference</source>
@@ -10686,17 +10844,13 @@ Kennzahlen: %2</translation>
         <source>Cohort: median (middle half)</source>
         <translation>Kohorte: Median (mittlere Hälfte)</translation>
     </message>
+    <message>
+        <source>Other attempt</source>
+        <translation>Anderer Versuch</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparisonTexts</name>
-    <message>
-        <source>Own best: %1</source>
-        <translation>Eigener bester: %1</translation>
-    </message>
-    <message>
-        <source>Own last: %1</source>
-        <translation>Eigener letzter: %1</translation>
-    </message>
     <message>
         <source>An expert of the benchmark (simulated)</source>
         <translation>Ein Experte des Benchmarks (simuliert)</translation>
@@ -10710,28 +10864,12 @@ Kennzahlen: %2</translation>
         <translation>Nichts wurde aufgezeichnet.</translation>
     </message>
     <message>
-        <source>Different variants: %1 and %2. The scenes differ; the steps are put on each other.</source>
-        <translation>Verschiedene Varianten: %1 und %2. Die Szenen sind verschieden; die Schritte werden aufeinandergelegt.</translation>
-    </message>
-    <message>
         <source>Different versions of the task: %1 and %2.</source>
         <translation>Verschiedene Versionen der Aufgabe: %1 und %2.</translation>
     </message>
     <message>
-        <source>Different devices: %1 and %2. Their values are not on one scale.</source>
-        <translation>Verschiedene Geräte: %1 und %2. Ihre Werte sind nicht direkt vergleichbar.</translation>
-    </message>
-    <message>
         <source>This attempt: %1</source>
         <translation>Dieser Versuch: %1</translation>
-    </message>
-    <message>
-        <source>The other one: %1</source>
-        <translation>Der andere: %1</translation>
-    </message>
-    <message>
-        <source>No step was completed in both: they are aligned from the first movement on.</source>
-        <translation>Kein Schritt wurde in beiden abgeschlossen: Sie sind ab der ersten Bewegung ausgerichtet.</translation>
     </message>
     <message numerus="yes">
         <source>Aligned by the %n steps that were completed in both.</source>
@@ -10754,8 +10892,32 @@ Kennzahlen: %2</translation>
             <numerusform>%1: der letzte zählende Versuch von %n anderen Personen. Linie: Median; Band: die mittlere Hälfte.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Best attempt: %1</source>
+        <translation>Bester Versuch: %1</translation>
+    </message>
+    <message>
+        <source>Latest attempt: %1</source>
+        <translation>Letzter Versuch: %1</translation>
+    </message>
+    <message>
+        <source>Different variants: %1 and %2. The scenes differ; the attempts are aligned by steps.</source>
+        <translation>Verschiedene Varianten: %1 und %2. Die Szenen sind verschieden; die Versuche sind nach Schritten ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>Different devices: %1 and %2. Their values cannot be compared directly.</source>
+        <translation>Verschiedene Geräte: %1 und %2. Ihre Werte sind nicht direkt vergleichbar.</translation>
+    </message>
+    <message>
+        <source>Other attempt: %1</source>
+        <translation>Anderer Versuch: %1</translation>
+    </message>
+    <message>
+        <source>No step was completed in both attempts, so they are aligned at the first movement.</source>
+        <translation>Kein Schritt wurde in beiden Versuchen abgeschlossen; darum sind sie an der ersten Bewegung ausgerichtet.</translation>
+    </message>
     <message numerus="yes">
-        <source>The trace of %n of them was not kept here: only their metrics are compared.</source>
+        <source>The recording of %n of them was not kept here: only their metrics are compared.</source>
         <translation>
             <numerusform>Von %n Person wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
             <numerusform>Von %n Personen wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
@@ -10765,12 +10927,12 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::Context</name>
     <message>
-        <source>Interrupted attempts could not be scored now. It is tried again at the next sign-in: %1</source>
-        <translation>Unterbrochene Versuche konnten jetzt nicht ausgewertet werden. Bei der nächsten Anmeldung wird es erneut versucht: %1</translation>
-    </message>
-    <message>
         <source>External: %1</source>
         <translation>Extern: %1</translation>
+    </message>
+    <message>
+        <source>Interrupted attempts could not be scored. Fulcrum tries again at the next sign-in: %1</source>
+        <translation>Unterbrochene Versuche konnten nicht ausgewertet werden. Fulcrum versucht es bei der nächsten Anmeldung erneut: %1</translation>
     </message>
 </context>
 <context>
@@ -10800,10 +10962,6 @@ Kennzahlen: %2</translation>
         <translation>Grund</translation>
     </message>
     <message>
-        <source>reason, kept in the audit log</source>
-        <translation>Grund, bleibt im Protokoll</translation>
-    </message>
-    <message>
         <source>Move</source>
         <translation>Umstellen</translation>
     </message>
@@ -10814,10 +10972,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Moved to %1 by %2 on %3: %4</source>
         <translation>Umgestellt auf %1 von %2 am %3: %4</translation>
-    </message>
-    <message>
-        <source>There is a newer version, %1. People stay on their version until an educator moves them.</source>
-        <translation>Es gibt eine neuere Version, %1. Personen bleiben auf ihrer Version, bis ein Ausbilder sie umstellt.</translation>
     </message>
     <message>
         <source>version %1</source>
@@ -10834,6 +10988,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Moved to %1. What was passed or declared proficient stays.</source>
         <translation>Umgestellt auf %1. Was bestanden oder für sicher beherrscht erklärt wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
+    <message>
+        <source>There is a newer version, %1. Each person stays on their version until an educator moves them.</source>
+        <translation>Es gibt eine neuere Version, %1. Jede Person bleibt auf ihrer Version, bis ein Ausbilder sie umstellt.</translation>
     </message>
 </context>
 <context>
@@ -10885,10 +11047,6 @@ Kennzahlen: %2</translation>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
-    <message>
-        <source>Exact for trainees who pass every attempt with the same chance. Learning, the two days and the variants and ratings that a rule may ask for are left out: they delay it further.</source>
-        <translation>Genau für Trainierende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen, die zwei Tage sowie die Varianten und Beurteilungen, die eine Regel verlangen kann, sind nicht berücksichtigt: Sie verzögern es weiter.</translation>
-    </message>
     <message numerus="yes">
         <source>%n ratings with the form %1, mean at least %2</source>
         <translation>
@@ -10937,10 +11095,6 @@ Kennzahlen: %2</translation>
         <translation>Bewertungen</translation>
     </message>
     <message>
-        <source>When a trainee is proficient in a task follows from its pass rule. Choose a task, change what you like, and see what it would do. Nothing is in force before you publish it.</source>
-        <translation>Wann jemand eine Aufgabe beherrscht, folgt aus ihrer Bestehensregel. Wählen Sie eine Aufgabe, ändern Sie, was Sie möchten, und sehen Sie, was es bewirken würde. Nichts gilt, bevor Sie es veröffentlichen.</translation>
-    </message>
-    <message>
         <source>▲ Up</source>
         <translation>▲ Auf</translation>
     </message>
@@ -10971,10 +11125,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Publish</source>
         <translation>Veröffentlichen</translation>
-    </message>
-    <message>
-        <source>People who have begun stay on the version that they follow until an educator moves them; who begins afterwards follows the new one. The audit log keeps your name and reason.</source>
-        <translation>Wer begonnen hat, bleibt bei seiner Version, bis eine Lehrperson die Person umstellt; wer danach beginnt, folgt der neuen. Das Prüfprotokoll behält Ihren Namen und die Begründung.</translation>
     </message>
     <message>
         <source>Reason for the new version</source>
@@ -11016,10 +11166,6 @@ Kennzahlen: %2</translation>
         <translation>Eine Lehrperson veröffentlicht, an einer Station.</translation>
     </message>
     <message>
-        <source>Change something first.</source>
-        <translation>Ändern Sie zuerst etwas.</translation>
-    </message>
-    <message>
         <source>Solve the problems marked with ✕ first.</source>
         <translation>Lösen Sie zuerst die mit ✕ markierten Probleme.</translation>
     </message>
@@ -11046,6 +11192,22 @@ Kennzahlen: %2</translation>
     <message>
         <source>Remedies</source>
         <translation>Abhilfen</translation>
+    </message>
+    <message>
+        <source>The pass rule of a task decides when a trainee is proficient in it. Choose a task, change its rule, and see the effect. Nothing changes for trainees until you publish.</source>
+        <translation>Die Bestehensregel einer Aufgabe entscheidet, wann sie sicher beherrscht wird. Wählen Sie eine Aufgabe, ändern Sie die Regel und sehen Sie die Wirkung. Für Lernende ändert sich nichts, bevor Sie veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>Calculated for trainees who pass each attempt with the same probability. Learning, and the days, variants and ratings that a rule can also require, are not included; they make proficiency later.</source>
+        <translation>Berechnet für Lernende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen sowie die Tage, Varianten und Beurteilungen, die eine Regel außerdem verlangen kann, sind nicht berücksichtigt; sie verzögern es.</translation>
+    </message>
+    <message>
+        <source>Trainees who have begun keep their version until an educator moves them. Trainees who begin later follow the new version. Your name and reason are kept in the audit log.</source>
+        <translation>Lernende, die begonnen haben, behalten ihre Version, bis ein Ausbilder sie umstellt. Lernende, die später beginnen, folgen der neuen. Ihr Name und Ihre Begründung stehen im Protokoll.</translation>
+    </message>
+    <message>
+        <source>Change the draft first; it is the same as the version in force.</source>
+        <translation>Ändern Sie zuerst den Entwurf; er gleicht der geltenden Version.</translation>
     </message>
 </context>
 <context>
@@ -11111,24 +11273,12 @@ Kennzahlen: %2</translation>
         <translation>In der Vorführung durchgeführt, unter dem Konto einer synthetischen Person.</translation>
     </message>
     <message>
-        <source>Practice from goal %1 of a demonstration: never scored.</source>
-        <translation>Übung ab Schritt %1 einer Vorführung: nie ausgewertet.</translation>
-    </message>
-    <message>
-        <source>Practice taken over from an attempt at %1: never scored.</source>
-        <translation>Übung, übernommen aus einem Versuch bei %1: nie ausgewertet.</translation>
-    </message>
-    <message>
         <source>Not scored: %1</source>
         <translation>Nicht ausgewertet: %1</translation>
     </message>
     <message>
         <source>the attempt has no score</source>
         <translation>der Versuch hat keine Bewertung</translation>
-    </message>
-    <message>
-        <source>The limits are provisional (synthetic operators): they allow &quot;passed (provisional)&quot;, never proficiency.</source>
-        <translation>Die Grenzwerte sind vorläufig (synthetische Operateure): Sie erlauben „bestanden (vorläufig)“, nie „sicher beherrscht“.</translation>
     </message>
     <message>
         <source>, %1</source>
@@ -11155,12 +11305,24 @@ Kennzahlen: %2</translation>
         <translation>Blind zu beurteilen: Name, Bewertung und die Beurteilungen anderer bleiben verborgen, bis Sie Ihre Beurteilung abgegeben haben.</translation>
     </message>
     <message>
-        <source>Show name and score; my rating is then not blind</source>
-        <translation>Name und Bewertung zeigen; meine Beurteilung ist dann nicht blind</translation>
-    </message>
-    <message>
         <source>Compare with another attempt</source>
         <translation>Mit einem anderen Versuch vergleichen</translation>
+    </message>
+    <message>
+        <source>Practice from step %1 of a demonstration: never scored.</source>
+        <translation>Übung ab Schritt %1 einer Vorführung: nie ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Practice from the moment %1 of an attempt: never scored.</source>
+        <translation>Übung ab dem Zeitpunkt %1 eines Versuchs: nie ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The limits are provisional: they come from simulated experts, not from surgeons. With them a task can be passed, but nobody becomes proficient.</source>
+        <translation>Die Grenzwerte sind vorläufig: Sie stammen von simulierten Experten, nicht von Chirurgen. Mit ihnen ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
+    </message>
+    <message>
+        <source>Show name and score (my rating is then not blind)</source>
+        <translation>Name und Bewertung zeigen (meine Beurteilung ist dann nicht blind)</translation>
     </message>
 </context>
 <context>
@@ -11228,10 +11390,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>mouse and keyboard</source>
         <translation>Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>For the same movement of the mouse, from the next attempt on; 100 %: 1 mm of the handle for about 3 pixels.</source>
-        <translation>Für dieselbe Bewegung der Maus, ab dem nächsten Versuch; 100 %: 1 mm am Griff für etwa 3 Pixel.</translation>
     </message>
     <message>
         <source>Speed for the same push of a stick, from the next attempt on; 100 %: at most 12 cm/s of the handle.</source>
@@ -11305,6 +11463,10 @@ Kennzahlen: %2</translation>
         <source>The button of one device is the pedal for both hands. The key of the pedal works with every choice; give it to a foot switch that types a key under Mouse and keys for the hands.</source>
         <translation>Die Taste eines Geräts ist das Pedal für beide Hände. Die Taste der Tastatur für das Pedal wirkt bei jeder Wahl; einem Fußschalter, der eine Taste sendet, geben Sie sie unter „Maus und Tasten für die Hände“.</translation>
     </message>
+    <message>
+        <source>How far the instrument moves for the same movement of the mouse, from the next attempt. At 100 %, about 3 pixels move the handle by 1 mm.</source>
+        <translation>Wie weit sich das Instrument bei derselben Bewegung der Maus bewegt, ab dem nächsten Versuch. Bei 100 % bewegen etwa 3 Pixel den Griff um 1 mm.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DevicesCard</name>
@@ -11339,10 +11501,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Devices for the hands</source>
         <translation>Geräte für die Hände</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Erneut suchen</translation>
     </message>
     <message>
         <source>Force given to the hand</source>
@@ -11389,10 +11547,6 @@ Kennzahlen: %2</translation>
         <translation>In Gebrauch: %1. Ab dem nächsten Versuch bewegt es die Hände.</translation>
     </message>
     <message>
-        <source>In use: %1. The environment variable FULCRUM_DEVICE names the device when Fulcrum starts; without it, the device is chosen here.</source>
-        <translation>In Gebrauch: %1. Die Umgebungsvariable FULCRUM_DEVICE nennt das Gerät beim Start von Fulcrum; ohne sie wird es hier gewählt.</translation>
-    </message>
-    <message>
         <source>%1 readings per second, at most %2 ms late</source>
         <translation>%1 Messungen pro Sekunde, höchstens %2 ms verspätet</translation>
     </message>
@@ -11416,6 +11570,14 @@ Kennzahlen: %2</translation>
         <source>Use %1 for the hands</source>
         <translation>%1 für die Hände verwenden</translation>
     </message>
+    <message>
+        <source>Search for devices again</source>
+        <translation>Geräte erneut suchen</translation>
+    </message>
+    <message>
+        <source>In use: %1. This device was set when Fulcrum was started (environment variable FULCRUM_DEVICE). Start Fulcrum without it to choose a device here.</source>
+        <translation>In Gebrauch: %1. Das Gerät wurde beim Start von Fulcrum festgelegt (Umgebungsvariable FULCRUM_DEVICE). Starten Sie Fulcrum ohne sie, um hier ein Gerät zu wählen.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ExportRow</name>
@@ -11436,16 +11598,16 @@ Kennzahlen: %2</translation>
         <translation>Wählen …</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message>
         <source>Reports (*.pdf *.csv *.xlsx *.json)</source>
         <translation>Berichte (*.pdf *.csv *.xlsx *.json)</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Replace report</source>
+        <translation>Bericht ersetzen</translation>
     </message>
 </context>
 <context>
@@ -11461,10 +11623,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Create programme</source>
         <translation>Programm anlegen</translation>
-    </message>
-    <message>
-        <source>For a department or a training centre. You become its first administrator. Then you add people, roles and cohorts.</source>
-        <translation>Für eine Abteilung oder ein Ausbildungszentrum. Sie werden der erste Administrator. Danach fügen Sie Personen, Rollen und Gruppen hinzu.</translation>
     </message>
     <message>
         <source>Look around</source>
@@ -11487,10 +11645,6 @@ Kennzahlen: %2</translation>
         <translation>Ihr Anmeldename</translation>
     </message>
     <message>
-        <source>letters, digits, . _ - @</source>
-        <translation>Buchstaben, Ziffern, . _ - @</translation>
-    </message>
-    <message>
         <source>Password</source>
         <translation>Passwort</translation>
     </message>
@@ -11507,16 +11661,8 @@ Kennzahlen: %2</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Create</source>
-        <translation>Anlegen</translation>
-    </message>
-    <message>
         <source>Your recovery code</source>
         <translation>Ihr Wiederherstellungscode</translation>
-    </message>
-    <message>
-        <source>It is shown only now. Write it down and lock it away: it is the only way for the last administrator to set a new password.</source>
-        <translation>Er wird nur jetzt angezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Nur damit kann der letzte Administrator ein neues Passwort setzen.</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -11543,12 +11689,24 @@ Kennzahlen: %2</translation>
         <translation>Programm wird angelegt …</translation>
     </message>
     <message>
-        <source>A demonstration programme: 24 simulated trainees after 12 weeks. No real people, but real simulated attempts. You can practise in it, and every screen has content.</source>
-        <translation>Ein Vorführprogramm: 24 simulierte Lernende nach 12 Wochen. Keine echten Personen, aber echte simulierte Versuche. Sie können darin üben, und jede Seite hat Inhalt.</translation>
-    </message>
-    <message>
         <source>Unpacking the demonstration programme …</source>
         <translation>Das Vorführprogramm wird entpackt …</translation>
+    </message>
+    <message>
+        <source>For a department or a training centre. You become its first administrator and then add people, roles and cohorts.</source>
+        <translation>Für eine Abteilung oder ein Ausbildungszentrum. Sie werden der erste Administrator und fügen dann Personen, Rollen und Gruppen hinzu.</translation>
+    </message>
+    <message>
+        <source>A demonstration programme: 24 simulated trainees after 12 weeks of training. The people are not real; their attempts were simulated in full. You can practise, and every screen has content.</source>
+        <translation>Ein Vorführprogramm: 24 simulierte Lernende nach 12 Wochen Ausbildung. Die Personen sind nicht echt; ihre Versuche wurden vollständig simuliert. Sie können üben, und jede Seite hat Inhalt.</translation>
+    </message>
+    <message>
+        <source>Letters, digits and . _ - @</source>
+        <translation>Buchstaben, Ziffern und . _ - @</translation>
+    </message>
+    <message>
+        <source>This code is shown only once. Write it down and lock it away: without it, the last administrator cannot set a new password.</source>
+        <translation>Dieser Code wird nur einmal gezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Ohne ihn kann der letzte Administrator kein neues Passwort setzen.</translation>
     </message>
 </context>
 <context>
@@ -11625,10 +11783,6 @@ Kennzahlen: %2</translation>
         <translation>Quelle des Grenzwerts</translation>
     </message>
     <message>
-        <source>Every gate must be met. Select a row to jump to the moment that decided it, Explain to read what is measured.</source>
-        <translation>Jedes Kriterium muss erfüllt sein. Wählen Sie eine Zeile, um zum entscheidenden Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -11659,6 +11813,18 @@ Kennzahlen: %2</translation>
     <message>
         <source>%1 (limit provisional)</source>
         <translation>%1 (Grenzwert vorläufig)</translation>
+    </message>
+    <message>
+        <source>A gate is a pass criterion: every gate must be met. z: standard deviations from the experts&apos; mean. Select a row to go to the moment that decided it, or Explain to read what is measured.</source>
+        <translation>Jedes Kriterium muss erfüllt sein. z: Standardabweichungen vom Mittelwert der Experten. Wählen Sie eine Zeile, um zum entscheidenden Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Source of each limit</source>
+        <translation>Herkunft der Grenzwerte</translation>
     </message>
 </context>
 <context>
@@ -11716,16 +11882,8 @@ Kennzahlen: %2</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>A goal of your own: so many attempts a week, or a value of a metric by a day. Only you and your educators see it.</source>
-        <translation>Ein eigenes Ziel: so viele Versuche pro Woche, oder ein Wert einer Kennzahl bis zu einem Tag. Nur Sie und Ihre Ausbilder sehen es.</translation>
-    </message>
-    <message>
         <source>Change</source>
         <translation>Ändern</translation>
-    </message>
-    <message>
-        <source>Drop</source>
-        <translation>Aufgeben</translation>
     </message>
     <message>
         <source>Any task</source>
@@ -11738,6 +11896,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>You have no completed attempt with this metric yet.</source>
         <translation>Sie haben noch keinen abgeschlossenen Versuch mit dieser Kennzahl.</translation>
+    </message>
+    <message>
+        <source>Set a goal for yourself: a number of attempts a week, or a value of a metric by a date. Only you and your educators see it.</source>
+        <translation>Setzen Sie sich ein eigenes Ziel: eine Anzahl von Versuchen pro Woche oder den Wert einer Kennzahl bis zu einem Datum. Nur Sie und Ihre Ausbilder sehen es.</translation>
+    </message>
+    <message>
+        <source>Remove goal</source>
+        <translation>Ziel entfernen</translation>
     </message>
 </context>
 <context>
@@ -11783,12 +11949,12 @@ Kennzahlen: %2</translation>
         <translation>kritisch: %1</translation>
     </message>
     <message>
-        <source>The trace of this attempt was not kept: there is no replay and there are no charts. Its result and its scores are stored.</source>
-        <translation>Die Aufzeichnung dieses Versuchs wurde nicht behalten: Es gibt keine Wiedergabe und keine Kurven. Ergebnis und Wertungen sind gespeichert.</translation>
+        <source>The recording of this attempt was not kept, so there is no replay and there are no charts. The result and the scores are kept.</source>
+        <translation>Die Aufzeichnung dieses Versuchs wurde nicht behalten; darum gibt es keine Wiedergabe und keine Kurven. Ergebnis und Bewertungen sind erhalten.</translation>
     </message>
     <message>
-        <source>External attempt, recorded by: %1. It was imported as a trace: its metrics are shown, there is no scene to replay, no limit judges it, and it never counts towards a standing.</source>
-        <translation>Externer Versuch, aufgezeichnet mit: %1. Er wurde als Aufzeichnung importiert: Seine Kennzahlen werden angezeigt, es gibt keine Szene für eine Wiedergabe, kein Grenzwert bewertet ihn, und er zählt nie für einen Stand.</translation>
+        <source>External attempt, recorded by: %1. Its metrics are shown, but there is no scene to replay. It is not compared with limits and does not count in the curriculum.</source>
+        <translation>Externer Versuch, aufgezeichnet von: %1. Seine Kennzahlen werden gezeigt, aber es gibt keine Szene für eine Wiedergabe. Er wird nicht mit Grenzwerten verglichen und zählt nicht im Curriculum.</translation>
     </message>
 </context>
 <context>
@@ -11802,16 +11968,8 @@ Kennzahlen: %2</translation>
         <translation>Guten Tag, %1</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Als Nächstes</translation>
-    </message>
-    <message>
         <source>Open the briefing</source>
         <translation>Einweisung öffnen</translation>
-    </message>
-    <message>
-        <source>Interrupted before you signed in: %1</source>
-        <translation>Unterbrochen, bevor Sie sich angemeldet haben: %1</translation>
     </message>
     <message>
         <source>%1, %2, %3 recorded: </source>
@@ -11846,10 +12004,6 @@ Kennzahlen: %2</translation>
         <translation>Bestwert %1</translation>
     </message>
     <message>
-        <source>not counting: %1</source>
-        <translation>nicht zählend: %1</translation>
-    </message>
-    <message>
         <source>Briefing</source>
         <translation>Einweisung</translation>
     </message>
@@ -11864,6 +12018,21 @@ Kennzahlen: %2</translation>
     <message>
         <source>Open the replay</source>
         <translation>Wiedergabe öffnen</translation>
+    </message>
+    <message>
+        <source>Recommended next</source>
+        <translation>Als Nächstes empfohlen</translation>
+    </message>
+    <message>
+        <source>Attempts interrupted before you signed in: %1</source>
+        <translation>Versuche, die vor Ihrer Anmeldung unterbrochen wurden: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n do not count</source>
+        <translation>
+            <numerusform>%n zählt nicht</numerusform>
+            <numerusform>%n zählen nicht</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12056,10 +12225,6 @@ Kennzahlen: %2</translation>
         <translation>erhält eine Rolle</translation>
     </message>
     <message>
-        <source>is there already</source>
-        <translation>ist schon da</translation>
-    </message>
-    <message>
         <source>not imported: the account is deactivated</source>
         <translation>nicht importiert: Das Konto ist deaktiviert</translation>
     </message>
@@ -12080,10 +12245,6 @@ Kennzahlen: %2</translation>
         <translation>Importieren</translation>
     </message>
     <message>
-        <source>Import a list</source>
-        <translation>Eine Liste importieren</translation>
-    </message>
-    <message>
         <source>One-time passwords</source>
         <translation>Einmalpasswörter</translation>
     </message>
@@ -12102,10 +12263,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Folder …</source>
         <translation>Ordner …</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Ansehen</translation>
     </message>
     <message>
         <source>List of people</source>
@@ -12163,12 +12320,24 @@ Kennzahlen: %2</translation>
         <translation>Ihre Einmalpasswörter stehen in %1 und gelten 24 Stunden. Geben Sie sie weiter und löschen Sie die Datei.</translation>
     </message>
     <message>
-        <source>A folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. Nobody is renamed, deactivated or removed.</source>
-        <translation>Ein Ordner oder ZIP-Archiv mit OneRoster-CSV-Dateien oder eine CSV-Datei mit den Spalten login, name, role und cohort. Niemand wird umbenannt, deaktiviert oder entfernt.</translation>
-    </message>
-    <message>
         <source>CSV or ZIP (*.csv *.zip)</source>
         <translation>CSV oder ZIP (*.csv *.zip)</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>ist schon vorhanden</translation>
+    </message>
+    <message>
+        <source>Import people from a list</source>
+        <translation>Personen aus einer Liste importieren</translation>
+    </message>
+    <message>
+        <source>Choose a folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. The import only adds accounts and roles; it renames, deactivates and removes nobody.</source>
+        <translation>Einen Ordner oder ein ZIP-Archiv mit OneRoster-CSV-Dateien wählen, oder eine CSV-Datei mit den Spalten login, name, role und cohort. Der Import fügt nur Konten und Rollen hinzu; er benennt niemanden um, deaktiviert und entfernt niemanden.</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 <context>
@@ -12220,10 +12389,6 @@ Kennzahlen: %2</translation>
         <translation>Als Liste zeigen</translation>
     </message>
     <message>
-        <source>Line: the limit; the filled part of the bar meets it. Box: the experts (mean ± one standard deviation). Diamond: your last value with this device. * provisional limit.</source>
-        <translation>Strich: die Grenze; der gefüllte Teil des Balkens erfüllt sie. Kasten: die Experten (Mittelwert ± eine Standardabweichung). Raute: Ihr letzter Wert mit diesem Gerät. * vorläufiger Grenzwert.</translation>
-    </message>
-    <message>
         <source>Show as bars</source>
         <translation>Als Balken zeigen</translation>
     </message>
@@ -12251,6 +12416,22 @@ Kennzahlen: %2</translation>
         <source>Explain: %1</source>
         <translation>Erklären: %1</translation>
     </message>
+    <message>
+        <source>Line: the limit. Green: values that meet it. Box: experts (mean ± one standard deviation). Diamond: your last value with this device. * Provisional limit.</source>
+        <translation>Strich: der Grenzwert. Grün: Werte, die ihn erfüllen. Kasten: Experten (Mittelwert ± eine Standardabweichung). Raute: Ihr letzter Wert mit diesem Gerät. * Vorläufiger Grenzwert.</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>kein Grenzwert</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::KeysCard</name>
@@ -12265,14 +12446,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Mouse in the left hand</source>
         <translation>Maus in der linken Hand</translation>
-    </message>
-    <message>
-        <source>With the mouse in the left hand its buttons change places, and the keys of the hand that it moves are on the right side. Choosing one gives all keys their usual places.</source>
-        <translation>Mit der Maus in der linken Hand tauschen ihre Tasten die Plätze, und die Tasten der bewegten Hand liegen rechts. Die Wahl gibt allen Tasten ihre üblichen Plätze.</translation>
-    </message>
-    <message>
-        <source>Usual keys</source>
-        <translation>Übliche Tasten</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -12291,8 +12464,16 @@ Kennzahlen: %2</translation>
         <translation>%1 ist schon vergeben (%2: %3). Drücken Sie eine andere Taste, oder Escape und ändern Sie zuerst jene.</translation>
     </message>
     <message>
-        <source>Kept for you on this computer, from the next attempt on. They are shown when an attempt begins, and with F1.</source>
-        <translation>Für Sie auf diesem Rechner gespeichert, ab dem nächsten Versuch. Sie werden am Beginn eines Versuchs gezeigt und mit F1.</translation>
+        <source>Saved for you on this computer. A change applies from the next attempt. The keys are shown when an attempt begins, and when you press F1.</source>
+        <translation>Für Sie auf diesem Rechner gespeichert. Eine Änderung gilt ab dem nächsten Versuch. Die Tasten werden am Beginn eines Versuchs und mit F1 gezeigt.</translation>
+    </message>
+    <message>
+        <source>With the mouse in the left hand, its two buttons are swapped, and the keys of the mouse&apos;s hand move to the right side of the keyboard. This choice resets all keys.</source>
+        <translation>Mit der Maus in der linken Hand sind ihre beiden Tasten vertauscht, und die Tasten der Maushand liegen rechts auf der Tastatur. Diese Wahl setzt alle Tasten zurück.</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>Alle Tasten zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -12359,18 +12540,6 @@ Kennzahlen: %2</translation>
         <translation>Grenzwerte</translation>
     </message>
     <message>
-        <source>What attempts are held against, and who would pass under other limits. Nothing is changed here.</source>
-        <translation>Woran Versuche gemessen werden und wer mit anderen Grenzwerten bestehen würde. Hier wird nichts geändert.</translation>
-    </message>
-    <message>
-        <source>Limits of each set; a dot is an attempt</source>
-        <translation>Grenzwerte jedes Satzes; ein Punkt ist ein Versuch</translation>
-    </message>
-    <message>
-        <source>Who would pass under each</source>
-        <translation>Wer mit welchem Satz bestehen würde</translation>
-    </message>
-    <message>
         <source>Set</source>
         <translation>Satz</translation>
     </message>
@@ -12411,20 +12580,12 @@ Kennzahlen: %2</translation>
         <translation>Datei eines Vergleichssatzes</translation>
     </message>
     <message>
-        <source>made by fulcrum benchmark build</source>
-        <translation>erstellt mit fulcrum benchmark build</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Pass mark between two groups</source>
         <translation>Bestehensgrenze zwischen zwei Gruppen</translation>
-    </message>
-    <message>
-        <source>Where an attempt is as likely one of the set&apos;s experts as one of those stored here, if both are spread normally: the method of contrasting groups.</source>
-        <translation>Wo ein Versuch ebenso wahrscheinlich von den Experten des Satzes stammt wie von den hier gespeicherten, wenn beide normalverteilt sind: das Verfahren der kontrastierenden Gruppen.</translation>
     </message>
     <message>
         <source>Metric</source>
@@ -12441,10 +12602,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>No attempt stored here counts under these limits yet.</source>
         <translation>Noch zählt kein hier gespeicherter Versuch unter diesen Grenzwerten.</translation>
-    </message>
-    <message>
-        <source>Attempts that count: %1, by people: %2. The newest %3 are looked at.</source>
-        <translation>Versuche, die zählen: %1, von Personen: %2. Betrachtet werden die neuesten %3.</translation>
     </message>
     <message>
         <source>, not judged: %1</source>
@@ -12471,8 +12628,32 @@ Kennzahlen: %2</translation>
         <translation>Keine Bestehensgrenze: Die Gruppen überdecken sich.</translation>
     </message>
     <message>
-        <source>Pass mark %1. On the passing side of it are %2 % of the attempts here, on the failing side %3 % of the experts&apos;. The limit in force is %4.</source>
-        <translation>Bestehensgrenze %1. Auf der bestandenen Seite liegen %2 % der Versuche hier, auf der anderen %3 % der Versuche der Experten. Der geltende Grenzwert ist %4.</translation>
+        <source>The limits that attempts are compared with, and how many people would pass with other limits. This page changes nothing.</source>
+        <translation>Die Grenzwerte, mit denen Versuche verglichen werden, und wie viele Personen mit anderen bestehen würden. Diese Seite ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Limits of each benchmark set</source>
+        <translation>Grenzwerte jedes Satzes</translation>
+    </message>
+    <message>
+        <source>Who would pass with each set</source>
+        <translation>Wer mit welchem Satz bestehen würde</translation>
+    </message>
+    <message>
+        <source>A file made by the command &quot;fulcrum benchmark build&quot;</source>
+        <translation>Eine Datei, die der Befehl „fulcrum benchmark build“ erstellt hat</translation>
+    </message>
+    <message>
+        <source>The contrasting-groups method: the value at which an attempt is equally likely to come from the set&apos;s experts and from the attempts stored here, if both are normally distributed.</source>
+        <translation>Das Verfahren der kontrastierenden Gruppen: der Wert, bei dem ein Versuch ebenso wahrscheinlich von den Experten des Satzes stammt wie von den hier gespeicherten Versuchen, wenn beide normalverteilt sind.</translation>
+    </message>
+    <message>
+        <source>Each dot is an attempt that counts. Attempts: %1, people: %2; at most the newest %3 attempts.</source>
+        <translation>Jeder Punkt ist ein Versuch, der zählt. Versuche: %1, Personen: %2; höchstens die neuesten %3 Versuche.</translation>
+    </message>
+    <message>
+        <source>Pass mark: %1. With it, %2 % of the attempts here would pass and %3 % of the experts&apos; attempts would fail. The limit in force is %4.</source>
+        <translation>Bestehensgrenze: %1. Damit wären %2 % der Versuche hier bestanden und %3 % der Versuche der Experten nicht bestanden. Der geltende Grenzwert ist %4.</translation>
     </message>
 </context>
 <context>
@@ -12513,10 +12694,6 @@ Kennzahlen: %2</translation>
         <translation>Fulcrum</translation>
     </message>
     <message>
-        <source>Demonstration: the people are not real, and neither are their attempts.</source>
-        <translation>Vorführung: Die Personen sind nicht echt, ihre Versuche ebenso wenig.</translation>
-    </message>
-    <message>
         <source>Acting role</source>
         <translation>Aktive Rolle</translation>
     </message>
@@ -12552,13 +12729,13 @@ Kennzahlen: %2</translation>
         <source>Programme server, read only: attempts, ratings and decisions are made at the stations.</source>
         <translation>Programmserver, nur lesen: Versuche, Bewertungen und Entscheidungen geschehen an den Stationen.</translation>
     </message>
+    <message>
+        <source>Demonstration: the people and their attempts are simulated.</source>
+        <translation>Vorführung: Die Personen und ihre Versuche sind simuliert.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MergeCard</name>
-    <message>
-        <source>Entered twice?</source>
-        <translation>Doppelt eingetragen?</translation>
-    </message>
     <message>
         <source>Account that stays</source>
         <translation>Konto, das bleibt</translation>
@@ -12584,14 +12761,6 @@ Kennzahlen: %2</translation>
         <translation>niemand gewählt</translation>
     </message>
     <message>
-        <source>This account belongs to %1 now. It does not sign in.</source>
-        <translation>Dieses Konto gehört jetzt zu %1. Damit meldet sich niemand an.</translation>
-    </message>
-    <message>
-        <source>Merge this account into the other one of the same person. This login then no longer signs in.</source>
-        <translation>Führen Sie dieses Konto mit dem anderen derselben Person zusammen. Dieser Anmeldename gilt danach nicht mehr.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -12615,6 +12784,18 @@ Kennzahlen: %2</translation>
         <source>The merge was undone.</source>
         <translation>Das Zusammenführen wurde rückgängig gemacht.</translation>
     </message>
+    <message>
+        <source>Does this person have two accounts?</source>
+        <translation>Hat diese Person zwei Konten?</translation>
+    </message>
+    <message>
+        <source>This account was merged into that of %1. It can no longer be used to sign in.</source>
+        <translation>Dieses Konto wurde mit dem von %1 zusammengeführt. Mit ihm kann man sich nicht mehr anmelden.</translation>
+    </message>
+    <message>
+        <source>Merge this account into the other account of the same person. This login can then no longer be used to sign in.</source>
+        <translation>Führen Sie dieses Konto mit dem anderen derselben Person zusammen. Mit diesem Anmeldenamen kann man sich danach nicht mehr anmelden.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MetricsPage</name>
@@ -12627,32 +12808,12 @@ Kennzahlen: %2</translation>
         <translation>höher ist besser</translation>
     </message>
     <message>
-        <source>neither: context only</source>
-        <translation>weder noch: nur zur Einordnung</translation>
-    </message>
-    <message>
-        <source>strong: several studies separate experts from novices with it</source>
-        <translation>stark: Mehrere Studien unterscheiden damit Experten von Anfängern</translation>
-    </message>
-    <message>
-        <source>moderate: one study, or several with small groups</source>
-        <translation>mittel: eine Studie oder mehrere mit kleinen Fallzahlen</translation>
-    </message>
-    <message>
-        <source>expert opinion: no published study separates experts from novices with it</source>
-        <translation>Expertenmeinung: Keine veröffentlichte Studie unterscheidet damit Experten von Anfängern</translation>
-    </message>
-    <message>
         <source>← Back to the attempt</source>
         <translation>← Zurück zum Versuch</translation>
     </message>
     <message>
         <source>Metrics</source>
         <translation>Kennzahlen</translation>
-    </message>
-    <message>
-        <source>What the simulator measures. A gate is a pass criterion of a task: every gate must be met.</source>
-        <translation>Was der Simulator misst. Ein Kriterium entscheidet über das Bestehen einer Aufgabe: Jedes Kriterium muss erfüllt sein.</translation>
     </message>
     <message>
         <source>Search</source>
@@ -12665,10 +12826,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Metric</source>
         <translation>Kennzahl</translation>
-    </message>
-    <message>
-        <source>Better</source>
-        <translation>Besser</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -12698,6 +12855,30 @@ Kennzahlen: %2</translation>
         <source>Name in exports: %1, version %2</source>
         <translation>Name in Exporten: %1, Version %2</translation>
     </message>
+    <message>
+        <source>for information only</source>
+        <translation>nur zur Einordnung</translation>
+    </message>
+    <message>
+        <source>strong (several studies separate experts from novices with it)</source>
+        <translation>stark (mehrere Studien unterscheiden damit Experten von Anfängern)</translation>
+    </message>
+    <message>
+        <source>moderate (one study, or several with small groups)</source>
+        <translation>mittel (eine Studie oder mehrere mit kleinen Fallzahlen)</translation>
+    </message>
+    <message>
+        <source>expert opinion (no published study separates experts from novices with it)</source>
+        <translation>Expertenmeinung (keine veröffentlichte Studie unterscheidet damit Experten von Anfängern)</translation>
+    </message>
+    <message>
+        <source>What the simulator measures. A gate is a pass criterion of a task; to pass, every gate of the task must be met.</source>
+        <translation>Was der Simulator misst. Ein Kriterium entscheidet über das Bestehen einer Aufgabe; zum Bestehen muss jedes Kriterium der Aufgabe erfüllt sein.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MetricsTable</name>
@@ -12714,10 +12895,6 @@ Kennzahlen: %2</translation>
         <translation>%1 erklären</translation>
     </message>
     <message>
-        <source>Select a row to jump to its moment, Explain to read what is measured.</source>
-        <translation>Wählen Sie eine Zeile, um zu ihrem Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>Kennzahl</translation>
     </message>
@@ -12732,10 +12909,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Value</source>
         <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Better</source>
-        <translation>Besser</translation>
     </message>
     <message>
         <source>Why absent</source>
@@ -12768,6 +12941,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>context</source>
         <translation>Einordnung</translation>
+    </message>
+    <message>
+        <source>Select a row to go to its moment, or Explain to read what is measured.</source>
+        <translation>Wählen Sie eine Zeile, um zu ihrem Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
     </message>
 </context>
 <context>
@@ -12936,10 +13117,6 @@ Kennzahlen: %2</translation>
         <translation>%1 von %2 (%3 %, %4 bis %5 %)</translation>
     </message>
     <message>
-        <source>not yet by half</source>
-        <translation>noch nicht die Hälfte</translation>
-    </message>
-    <message>
         <source>%1 days (%2 to %3)</source>
         <translation>%1 Tage (%2 bis %3)</translation>
     </message>
@@ -12968,8 +13145,12 @@ Kennzahlen: %2</translation>
         <translation>Sicher beherrscht nach</translation>
     </message>
     <message>
-        <source>Passed at least once, of those who tried, with the 95 % interval. Days from the first attempt that counts: median over people (Kaplan and Meier), with its 95 % interval. Provisional limits allow a pass, never proficiency.</source>
-        <translation>Mindestens einmal bestanden, von denen, die es versucht haben, mit dem 95-%-Intervall. Tage ab dem ersten Versuch, der zählt: Median über die Personen (Kaplan und Meier) mit seinem 95-%-Intervall. Mit vorläufigen Grenzwerten ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
+        <source>fewer than half so far</source>
+        <translation>bisher weniger als die Hälfte</translation>
+    </message>
+    <message>
+        <source>Passed: people who passed at least once, of those who tried (95 % interval). Days: from a person&apos;s first attempt that counts; median over people by the Kaplan-Meier method (95 % interval). With provisional limits a task can be passed, but nobody becomes proficient.</source>
+        <translation>Bestanden: Personen, die mindestens einmal bestanden haben, von denen, die es versucht haben (95-%-Intervall). Tage: ab dem ersten Versuch einer Person, der zählt; Median über die Personen nach Kaplan und Meier (95-%-Intervall). Mit vorläufigen Grenzwerten ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
     </message>
 </context>
 <context>
@@ -13053,10 +13234,6 @@ Kennzahlen: %2</translation>
         <translation>%1 Versuche</translation>
     </message>
     <message>
-        <source>Half after</source>
-        <translation>Hälfte nach</translation>
-    </message>
-    <message>
         <source>Dashed, and in brackets: the rule in force, %1.</source>
         <translation>Gestrichelt und in Klammern: die geltende Regel, %1.</translation>
     </message>
@@ -13065,8 +13242,12 @@ Kennzahlen: %2</translation>
         <translation>Das ist die geltende Regel.</translation>
     </message>
     <message>
-        <source>Every pass raises a sum, every failure lowers it more, never below 0; a trainee who reaches the limit is proficient.</source>
-        <translation>Jeder bestandene Versuch hebt eine Summe, jeder andere senkt sie stärker, nie unter 0; wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
+        <source>Half are proficient after</source>
+        <translation>Hälfte beherrscht sie nach</translation>
+    </message>
+    <message>
+        <source>LC-CUSUM is a running sum: a pass raises it, a failure lowers it by more, never below 0. A trainee whose sum reaches the limit is proficient.</source>
+        <translation>LC-CUSUM ist eine laufende Summe: Ein bestandener Versuch hebt sie, ein nicht bestandener senkt sie stärker, nie unter 0. Wer die Grenze erreicht, beherrscht die Aufgabe sicher.</translation>
     </message>
 </context>
 <context>
@@ -13237,20 +13418,8 @@ Kennzahlen: %2</translation>
         <translation>Letzte Anmeldung</translation>
     </message>
     <message>
-        <source>Show the people who signed in here in the last 30 days on the sign-in screen</source>
-        <translation>Auf der Anmeldeseite die Personen zeigen, die sich hier in den letzten 30 Tagen angemeldet haben</translation>
-    </message>
-    <message>
         <source>Add a person</source>
         <translation>Person hinzufügen</translation>
-    </message>
-    <message>
-        <source>letters, digits, . _ - @</source>
-        <translation>Buchstaben, Ziffern, . _ - @</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Save</source>
@@ -13294,6 +13463,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>merged</source>
         <translation>zusammengeführt</translation>
     </message>
+    <message>
+        <source>On the sign-in screen, list the people who signed in here in the last 30 days</source>
+        <translation>Auf der Anmeldeseite die Personen zeigen, die sich hier in den letzten 30 Tagen angemeldet haben</translation>
+    </message>
+    <message>
+        <source>Letters, digits and . _ - @</source>
+        <translation>Buchstaben, Ziffern und . _ - @</translation>
+    </message>
+    <message>
+        <source>Add person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PictureCard</name>
@@ -13314,20 +13495,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Der Prozessor zeichnet das Bild, weil OpenGL hier keine Grafikkarte anbietet.</translation>
     </message>
     <message>
-        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that a picture takes less than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again when there is time.</source>
-        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird die Auflösung auf %4 % davon gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
-    </message>
-    <message>
-        <source>Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to as little as %2 %; it rises again when there is time.</source>
-        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie auf bis zu %2 % gesenkt; sie steigt wieder, wenn Zeit ist.</translation>
-    </message>
-    <message>
         <source>Anti-aliasing: 4 samples per pixel.</source>
         <translation>Kantenglättung: 4 Abtastpunkte je Bildpunkt.</translation>
     </message>
     <message>
         <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
         <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
+    </message>
+    <message>
+        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that drawing takes less than %3 ms. If it takes longer, the resolution is reduced, to %4 % of that at the least, and raised again when there is time.</source>
+        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird sie gesenkt, höchstens auf %4 % davon, und wieder angehoben, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Resolution: that of the window. If drawing takes longer than %1 ms, it is reduced, to %2 % at the least, and raised again when there is time.</source>
+        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie gesenkt, höchstens auf %2 %, und wieder angehoben, wenn Zeit ist.</translation>
     </message>
 </context>
 <context>
@@ -13352,20 +13533,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>kein Versuch</translation>
     </message>
     <message>
-        <source>1 on the day</source>
-        <translation>1 am Tag</translation>
-    </message>
-    <message>
-        <source>2 or 3</source>
-        <translation>2 oder 3</translation>
-    </message>
-    <message>
-        <source>4 or more</source>
-        <translation>4 oder mehr</translation>
-    </message>
-    <message>
         <source>Days of practice</source>
         <translation>Übungstage</translation>
+    </message>
+    <message>
+        <source>1 attempt</source>
+        <translation>1 Versuch</translation>
+    </message>
+    <message>
+        <source>2 or 3 attempts</source>
+        <translation>2 oder 3 Versuche</translation>
+    </message>
+    <message>
+        <source>4 attempts or more</source>
+        <translation>4 oder mehr Versuche</translation>
     </message>
 </context>
 <context>
@@ -13389,10 +13570,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Explain</source>
         <translation>Erklären</translation>
-    </message>
-    <message>
-        <source>● passed   ✕ failed   ○ not scored   small: does not count. Device classes are shown separately. Thick line: the fitted curve; its band: where it levels off (95 % interval). Select a point to open the attempt.</source>
-        <translation>● bestanden   ✕ nicht bestanden   ○ nicht ausgewertet   klein: zählt nicht. Geräteklassen werden getrennt gezeigt. Dicke Linie: die angepasste Kurve; ihr Band: wo sie abflacht (95-%-Intervall). Wählen Sie einen Punkt, um den Versuch zu öffnen.</translation>
     </message>
     <message>
         <source>No.</source>
@@ -13439,16 +13616,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Versuch %1, %2: %3, %4</translation>
     </message>
     <message>
-        <source>%1 · counting attempts: %2 · passed: %3</source>
-        <translation>%1 · zählende Versuche: %2 · bestanden: %3</translation>
-    </message>
-    <message>
         <source>limit</source>
         <translation>Grenze</translation>
     </message>
     <message>
         <source>experts (mean ± one standard deviation)</source>
         <translation>Experten (Mittelwert ± eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % interval). Select a point to open the attempt.</source>
+        <translation>● bestanden   ✕ nicht bestanden   ○ nicht ausgewertet   Klein: zählt nicht. Jede Art von Gerät hat ihre eigene Linie. Dicke Linie: angepasste Lernkurve. Band: der Wert, dem sie sich nähert (95-%-Intervall). Wählen Sie einen Punkt, um den Versuch zu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 · %3 of %2 counting attempts passed</source>
+        <translation>%1 · %3 von %2 zählenden Versuchen bestanden</translation>
     </message>
 </context>
 <context>
@@ -13470,10 +13651,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Entwurf verwerfen</translation>
     </message>
     <message>
-        <source>The draft is kept. A rating that was handed in is never changed.</source>
-        <translation>Der Entwurf bleibt erhalten. Eine abgegebene Beurteilung wird nicht mehr geändert.</translation>
-    </message>
-    <message>
         <source>Total: %1</source>
         <translation>Summe: %1</translation>
     </message>
@@ -13484,6 +13661,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Not rated yet: %1.</source>
         <translation>Noch nicht beurteilt: %1.</translation>
+    </message>
+    <message>
+        <source>The draft is saved. After you hand in a rating, it cannot be changed.</source>
+        <translation>Der Entwurf ist gespeichert. Nach der Abgabe kann eine Beurteilung nicht mehr geändert werden.</translation>
     </message>
 </context>
 <context>
@@ -13513,10 +13694,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Beurteilungen (%1)</translation>
     </message>
     <message>
-        <source>Ratings by others: %1. You see them once you have handed in yours.</source>
-        <translation>Beurteilungen anderer: %1. Sie sehen sie, sobald Sie Ihre abgegeben haben.</translation>
-    </message>
-    <message>
         <source>Ratings that are not shown to you: %1.</source>
         <translation>Beurteilungen, die Ihnen nicht gezeigt werden: %1.</translation>
     </message>
@@ -13535,6 +13712,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Ratings that the trainee sees from now on: %1.</source>
         <translation>Neu freigegebene Beurteilungen: %1.</translation>
+    </message>
+    <message>
+        <source>Ratings by others: %1. You will see them when you have handed in yours.</source>
+        <translation>Beurteilungen anderer: %1. Sie sehen sie, sobald Sie Ihre abgegeben haben.</translation>
     </message>
 </context>
 <context>
@@ -14298,14 +14479,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Geplante Berichte</translation>
     </message>
     <message>
-        <source>A report of a cohort that this station writes to a folder once in each day or week (UTC). It is written while the window of a director is open, or by &quot;fulcrum schedule run&quot;.</source>
-        <translation>Ein Bericht einer Kohorte, den diese Station einmal am Tag oder in der Woche (UTC) in einen Ordner schreibt. Er wird geschrieben, während das Fenster einer Leitung offen ist, oder durch „fulcrum schedule run“.</translation>
-    </message>
-    <message>
-        <source>Nothing is scheduled.</source>
-        <translation>Nichts ist geplant.</translation>
-    </message>
-    <message>
         <source>Cohort</source>
         <translation>Kohorte</translation>
     </message>
@@ -14330,22 +14503,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Write what is due</source>
-        <translation>Fällige schreiben</translation>
-    </message>
-    <message>
-        <source>Write this one now</source>
-        <translation>Diesen jetzt schreiben</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
         <source>Folder of the reports</source>
         <translation>Ordner der Berichte</translation>
     </message>
@@ -14362,24 +14519,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Dateien für die Forschung</translation>
     </message>
     <message>
-        <source>The programme&apos;s attempts without names, dates and exact values, as five CSV files with a dictionary. Nothing is shown of fewer than 5 people. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them.</source>
-        <translation>Die Versuche des Programms ohne Namen, Daten und genaue Werte, als fünf CSV-Dateien mit Datenverzeichnis. Von weniger als 5 Personen wird nichts gezeigt. Wer die Versuche einer Person gut kennt, kann sie vielleicht trotzdem erkennen: Geben Sie die Dateien an Forschende und veröffentlichen Sie sie nicht.</translation>
-    </message>
-    <message>
         <source>Folder of the files for research</source>
         <translation>Ordner der Dateien für die Forschung</translation>
-    </message>
-    <message>
-        <source>An existing folder</source>
-        <translation>Ein vorhandener Ordner</translation>
-    </message>
-    <message>
-        <source>Write the files</source>
-        <translation>Dateien schreiben</translation>
-    </message>
-    <message>
-        <source>(the cohort is gone)</source>
-        <translation>(die Kohorte gibt es nicht mehr)</translation>
     </message>
     <message>
         <source>never</source>
@@ -14404,10 +14545,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Scheduled.</source>
         <translation>Geplant.</translation>
-    </message>
-    <message>
-        <source>Another run is under way and writes what is due.</source>
-        <translation>Ein anderer Lauf ist im Gang und schreibt, was fällig ist.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -14436,6 +14573,54 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Writing the files …</source>
         <translation>Die Dateien werden geschrieben …</translation>
     </message>
+    <message>
+        <source>This station writes a report of a cohort to a folder every day or week (UTC). It does so while a director is signed in, or when the command &quot;fulcrum schedule run&quot; is run.</source>
+        <translation>Diese Station schreibt jeden Tag oder jede Woche (UTC) einen Bericht über eine Gruppe in einen Ordner. Sie tut es, während eine Leitung angemeldet ist, oder durch den Befehl „fulcrum schedule run“.</translation>
+    </message>
+    <message>
+        <source>No report is scheduled yet. Add one below.</source>
+        <translation>Noch ist kein Bericht geplant. Fügen Sie unten einen hinzu.</translation>
+    </message>
+    <message>
+        <source>Write reports that are due</source>
+        <translation>Fällige Berichte schreiben</translation>
+    </message>
+    <message>
+        <source>Write selected report now</source>
+        <translation>Gewählten Bericht jetzt schreiben</translation>
+    </message>
+    <message>
+        <source>Remove schedule</source>
+        <translation>Planung entfernen</translation>
+    </message>
+    <message>
+        <source>Add a scheduled report</source>
+        <translation>Einen geplanten Bericht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add report</source>
+        <translation>Bericht hinzufügen</translation>
+    </message>
+    <message>
+        <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a person&apos;s attempts well might still recognise that person, so give the files to researchers only and do not publish them.</source>
+        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Gruppen von weniger als 5 Personen fehlen. Wer die Versuche einer Person gut kennt, könnte sie trotzdem erkennen: Geben Sie die Dateien nur an Forschende, und veröffentlichen Sie sie nicht.</translation>
+    </message>
+    <message>
+        <source>Folder that exists</source>
+        <translation>Ein vorhandener Ordner</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>(cohort no longer exists)</source>
+        <translation>(die Gruppe gibt es nicht mehr)</translation>
+    </message>
+    <message>
+        <source>Another program is already writing the reports that are due.</source>
+        <translation>Ein anderes Programm schreibt die fälligen Berichte bereits.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::SendingCard</name>
@@ -14460,16 +14645,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Umgebungsvariable FULCRUM_OPENIGTLINK nennt beim Start von Fulcrum die Adresse.</translation>
     </message>
     <message>
-        <source>For example to 3D Slicer: poses of instruments and camera, and forces, 60 times a second, without names of people.</source>
-        <translation>Zum Beispiel an 3D Slicer: Lagen von Instrumenten und Kamera sowie Kräfte, 60-mal pro Sekunde, ohne Namen von Personen.</translation>
-    </message>
-    <message>
         <source>Programs on other computers can connect, without a password.</source>
         <translation>Programme auf anderen Computern können sich verbinden, ohne Passwort.</translation>
     </message>
     <message>
         <source>Only programs on this computer can connect.</source>
         <translation>Nur Programme auf diesem Computer können sich verbinden.</translation>
+    </message>
+    <message>
+        <source>For example to 3D Slicer: positions of the instruments and the camera, and forces, 60 times a second. No names are sent.</source>
+        <translation>Zum Beispiel an 3D Slicer: Lagen der Instrumente und der Kamera sowie Kräfte, 60-mal pro Sekunde. Namen werden nicht gesendet.</translation>
     </message>
 </context>
 <context>
@@ -14495,10 +14680,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>The text in the picture of an attempt grows as far as there is room for it.</source>
-        <translation>Die Schrift im Bild eines Versuchs wächst, soweit dort Platz ist.</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -14507,8 +14688,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Umgebungsvariable FULCRUM_LANGUAGE legt die Sprache dieser Station fest. Starten Sie Fulcrum ohne sie, um hier zu wählen.</translation>
     </message>
     <message>
-        <source>They are remembered. All but the keys are the same for everyone who uses this account of the computer.</source>
-        <translation>Sie werden gespeichert. Alle außer den Tasten gelten für jeden, der dieses Konto des Rechners benutzt.</translation>
+        <source>Settings are saved on this computer. All except the keys apply to everyone who uses this account of the operating system.</source>
+        <translation>Die Einstellungen werden auf diesem Rechner gespeichert. Alle außer den Tasten gelten für jeden, der dieses Konto des Betriebssystems benutzt.</translation>
+    </message>
+    <message>
+        <source>During an attempt, the text over the picture grows only as far as there is room.</source>
+        <translation>Während eines Versuchs wächst die Schrift über dem Bild nur, soweit dort Platz ist.</translation>
     </message>
 </context>
 <context>
@@ -14570,16 +14755,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Vorführprogramm</translation>
     </message>
     <message>
-        <source>Attempts that were running when the program last ended: %1. They are listed as interrupted; nothing that was recorded is lost.</source>
-        <translation>Versuche, die beim letzten Ende der Software noch liefen: %1. Sie sind als unterbrochen aufgeführt; von dem, was aufgezeichnet wurde, ist nichts verloren.</translation>
-    </message>
-    <message>
         <source>%1 — %2</source>
         <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>Type your login and your password.</source>
-        <translation>Geben Sie Ihren Anmeldenamen und Ihr Passwort ein.</translation>
     </message>
     <message>
         <source>Signing in …</source>
@@ -14599,6 +14776,17 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
             <numerusform>Ausbilder und Leitung sehen %n weitere lernende Person.</numerusform>
             <numerusform>Ausbilder und Leitung sehen %n weitere Lernende.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</source>
+        <translation>
+            <numerusform>%n Versuch lief noch, als das Programm zuletzt endete. Er ist als unterbrochen aufgeführt; alles bis dahin Aufgezeichnete bleibt erhalten.</numerusform>
+            <numerusform>%n Versuche liefen noch, als das Programm zuletzt endete. Sie sind als unterbrochen aufgeführt; alles bis dahin Aufgezeichnete bleibt erhalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Enter your login and your password.</source>
+        <translation>Geben Sie Ihren Anmeldenamen und Ihr Passwort ein.</translation>
     </message>
 </context>
 <context>
@@ -14696,10 +14884,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Grund</translation>
     </message>
     <message>
-        <source>reason, kept in the audit log</source>
-        <translation>Grund, bleibt im Protokoll</translation>
-    </message>
-    <message>
         <source>Decide</source>
         <translation>Entscheiden</translation>
     </message>
@@ -14731,6 +14915,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Declared proficient.</source>
         <translation>Für sicher beherrscht erklärt.</translation>
     </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::StationPage</name>
@@ -14743,20 +14931,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Sichern</translation>
     </message>
     <message>
-        <source>Writes everything into one file in the background. Keep it on another disk; it is as confidential as the store itself.</source>
-        <translation>Schreibt alles im Hintergrund in eine einzige Datei. Bewahren Sie sie auf einem anderen Datenträger auf; sie ist so vertraulich wie der Datenbestand selbst.</translation>
-    </message>
-    <message>
         <source>Back up …</source>
         <translation>Sichern …</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>Prüfen</translation>
-    </message>
-    <message>
-        <source>Reads the whole store (pages, references, audit log, recordings, scores) and lists any damage.</source>
-        <translation>Liest den ganzen Datenbestand (Seiten, Verweise, Protokoll, Aufzeichnungen, Bewertungen) und führt jeden Schaden auf.</translation>
     </message>
     <message>
         <source>Check the store</source>
@@ -14769,10 +14945,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>How many</source>
-        <translation>Anzahl</translation>
     </message>
     <message>
         <source>What is wrong</source>
@@ -14823,24 +14995,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Schlüssel</translation>
     </message>
     <message>
-        <source>The station signs its audit log with a key, and reports print its name. Change the key when its file may have been copied, or when somebody who could read it leaves. The old key announces the new one; what it signed stays valid.</source>
-        <translation>Der Arbeitsplatz unterschreibt sein Protokoll mit einem Schlüssel, dessen Namen Berichte nennen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann oder wenn jemand geht, der sie lesen konnte. Der alte Schlüssel kündigt den neuen an; was er unterschrieben hat, bleibt gültig.</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Von</translation>
     </message>
     <message>
         <source>Until</source>
         <translation>Bis</translation>
-    </message>
-    <message>
-        <source>How it began</source>
-        <translation>Wie er begann</translation>
-    </message>
-    <message>
-        <source>Why the key is changed</source>
-        <translation>Warum der Schlüssel gewechselt wird</translation>
     </message>
     <message>
         <source>Change the key</source>
@@ -14851,20 +15011,52 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>in Gebrauch</translation>
     </message>
     <message>
-        <source>the first</source>
-        <translation>der erste</translation>
-    </message>
-    <message>
-        <source>✓ announced by the key before it</source>
-        <translation>✓ vom vorigen Schlüssel angekündigt</translation>
-    </message>
-    <message>
-        <source>✕ not announced by the key before it</source>
-        <translation>✕ vom vorigen Schlüssel nicht angekündigt</translation>
-    </message>
-    <message>
         <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
         <translation>Der Arbeitsplatz unterschreibt von jetzt an mit dem Schlüssel %1. Bewahren Sie eine Kopie seiner Datei auf.</translation>
+    </message>
+    <message>
+        <source>Copies the whole store into one file; you can continue to work. Keep the file on another disk. It is as confidential as the store itself.</source>
+        <translation>Kopiert den ganzen Datenbestand in eine einzige Datei; Sie können weiterarbeiten. Bewahren Sie die Datei auf einem anderen Datenträger auf. Sie ist so vertraulich wie der Datenbestand selbst.</translation>
+    </message>
+    <message>
+        <source>Check for damage</source>
+        <translation>Auf Schäden prüfen</translation>
+    </message>
+    <message>
+        <source>Reads the whole store (file pages, references, audit log, recordings and scores) and lists any damage. Nothing is changed.</source>
+        <translation>Liest den ganzen Datenbestand (Seiten der Datei, Verweise, Protokoll, Aufzeichnungen und Bewertungen) und führt jeden Schaden auf. Nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Number checked</source>
+        <translation>Geprüfte Anzahl</translation>
+    </message>
+    <message>
+        <source>Signing key</source>
+        <translation>Signaturschlüssel</translation>
+    </message>
+    <message>
+        <source>The station signs its audit log with this key, and every report names the key. Change it if the key&apos;s file may have been copied, or when a person with access to the file leaves. The old key signs the change, and everything it signed before stays valid.</source>
+        <translation>Die Station signiert ihr Protokoll mit diesem Schlüssel, und jeder Bericht nennt ihn. Wechseln Sie ihn, wenn seine Datei kopiert worden sein kann oder wenn eine Person mit Zugang zu der Datei geht. Der alte Schlüssel signiert den Wechsel; was er vorher signiert hat, bleibt gültig.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>Grund des Wechsels</translation>
+    </message>
+    <message>
+        <source>first key</source>
+        <translation>erster Schlüssel</translation>
+    </message>
+    <message>
+        <source>✓ signed by the previous key</source>
+        <translation>✓ vom vorigen Schlüssel signiert</translation>
+    </message>
+    <message>
+        <source>✕ not signed by the previous key</source>
+        <translation>✕ vom vorigen Schlüssel nicht unterschrieben</translation>
     </message>
 </context>
 <context>
@@ -14874,19 +15066,19 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%1: noch nicht geübt</translation>
     </message>
     <message>
-        <source>%1: attempts %2, passed %3</source>
-        <translation>%1: Versuche %2, bestanden %3</translation>
+        <source>%1: %3 of %2 attempts passed</source>
+        <translation>%1: %3 von %2 Versuchen bestanden</translation>
     </message>
     <message>
-        <source>Go to the briefing</source>
+        <source>Open the briefing</source>
         <translation>Zur Einweisung</translation>
     </message>
     <message>
-        <source>Go to the briefing with this variant</source>
+        <source>Open the briefing with this variant</source>
         <translation>Zur Einweisung mit dieser Variante</translation>
     </message>
     <message>
-        <source>Outcome: %1 · time limit %2</source>
+        <source>Outcome: %1 · Time limit %2</source>
         <translation>Ergebnis: %1 · Zeitlimit %2</translation>
     </message>
 </context>
@@ -15026,14 +15218,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Diesen Versuch abbrechen?</translation>
     </message>
     <message>
-        <source>This attempt is assessed and has begun: if you abandon it, it is failed. Everything recorded so far is kept.</source>
-        <translation>Dieser Versuch wird bewertet und hat begonnen: Wenn Sie ihn abbrechen, ist er nicht bestanden. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
-    </message>
-    <message>
-        <source>It is stored as abandoned and does not count.</source>
-        <translation>Er wird als abgebrochen gespeichert und zählt nicht.</translation>
-    </message>
-    <message>
         <source>Storing the attempt …</source>
         <translation>Versuch wird gespeichert …</translation>
     </message>
@@ -15085,6 +15269,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>&lt;b&gt;F1&lt;/b&gt;&amp;nbsp;all keys</source>
         <translation>&lt;b&gt;F1&lt;/b&gt;&amp;nbsp;alle Tasten</translation>
     </message>
+    <message>
+        <source>This attempt is assessed and has begun. If you abandon it, it counts as failed. Everything recorded so far is kept.</source>
+        <translation>Dieser Versuch wird bewertet und hat begonnen. Wenn Sie ihn abbrechen, gilt er als nicht bestanden. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>This attempt is stored as abandoned and does not count.</source>
+        <translation>Dieser Versuch wird als abgebrochen gespeichert und zählt nicht.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TheatreView</name>
@@ -15131,16 +15323,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Gewebe</translation>
     </message>
     <message>
-        <source>The force at which a blade cuts into a tissue and through it. What you set here applies for attempts that begin afterwards; every attempt keeps the scene that it was performed in.</source>
-        <translation>Die Kraft, bei der eine Klinge in ein Gewebe einschneidet und es durchtrennt. Was Sie hier festlegen, gilt für Versuche, die danach beginnen; jeder Versuch behält die Szene, in der er durchgeführt wurde.</translation>
-    </message>
-    <message>
         <source>Tasks</source>
         <translation>Aufgaben</translation>
-    </message>
-    <message>
-        <source>No task of this programme has tissue that a blade cuts.</source>
-        <translation>Keine Aufgabe dieses Programms hat Gewebe, das eine Klinge schneidet.</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -15159,16 +15343,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Erlaubt</translation>
     </message>
     <message>
-        <source>why (kept in the audit log)</source>
-        <translation>Grund (steht im Protokoll)</translation>
-    </message>
-    <message>
         <source>Reason</source>
         <translation>Grund</translation>
-    </message>
-    <message>
-        <source>Set</source>
-        <translation>Setzen</translation>
     </message>
     <message>
         <source>Reset to the scene&apos;s values</source>
@@ -15218,16 +15394,32 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>The scene&apos;s values apply again.</source>
         <translation>Es gelten wieder die Werte der Szene.</translation>
     </message>
+    <message>
+        <source>The force at which a blade cuts into and through a tissue. A change applies to attempts that begin afterwards; earlier attempts keep the values with which they were performed.</source>
+        <translation>Die Kraft, bei der eine Klinge in ein Gewebe einschneidet und es durchtrennt. Eine Änderung gilt für Versuche, die danach beginnen; frühere behalten die Werte, mit denen sie durchgeführt wurden.</translation>
+    </message>
+    <message>
+        <source>No task of this programme has tissue that can be cut.</source>
+        <translation>Keine Aufgabe dieses Programms hat Gewebe, das geschnitten werden kann.</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
+    <message>
+        <source>Save values</source>
+        <translation>Werte speichern</translation>
+    </message>
+    <message>
+        <source>No values have been set at this site yet: those of the scene apply.</source>
+        <translation>An diesem Standort sind noch keine Werte festgelegt: Es gelten die der Szene.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ToRatePage</name>
     <message>
         <source>Rate attempts</source>
         <translation>Versuche beurteilen</translation>
-    </message>
-    <message>
-        <source>Also those that I have rated</source>
-        <translation>Auch die von mir beurteilten</translation>
     </message>
     <message>
         <source>Task</source>
@@ -15250,16 +15442,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Beurteilungen</translation>
     </message>
     <message>
-        <source>Your ratings</source>
-        <translation>Ihre Beurteilungen</translation>
-    </message>
-    <message>
         <source>Blind</source>
         <translation>Blind</translation>
-    </message>
-    <message>
-        <source>Open to rate</source>
-        <translation>Zum Beurteilen öffnen</translation>
     </message>
     <message>
         <source>draft</source>
@@ -15274,28 +15458,46 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>nein</translation>
     </message>
     <message>
-        <source>Attempts: %1</source>
-        <translation>Versuche: %1</translation>
-    </message>
-    <message>
-        <source>Names and scores are left out here. An attempt whose name and score you have not opened is rated blind. Attempts whose ratings the curriculum waits for come first.</source>
-        <translation>Namen und Bewertungen fehlen hier. Ein Versuch, dessen Namen und Bewertung Sie nicht geöffnet haben, wird blind beurteilt. Versuche, auf deren Beurteilung das Curriculum wartet, stehen zuerst.</translation>
-    </message>
-    <message>
-        <source>Awaited</source>
-        <translation>Erwartet</translation>
-    </message>
-    <message>
         <source>● yes</source>
         <translation>● ja</translation>
     </message>
     <message>
-        <source>The curriculum waits for ratings of this attempt.</source>
-        <translation>Das Curriculum wartet auf Beurteilungen dieses Versuchs.</translation>
+        <source>Names and scores are hidden here. Your rating is blind if you have not opened the attempt&apos;s name and score. Attempts that the curriculum needs ratings of come first.</source>
+        <translation>Namen und Bewertungen sind hier verborgen. Ihre Beurteilung ist blind, wenn Sie Name und Bewertung des Versuchs nicht geöffnet haben. Versuche, deren Beurteilung das Curriculum braucht, stehen zuerst.</translation>
     </message>
     <message>
-        <source>Attempts: %1, awaiting rating: %2</source>
-        <translation>Versuche: %1, davon mit ausstehender Beurteilung: %2</translation>
+        <source>Include attempts that I have rated</source>
+        <translation>Auch Versuche, die ich beurteilt habe</translation>
+    </message>
+    <message>
+        <source>Needed</source>
+        <translation>Gebraucht</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>Ihre</translation>
+    </message>
+    <message>
+        <source>Rate this attempt</source>
+        <translation>Diesen Versuch beurteilen</translation>
+    </message>
+    <message>
+        <source>The curriculum needs ratings of this attempt.</source>
+        <translation>Das Curriculum braucht Beurteilungen dieses Versuchs.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts, %1 awaiting rating</source>
+        <translation>
+            <numerusform>%n Versuch, Beurteilung steht aus: %1</numerusform>
+            <numerusform>%n Versuche, Beurteilung steht aus: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15329,18 +15531,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Einheit in der Datei</translation>
     </message>
     <message>
-        <source>Import a trace from elsewhere</source>
-        <translation>Aufzeichnung von anderswo importieren</translation>
-    </message>
-    <message>
-        <source>A recording of a box trainer, a robot or another simulator. It is measured and shown as external; no limits judge it and it counts for no standing.</source>
-        <translation>Eine Aufzeichnung eines Boxtrainers, eines Roboters oder eines anderen Simulators. Sie wird gemessen und als extern gezeigt; kein Grenzwert bewertet sie, und sie zählt für keinen Stand.</translation>
-    </message>
-    <message>
-        <source>Trace file</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
         <source>Format of the file</source>
         <translation>Format der Datei</translation>
     </message>
@@ -15371,10 +15561,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Another mapping file …</source>
         <translation>Andere Zuordnungsdatei …</translation>
-    </message>
-    <message>
-        <source>Traces (*.csv *.txt *.tsv *.xml)</source>
-        <translation>Aufzeichnungen (*.csv *.txt *.tsv *.xml)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -15448,6 +15634,22 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
         <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
     </message>
+    <message>
+        <source>Import a recording from another system</source>
+        <translation>Aufzeichnung aus einem anderen System importieren</translation>
+    </message>
+    <message>
+        <source>A recording from a box trainer, a robot or another simulator. It is measured and marked as external. It is not compared with limits and does not count in the curriculum.</source>
+        <translation>Eine Aufzeichnung eines Boxtrainers, eines Roboters oder eines anderen Simulators. Sie wird gemessen und als extern gekennzeichnet. Sie wird nicht mit Grenzwerten verglichen und zählt nicht im Curriculum.</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.txt *.tsv *.xml)</source>
+        <translation>Aufzeichnungen (*.csv *.txt *.tsv *.xml)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TracePanel</name>
@@ -15480,16 +15682,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Was geschah</translation>
     </message>
     <message>
-        <source>penalties only</source>
-        <translation>nur Fehler</translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation>nichts</translation>
     </message>
     <message>
         <source>limit, %1</source>
         <translation>Grenze, %1</translation>
+    </message>
+    <message>
+        <source>Penalties only</source>
+        <translation>Nur Fehler</translation>
     </message>
 </context>
 <context>
@@ -15780,6 +15982,53 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::certificate</name>
+    <message>
+        <source>%1: proficient since %2, by decision of an educator</source>
+        <translation>%1: sicher beherrscht seit %2, durch Entscheidung eines Ausbilders</translation>
+    </message>
+    <message>
+        <source>%1: proficient since %2</source>
+        <translation>%1: sicher beherrscht seit %2</translation>
+    </message>
+    <message>
+        <source>Certificate of %1</source>
+        <translation>Zertifikat von %1</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>has completed stage %1, %2, of the curriculum %3 on %4.</source>
+        <translation>hat die Stufe %1, %2, des Curriculums %3 am %4 abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Proficiency is declared by the rule of the curriculum (%1) or by an educator; limits from synthetic operators never declare it. It is checked again after 14, 30, 91 and 182 days.</source>
+        <translation>„Sicher beherrscht“ wird nach der Regel des Curriculums (%1) oder durch einen Ausbilder festgestellt, nie mit Grenzwerten von simulierten Operateuren. Nach 14, 30, 91 und 182 Tagen wird es erneut geprüft.</translation>
+    </message>
+    <message>
+        <source>Director of the programme</source>
+        <translation>Programmleitung</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Check code %1</source>
+        <translation>Prüfcode %1</translation>
+    </message>
+    <message>
+        <source>The programme verifies it with: fulcrum certificate --verify %1 --as LOGIN. The code is valid while every proficiency above is in force.</source>
+        <translation>Das Programm prüft ihn mit: fulcrum certificate --verify %1 --as ANMELDENAME. Der Code ist gültig, solange alles oben Genannte sicher beherrscht wird.</translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation>Person %1</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::concerns</name>
     <message>
         <source>%1: proficiency was lost; latest attempt on %2.</source>
@@ -15798,7 +16047,7 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%1: %n Versuche, noch nicht sicher beherrscht.</translation>
     </message>
     <message>
-        <source>No practice for %n days, since %1, and tasks are left.</source>
+        <source>No practice for %n days, since %1, and tasks remain.</source>
         <translation>Keine Übung seit %n Tagen, seit %1, und es sind noch Aufgaben offen.</translation>
     </message>
 </context>
@@ -16137,14 +16386,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Kurve erreicht ein Plateau bei %1 (95-%-Intervall %2 bis %3).</translation>
     </message>
     <message>
-        <source>It does not meet the limit of %1: something has to change.</source>
-        <translation>Sie erfüllt den Grenzwert %1 nicht: Etwas muss sich ändern.</translation>
-    </message>
-    <message>
-        <source>It meets the limit of %1 since attempt %2.</source>
-        <translation>Sie erfüllt den Grenzwert %1 seit Versuch %2.</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
@@ -16159,6 +16400,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>A learning curve is shown from %1 completed attempts on.</source>
         <translation>Eine Lernkurve wird ab %1 abgeschlossenen Versuchen gezeigt.</translation>
+    </message>
+    <message>
+        <source>At this level it does not meet the limit of %1. Discuss with your educator what to change.</source>
+        <translation>Damit erfüllt sie den Grenzwert %1 nicht. Besprechen Sie mit Ihrem Ausbilder, was Sie ändern sollten.</translation>
+    </message>
+    <message>
+        <source>It has met the limit of %1 since attempt %2.</source>
+        <translation>Sie erfüllt den Grenzwert %1 seit Versuch %2.</translation>
     </message>
 </context>
 <context>
@@ -16180,36 +16429,36 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Keine Aufgabe des Curriculums ist freigegeben.</translation>
     </message>
     <message>
-        <source>You are proficient in it; a check is due since %1.</source>
-        <translation>Sie beherrschen diese Aufgabe sicher; eine Kontrolle ist seit %1 fällig.</translation>
-    </message>
-    <message>
-        <source>Your results have fallen below proficiency; three passes in four attempts restore it.</source>
-        <translation>Ihre Ergebnisse reichen nicht mehr für „sicher beherrscht“; drei bestandene von vier Versuchen stellen es wieder her.</translation>
-    </message>
-    <message>
         <source>You have not tried this task of the stage %1 yet.</source>
         <translation>Diese Aufgabe der Stufe %1 haben Sie noch nicht versucht.</translation>
     </message>
     <message>
-        <source>Of the tasks left in the stage %1 it is the one you have not practised for longest (%2).</source>
+        <source>Your curve in %1 levels off below the pass mark, and %2 is %3 (median of your latest attempts: %4): %5.</source>
+        <translation>Ihre Kurve in %1 erreicht ein Plateau unter der Bestehensgrenze, und %2 liegt %3 (Median Ihrer letzten Versuche: %4): %5.</translation>
+    </message>
+    <message>
+        <source>You are proficient in this task. A retention check has been due since %1.</source>
+        <translation>Sie beherrschen diese Aufgabe sicher. Eine Kontrolle ist seit %1 fällig.</translation>
+    </message>
+    <message>
+        <source>Your results have fallen below proficiency. Three passes in four attempts restore it.</source>
+        <translation>Ihre Ergebnisse reichen nicht mehr für „sicher beherrscht“. Drei bestandene von vier Versuchen stellen es wieder her.</translation>
+    </message>
+    <message>
+        <source>Of the tasks left in the stage %1, you practised this one least recently (%2).</source>
         <translation>Von den übrigen Aufgaben der Stufe %1 haben Sie diese am längsten nicht geübt (%2).</translation>
     </message>
     <message>
-        <source>What is left cannot be assessed with mouse and keyboard; you can practise this task.</source>
-        <translation>Was noch übrig ist, kann mit Maus und Tastatur nicht bewertet werden; diese Aufgabe können Sie üben.</translation>
+        <source>The remaining tasks cannot be assessed with mouse and keyboard, but you can practise this one.</source>
+        <translation>Die übrigen Aufgaben können mit Maus und Tastatur nicht bewertet werden, aber diese können Sie üben.</translation>
     </message>
     <message>
-        <source>Every task is done; this is the one that you performed longest ago (%1).</source>
+        <source>The remaining tasks await ratings by your educators. Until then you can practise this one.</source>
+        <translation>Für die übrigen Aufgaben fehlen Beurteilungen durch Ihre Ausbilder. Bis dahin können Sie diese üben.</translation>
+    </message>
+    <message>
+        <source>You have completed every task. You performed this one least recently (%1).</source>
         <translation>Alle Aufgaben sind erledigt; bei dieser liegt Ihr letzter Versuch am längsten zurück (%1).</translation>
-    </message>
-    <message>
-        <source>What is left waits for the ratings of your educators; until then you can practise this task.</source>
-        <translation>Was noch fehlt, sind Beurteilungen durch Ihre Ausbilder; bis dahin können Sie diese Aufgabe üben.</translation>
-    </message>
-    <message>
-        <source>Your curve in %1 levels off below the pass mark, and %2 is %3 (median of your latest attempts: %4): %5.</source>
-        <translation>Ihre Kurve in %1 erreicht ein Plateau unter der Bestehensgrenze, und %2 liegt %3 (Median Ihrer letzten Versuche: %4): %5.</translation>
     </message>
 </context>
 <context>
@@ -16386,6 +16635,17 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::report_export</name>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Der Bericht wird geschrieben …</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::standing</name>
     <message>
         <source>d MMM yyyy</source>
@@ -16440,18 +16700,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Nächste Kontrolle am %1.</translation>
     </message>
     <message>
-        <source>Two passes on one day complete it.</source>
-        <translation>Zwei bestandene Versuche an einem Tag schließen sie ab.</translation>
-    </message>
-    <message>
-        <source>Three passes in four attempts restore it.</source>
-        <translation>Drei bestandene von vier Versuchen stellen es wieder her.</translation>
-    </message>
-    <message>
-        <source>The rule is met on provisional limits: later tasks unlock, but nobody is declared proficient.</source>
-        <translation>Die Regel ist mit vorläufigen Grenzwerten erfüllt: Spätere Aufgaben werden freigegeben, aber für niemanden wird „sicher beherrscht“ festgestellt.</translation>
-    </message>
-    <message>
         <source>Pass once more on another day.</source>
         <translation>Bestehen Sie noch einmal an einem anderen Tag.</translation>
     </message>
@@ -16468,10 +16716,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%n Versuche, noch nicht sicher beherrscht: Fragen Sie Ihren Ausbilder.</translation>
     </message>
     <message>
-        <source>%1 % of the way to proficiency.</source>
-        <translation>%1 % des Weges bis „sicher beherrscht“.</translation>
-    </message>
-    <message>
         <source>passed, awaiting rating</source>
         <translation>bestanden, Beurteilung steht aus</translation>
     </message>
@@ -16484,8 +16728,24 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Beurteilungen des Versuchs vom %1 liegen unter der Grenze: Der nächste bestandene Versuch, mit dem die Regel erfüllt ist, wird beurteilt.</translation>
     </message>
     <message>
-        <source>The limits are provisional, and passes on them do not complete it: ask your educator.</source>
-        <translation>Die Grenzwerte sind vorläufig, und mit ihnen bestandene Versuche schließen sie nicht ab: Fragen Sie Ihren Ausbilder.</translation>
+        <source>The check cannot be completed while the limits of this task are provisional. An educator can decide.</source>
+        <translation>Solange die Grenzwerte dieser Aufgabe vorläufig sind, kann die Kontrolle nicht abgeschlossen werden. Ein Ausbilder kann entscheiden.</translation>
+    </message>
+    <message>
+        <source>Pass twice on one day to complete the check.</source>
+        <translation>Bestehen Sie zweimal an einem Tag, um die Kontrolle abzuschließen.</translation>
+    </message>
+    <message>
+        <source>Three passes in four attempts restore proficiency.</source>
+        <translation>Drei bestandene von vier Versuchen stellen „sicher beherrscht“ wieder her.</translation>
+    </message>
+    <message>
+        <source>You have enough passes, but the limits are provisional: later tasks are unlocked, and proficiency is not declared.</source>
+        <translation>Genug Versuche sind bestanden, aber die Grenzwerte sind vorläufig: Spätere Aufgaben sind freigegeben, „sicher beherrscht“ wird nicht festgestellt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the way to proficiency</source>
+        <translation>%1 % des Weges bis „sicher beherrscht“</translation>
     </message>
 </context>
 <context>
@@ -16573,6 +16833,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 at version %2; %3</source>
         <translation>%1 in Version %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 simulated experts, benchmark set %2</source>
+        <translation>%1 simulierte Experten, Satz %2</translation>
+    </message>
+    <message>
+        <source>%1 experts, benchmark set %2</source>
+        <translation>%1 Experten, Satz %2</translation>
+    </message>
+    <message>
+        <source>; the worst value that counts</source>
+        <translation>; der schlechteste Wert, der zählt</translation>
     </message>
 </context>
 <context>
