@@ -80,6 +80,7 @@ void AttemptsPage::enter() {
     cohort_->setVisible(!own);
     person_->setVisible(!own);
     table_->setColumnHidden(0, own);  // a trainee sees their own
+    hide_end(table_->isColumnHidden(4));
     fill_requests();
     fill_cut_off();
     load();
@@ -233,6 +234,12 @@ void AttemptsPage::resizeEvent(QResizeEvent* event) {
     Page::resizeEvent(event);
     const bool narrow = width() < 130 * fontMetrics().averageCharWidth();
     for (const int column : {4, 6}) table_->setColumnHidden(column, narrow);
+    hide_end(narrow);
+}
+
+// How it ended is seen in the result as well, where the names of people need the room.
+void AttemptsPage::hide_end(bool narrow) {
+    table_->setColumnHidden(5, narrow && !table_->isColumnHidden(0));
 }
 
 void AttemptsPage::fill_requests() {

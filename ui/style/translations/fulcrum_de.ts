@@ -14664,11 +14664,11 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Open the briefing</source>
-        <translation>Zur Einweisung</translation>
+        <translation>Einweisung öffnen</translation>
     </message>
     <message>
         <source>Open the briefing with this variant</source>
-        <translation>Zur Einweisung mit dieser Variante</translation>
+        <translation>Einweisung mit dieser Variante öffnen</translation>
     </message>
     <message>
         <source>Outcome: %1 · Time limit %2</source>
