@@ -80,7 +80,7 @@ void AttemptsPage::enter() {
     cohort_->setVisible(!own);
     person_->setVisible(!own);
     table_->setColumnHidden(0, own);  // a trainee sees their own
-    hide_end(table_->isColumnHidden(4));
+    hide_columns();
     fill_requests();
     fill_cut_off();
     load();
@@ -229,17 +229,18 @@ void AttemptsPage::fill_filters() {
     refill(task_, tr("All tasks"), tasks);
 }
 
-// In a narrow window the figures that decide stay: the debrief has the others.
 void AttemptsPage::resizeEvent(QResizeEvent* event) {
     Page::resizeEvent(event);
-    const bool narrow = width() < 130 * fontMetrics().averageCharWidth();
-    for (const int column : {4, 6}) table_->setColumnHidden(column, narrow);
-    hide_end(narrow);
+    hide_columns();
 }
 
-// How it ended is seen in the result as well, where the names of people need the room.
-void AttemptsPage::hide_end(bool narrow) {
-    table_->setColumnHidden(5, narrow && !table_->isColumnHidden(0));
+// In a narrow window the figures that decide stay: the debrief has the others. How an attempt ended is seen
+// in its result as well, where the names of people need the room.
+void AttemptsPage::hide_columns() {
+    const bool people = !table_->isColumnHidden(0);
+    const bool narrow = width() < (people ? 165 : 130) * fontMetrics().averageCharWidth();
+    for (const int column : {4, 6}) table_->setColumnHidden(column, narrow);
+    table_->setColumnHidden(5, narrow && people);
 }
 
 void AttemptsPage::fill_requests() {

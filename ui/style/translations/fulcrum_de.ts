@@ -10391,7 +10391,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metrics</source>
-        <translation>Messgrößen</translation>
+        <translation>Kennzahlen</translation>
     </message>
     <message>
         <source>Stopped. Choose again what to compare with.</source>
@@ -10479,7 +10479,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>; metrics of this attempt alone</source>
-        <translation>; nur Messgrößen dieses Versuchs</translation>
+        <translation>; nur Kennzahlen dieses Versuchs</translation>
     </message>
     <message>
         <source>; other attempt %1 / %2</source>
@@ -10502,7 +10502,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation>Messgröße</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>Hand</source>
@@ -10526,7 +10526,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Differences of the metrics</source>
-        <translation>Unterschiede der Messgrößen</translation>
+        <translation>Unterschiede der Kennzahlen</translation>
     </message>
     <message>
         <source>left</source>
@@ -12297,7 +12297,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation>Messgröße</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>%1 holds the set %2; this page compares sets of %3. Choose its task and devices above first.</source>
