@@ -77,7 +77,7 @@ json to_json(const CurriculumChange& change) {
 int run_move(const Arguments& arguments) {
     if (!arguments.has("--to"))
         throw UsageError("--to", QT_TRANSLATE_NOOP("errors", "is missing"),
-                         QT_TRANSLATE_NOOP("errors", "name the version: --to rectal@2"));
+                         QT_TRANSLATE_NOOP("errors", "name the version: --to rectal@3"));
     const bool dry = arguments.has("--dry-run");
     if (!dry && !arguments.has("--reason"))
         throw UsageError("--reason", QT_TRANSLATE_NOOP("errors", "is missing"),
@@ -140,7 +140,7 @@ std::vector<Command> curricula_commands() {
                            "Moves a person or a cohort to another version of the curriculum; needs --as."),
          joined({{"--person", "LOGIN", QT_TRANSLATE_NOOP("commands", "Move this person.")},
                  {"--cohort", "NAME", QT_TRANSLATE_NOOP("commands", "Move everybody in this cohort.")},
-                 {"--to", "VERSION", QT_TRANSLATE_NOOP("commands", "The version, such as rectal@2.")},
+                 {"--to", "VERSION", QT_TRANSLATE_NOOP("commands", "The version, such as rectal@3.")},
                  {"--dry-run", "",
                   QT_TRANSLATE_NOOP("commands", "Print which standings would change and move nobody.")},
                  {"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "Why; kept in the audit log.")}},

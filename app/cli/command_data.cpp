@@ -8,9 +8,9 @@
 
 #include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
+#include "app/cli/installed_curriculum.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
-#include "assessment/curriculum/curriculum.h"
 #include "assessment/curriculum/rating_rule.h"
 #include "assessment/forms/observer_form.h"
 #include "assessment/metrics/metrics_json.h"
@@ -144,7 +144,11 @@ std::string check_curriculum(const std::string& text, const std::string& file) {
     Curriculum curriculum = parse_curriculum(text, file, task_ids());
     curriculum.file = file;
     check_ratings(curriculum, load_forms(asset_path("forms")));
-    return "curriculum " + curriculum.name();
+    check_remedies(curriculum, all_installed_tasks());
+    std::size_t remedies = 0;
+    for (const CurriculumTask& task : curriculum.tasks) remedies += task.remedies.size();
+    return "curriculum " + curriculum.name() +
+           (remedies == 0 ? "" : ", remedies: " + std::to_string(remedies));
 }
 
 std::string check_text(const std::string& text, const std::string& file) {

@@ -131,16 +131,19 @@ DeviceClass class_of(const Arguments& arguments, std::optional<OperatorLevel> le
     return level ? DeviceClass::synthetic : DeviceClass::external;
 }
 
-/// Three significant digits, with a decimal point.
-std::string three_digits(double value, bool with_sign) {
-    std::ostringstream text;
-    text << std::setprecision(3) << (with_sign ? std::showpos : std::noshowpos) << value;
-    return text.str();
+/// Three significant digits, with the decimal sign of the reader's language.
+Sentence three_digits(double value, bool with_sign) {
+    std::ostringstream stream;
+    stream << std::setprecision(3) << (with_sign ? std::showpos : std::noshowpos) << value;
+    const std::string text = stream.str();
+    const std::size_t point = text.find('.');
+    if (point == std::string::npos) return text;
+    return {QT_TRANSLATE_NOOP("commands", "%1.%2"), text.substr(0, point), text.substr(point + 1)};
 }
 
 /// "standard 46.2 ms of processor time for one second, ..."
 Sentence cost_text(const FidelityCost& cost) {
-    const std::string time = three_digits(cost.processor_ms, false);
+    const Sentence time = three_digits(cost.processor_ms, false);
     if (cost.fidelity == finest_fidelity())
         return {QT_TRANSLATE_NOOP("commands", "%1 %2 ms of processor time for one second, the reference"),
                 cost.fidelity, time};

@@ -151,8 +151,9 @@ int import_cohorts(const Arguments& arguments) {
 std::vector<Command> roster_commands() {
     const std::string details = QT_TRANSLATE_NOOP(
         "commands",
-        "PATH is a folder with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or "
-        "one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is "
+        "PATH is a folder or ZIP archive with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, "
+        "roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. "
+        "Nobody is "
         "renamed, deactivated or removed, so an import can be repeated.");
     Command people{"people import",
                    "PATH",

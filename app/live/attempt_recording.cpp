@@ -2,9 +2,9 @@
 #include "app/live/attempt_recording.h"
 
 #include <chrono>
+#include <cmath>
 
 #include "database/records/attempts.h"
-#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -46,7 +46,8 @@ void AttemptRecording::append(const Event& event) {
 
 void AttemptRecording::stood_still(double seconds) {
     if (!request_.assessed || practice_) return;
-    why_practice_ = "the program stood still for " + decimal_text(seconds, 1) + " s";
+    why_practice_ =
+        Statement(StatementId::practice_stood_still, {{"seconds", std::round(10 * seconds) / 10}});
     keep_now_ = lost_now_ = came_back_ = true;
 }
 

@@ -47,7 +47,7 @@ class AttemptRecording {
     database::Recorder recorder_;
     std::uint32_t flushed_tick_ = 0;
     bool keep_now_ = false, lost_now_ = false, came_back_ = false, practice_ = false;
-    std::string why_practice_ = "a device was lost and came back";
+    Statement why_practice_ = StatementId::practice_device_lost;
     /// Whether what was recorded before the first loss is failed; computed on a thread of its own.
     std::shared_future<bool> failed_before_;
 };

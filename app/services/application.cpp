@@ -73,7 +73,8 @@ class Services : public ui::ApplicationServices {
     const Curriculum& curriculum() const override { return curricula_.back(); }
     void publish_curriculum(const database::Session& session, const std::string& text,
                             const std::string& reason) override {
-        database::publish_curriculum(*store_, session, {asset_path("curricula"), task_ids(), forms()},
+        database::publish_curriculum(*store_, session,
+                                     {asset_path("curricula"), all_installed_tasks(), forms()},
                                      curriculum().id, text, reason);
         curricula_.push_back(installed_curriculum());
     }

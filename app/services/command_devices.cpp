@@ -13,6 +13,7 @@
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
 #include "app/services/program.h"
+#include "sim_core/devices/device_table.h"
 #include "sim_core/numerics/number_text.h"
 #include "ui/shell/devices_card.h"
 #include "ui/style/text.h"
@@ -136,37 +137,31 @@ int test_controller(const Arguments& arguments, const std::string& named) {
 
 /// What is no device for this test is named before anything is opened.
 void require_testable(const std::string& specification) {
-    constexpr const char* testable[] = {"touch",       "force-dimension", "haply",  "controller",
-                                        "openigtlink", "space-mouse",     "virtual"};
     const std::string place = "--test " + specification;
     const std::size_t colon = specification.find(':');
-    const std::string kind = specification.substr(0, colon);
-    if (kind == "mouse-keyboard" || kind == "two-mice")
+    const DeviceRow* const row = device_row(specification);
+    if (row != nullptr && row->read_by == ReadBy::window)
         throw UsageError(place, QT_TRANSLATE_NOOP("errors", "needs a window: mice and keys are read there"),
                          QT_TRANSLATE_NOOP("errors", "start fulcrum and try it on the page Settings"));
-    if (kind == "virtual" && (colon == std::string::npos || colon + 1 == specification.size()))
+    if (row != nullptr && row->found_by == FoundBy::script &&
+        (colon == std::string::npos || colon + 1 == specification.size()))
         throw UsageError(place, QT_TRANSLATE_NOOP("errors", "names no script"),
                          QT_TRANSLATE_NOOP("errors", "write --test virtual:SCRIPT.json"));
-    std::string names;
-    for (const char* one : testable) {
-        if (kind == one) return;
-        names += (names.empty() ? "" : ", ") + std::string(one);
-    }
-    std::string small = kind;
+    if (row != nullptr) return;
+    std::string small = specification.substr(0, colon);
     for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const bool capitals =
-        std::any_of(std::begin(testable), std::end(testable), [&](const char* one) { return small == one; });
-    if (capitals)
+    const DeviceRow* const meant = device_row(small);
+    if (meant != nullptr && meant->read_by != ReadBy::window)
         throw UsageError(place, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
                          {QT_TRANSLATE_NOOP("errors", "write it in small letters: --test %1"), small});
-    throw UsageError(
-        place, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
-        {QT_TRANSLATE_NOOP("errors", "use one of %1; `fulcrum devices` lists what is connected"), names});
+    throw UsageError(place, QT_TRANSLATE_NOOP("errors", "is not the name of a kind of device"),
+                     {QT_TRANSLATE_NOOP("errors", "use one of %1; `fulcrum devices` lists what is connected"),
+                      typed_devices(false)});
 }
 
 int test_device(const Arguments& arguments, const std::string& specification) {
     require_testable(specification);
-    if (specification == "controller" || specification.rfind("controller:", 0) == 0)
+    if (device_row(specification)->read_by == ReadBy::program)
         return test_controller(arguments, specification);
     if (arguments.has("--rumble"))
         throw UsageError("--rumble", QT_TRANSLATE_NOOP("errors", "is for game controllers"),
@@ -218,11 +213,10 @@ Command devices_command() {
         QT_TRANSLATE_NOOP(
             "commands",
             "Lists the devices for the hands: what is connected, what is not, why and what to do."),
-        {{"--test", "DEVICE",
-          QT_TRANSLATE_NOOP(
-              "commands",
-              "Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, "
-              "space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.")},
+        {{"--test",
+          "DEVICE",
+          {QT_TRANSLATE_NOOP("commands", "Open this device (%1) and measure rate, jitter and delays."),
+           typed_devices(false)}},
          {"--seconds", "S", QT_TRANSLATE_NOOP("commands", "How long the test lasts: 1 to 3600."), "5"},
          {"--force", "",
           QT_TRANSLATE_NOOP("commands",

@@ -13,65 +13,92 @@
 
 #include "sim_core/controllers/sdl_library.h"
 #include "sim_core/devices/daemon_client.h"
+#include "sim_core/devices/device_table.h"
 #include "sim_core/devices/spacenavd_socket.h"
-#include "sim_core/igtl/connection.h"
 #include "ui/theatre/two_mice.h"
 
 namespace fulcrum::app {
 namespace {
-
-constexpr const char* space_mouse_vendor = "256f";
-constexpr int haply_port = 10001, older_haply_port = 10000;
 
 std::string words_of(const UsbDevice& device) {
     return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +
            device.product + ")";
 }
 
-void no_daemon(ListedDevice& device, const std::string& daemon, int error) {
-    device.state = DeviceState::absent;
-    device.why = daemon + ": " + std::strerror(error);
-    device.what_to_do = QT_TRANSLATE_NOOP(
-        "fulcrum::device_list", "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD");
+void not_found(const DeviceRow& row, ListedDevice& listed) {
+    listed.why = row.absent;
+    listed.what_to_do = row.connect;
 }
 
-/// A device that a library of its maker drives.
-ListedDevice driven_by_library(const VendorDriver& driver, const Machine& machine,
-                               const std::vector<UsbDevice>& connected) {
-    ListedDevice listed{driver.kind, driver.title, DeviceClass::haptic, {}, {}, {}, {}, {}};
-    std::string closed;
-    for (const UsbDevice& device : connected) {
-        if (!is_of(driver, device)) continue;
-        listed.found.push_back(words_of(device));
-        for (const std::string& node : device.nodes)
-            if (!machine.may_open(node)) closed = node;
+/// How the person names it, with the address that was found.
+void can_be_used(const std::string& typed, ListedDevice& listed) {
+    listed.state = DeviceState::usable;
+    listed.found.push_back("FULCRUM_DEVICE=" + typed);
+}
+
+void see_screen(const DeviceRow& row, const Machine& machine, ListedDevice& listed) {
+    if (machine.display)
+        listed.state = DeviceState::usable;
+    else
+        not_found(row, listed);
+}
+
+void see_mice(const DeviceRow& row, const Machine& machine, ListedDevice& listed) {
+    listed.found = machine.mice;
+    if (machine.mice.size() >= 2) {
+        listed.state = DeviceState::usable;
+    } else if (machine.mice.empty()) {
+        not_found(row, listed);
+    } else {
+        listed.state = DeviceState::connected;
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "one mouse only");
+        listed.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list", "connect a second mouse");
     }
-    listed.state = listed.found.empty() ? DeviceState::absent : DeviceState::connected;
-    if (access(machine.daemon.c_str(), X_OK) != 0) {
-        const DeviceState state = listed.state;
-        no_daemon(listed, machine.daemon, errno);
-        listed.state = state;
-        return listed;
+}
+
+void see_controllers(const DeviceRow& row, const ControllerLook& look, ListedDevice& listed) {
+    using namespace controllers;
+    bool known = false;
+    for (const ConnectedController& one : look.connected) {
+        listed.found.push_back(one.name);
+        known = known || one.known;
     }
-    const LibraryLook look = machine.look(driver.kind);
+    if (look.library.state != LibraryState::ready) {
+        listed.why = sdl_problem(look.library.state);
+        listed.detail = look.library.detail;
+        listed.what_to_do = sdl_hint(look.library.state);
+    } else if (known) {
+        can_be_used(row.name, listed);
+    } else if (!listed.found.empty()) {
+        listed.state = DeviceState::connected;
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL does not know its sticks and buttons");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list", "set SDL_GAMECONTROLLERCONFIG to its mapping, or use another controller");
+    } else {
+        not_found(row, listed);
+        if (!look.failure.empty())
+            listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL 2 does not start");
+        listed.detail = look.failure;
+    }
+}
+
+/// A device that a library of its maker drives. `closed`: a file of it that may not be opened.
+void see_library(const DeviceRow& row, const Machine& machine, const std::string& closed,
+                 ListedDevice& listed) {
+    const LibraryLook look = machine.look(row.name);
     if (look.state != LibraryState::ready) {
         listed.why = problem_of(look.state);
         listed.detail = look.detail;
-        listed.what_to_do = hint_of(driver, look.state);
+        listed.what_to_do = hint_of(row, look.state);
     } else if (listed.found.empty()) {
-        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "no USB device of this kind was found");
-        listed.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list",
-                                              "connect it and its power supply; a model for a network card "
-                                              "can be tried with `fulcrum devices --test`");
+        not_found(row, listed);
     } else if (!closed.empty()) {
         listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "you have no permission to open the device");
         listed.detail = closed;
-        listed.what_to_do = driver.rule;
+        listed.what_to_do = row.rule;
     } else {
-        listed.state = DeviceState::usable;
-        listed.found.push_back("FULCRUM_DEVICE=" + std::string(driver.kind));
+        can_be_used(row.name, listed);
     }
-    return listed;
 }
 
 /// A program listens at this port; looked up without connecting, since some servers take one client only.
@@ -93,135 +120,89 @@ bool is_listened_to(const std::string& sockets, int port) {
     return false;
 }
 
-ListedDevice tracked_instruments(const Machine& machine) {
-    const igtl::Address standard;
-    ListedDevice listed{"openigtlink",
-                        QT_TRANSLATE_NOOP("fulcrum::device_list", "tracked instruments over OpenIGTLink"),
-                        DeviceClass::tracked,
-                        {},
-                        {},
-                        {},
-                        {},
-                        {}};
-    listed.state = DeviceState::absent;
-    if (access(machine.daemon.c_str(), X_OK) != 0) {
-        no_daemon(listed, machine.daemon, errno);
-    } else if (machine.sends_at.find(":" + std::to_string(standard.port)) != std::string::npos) {
-        listed.why = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list", "Fulcrum itself sends attempts at the port where a tracker is expected");
-        listed.what_to_do = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list",
-            "switch that off, or name the tracker's server: FULCRUM_DEVICE=openigtlink:HOST:PORT");
-    } else if (is_listened_to(machine.sockets, standard.port)) {
-        listed.state = DeviceState::usable;
-        listed.found.push_back("FULCRUM_DEVICE=openigtlink:" + standard.text());
-    } else {
-        listed.why =
-            QT_TRANSLATE_NOOP("fulcrum::device_list", "no server listens at port 18944 of this computer");
-        listed.what_to_do = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list",
-            "start PLUS, 3D Slicer or the tracker's program with an OpenIGTLink server; for one on another "
-            "computer start Fulcrum with FULCRUM_DEVICE=openigtlink:HOST:PORT");
+/// Which devices are connected is known to the program alone that listens there.
+void see_port(const DeviceRow& row, const Machine& machine, ListedDevice& listed) {
+    not_found(row, listed);
+    for (const int port : row.ports) {
+        if (port == 0) continue;
+        const std::string number = std::to_string(port);
+        if (machine.sends_at.find(":" + number) != std::string::npos) {
+            listed.why =
+                QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                  "Fulcrum itself sends attempts at the port where a tracker is expected");
+            listed.what_to_do = QT_TRANSLATE_NOOP(
+                "fulcrum::device_list",
+                "switch that off, or name the tracker's server: FULCRUM_DEVICE=openigtlink:HOST:PORT");
+        } else if (is_listened_to(machine.sockets, port)) {
+            listed.why = listed.what_to_do = "";
+            std::string typed = row.typed;
+            if (const std::size_t at = typed.find("HOST:PORT"); at != std::string::npos)
+                typed.replace(at, std::string::npos, "127.0.0.1:" + number);
+            return can_be_used(typed, listed);
+        }
     }
-    return listed;
 }
 
-ListedDevice listed_haply(const Machine& machine) {
-    ListedDevice listed{"haply",
-                        QT_TRANSLATE_NOOP("fulcrum::device_list", "Haply Inverse3, VerseGrip"),
-                        DeviceClass::haptic,
-                        {},
-                        {},
-                        {},
-                        {},
-                        {}};
-    listed.state = DeviceState::absent;
-    if (access(machine.daemon.c_str(), X_OK) != 0) {
-        no_daemon(listed, machine.daemon, errno);
-    } else if (is_listened_to(machine.sockets, haply_port) ||
-               is_listened_to(machine.sockets, older_haply_port)) {
-        // Which devices are connected is known to the service alone.
-        listed.state = DeviceState::usable;
-        listed.found.emplace_back("FULCRUM_DEVICE=haply");
-    } else {
-        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list",
-                                       "the Inverse service of Haply does not run: nothing listens at port "
-                                       "10001 of this computer");
-        listed.what_to_do = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list",
-            "install the Inverse service from Haply and start it; connect the device and its power supply");
+void see_spacenavd(const DeviceRow& row, const Machine& machine, ListedDevice& listed) {
+    if (access(machine.spacenavd.c_str(), W_OK) == 0) {
+        // a wireless one has a USB number that does not say so
+        can_be_used(row.name, listed);
+        return;
     }
-    return listed;
+    listed.detail = machine.spacenavd + ": " + std::strerror(errno);
+    not_found(row, listed);
 }
 
-ListedDevice listed_space_mouse(const Machine& machine, const std::vector<UsbDevice>& connected) {
-    ListedDevice listed{"space-mouse",
-                        QT_TRANSLATE_NOOP("fulcrum::device_list", "SpaceMouse"),
-                        DeviceClass::controller,
-                        {},
-                        {},
-                        {},
-                        {},
-                        {}};
-    for (const UsbDevice& one : connected)
-        if (one.vendor == space_mouse_vendor) listed.found.push_back(words_of(one));
-    listed.state = listed.found.empty() ? DeviceState::absent : DeviceState::connected;
-    if (access(machine.daemon.c_str(), X_OK) != 0) {
-        const DeviceState state = listed.state;
-        no_daemon(listed, machine.daemon, errno);
-        listed.state = state;
-    } else if (access(machine.spacenavd.c_str(), W_OK) != 0) {
-        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "spacenavd, which reads it, does not run");
-        listed.detail = machine.spacenavd + ": " + std::strerror(errno);
-        listed.what_to_do = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list",
-            "install the package spacenavd and start it with `sudo systemctl restart spacenavd`");
-    } else {  // a wireless one has a USB number that does not say so
-        listed.state = DeviceState::usable;
-        listed.found.emplace_back("FULCRUM_DEVICE=space-mouse");
+/// Whether it is a trainer is known when it is opened: nothing is sent to a board that may be another's.
+void see_serial(const DeviceRow& row, const Machine& machine, const std::vector<UsbDevice>& connected,
+                ListedDevice& listed) {
+    const std::vector<std::string> ports = serial_ports_of(row, connected);
+    std::string closed;
+    for (const std::string& port : ports)
+        if (!machine.may_open(port)) closed = port;
+    if (ports.empty()) {
+        not_found(row, listed);
+    } else if (!closed.empty()) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "you have no permission to open the device");
+        listed.detail = closed;
+        listed.what_to_do = row.rule;
+    } else if (ports.size() > 1) {
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "more than one serial port can be its port");
+        for (const std::string& port : ports) listed.detail += (listed.detail.empty() ? "" : ", ") + port;
+        listed.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                              "unplug the others, or name the port: "
+                                              "FULCRUM_DEVICE=trainer:PORT");
+    } else {
+        can_be_used(row.name, listed);
     }
-    return listed;
 }
 
-ListedDevice game_controllers(const ControllerLook& look) {
-    using namespace controllers;
-    ListedDevice listed{"controller",
-                        QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller"),
-                        DeviceClass::controller,
-                        {},
-                        {},
-                        {},
-                        {},
-                        {}};
-    bool known = false;
-    for (const ConnectedController& one : look.connected) {
-        listed.found.push_back(one.name);
-        known = known || one.known;
+/// What fulcrum-hapticd reads.
+void see_driven(const DeviceRow& row, const Machine& machine, const std::vector<UsbDevice>& connected,
+                ListedDevice& listed) {
+    std::string closed;
+    for (const UsbDevice& device : connected) {
+        if (!is_of(row, device)) continue;
+        listed.state = DeviceState::connected;
+        listed.found.push_back(words_of(device));
+        for (const std::string& node : device.nodes)
+            if (!machine.may_open(node)) closed = node;
     }
-    listed.state = known                  ? DeviceState::usable
-                   : listed.found.empty() ? DeviceState::absent
-                                          : DeviceState::connected;
-    if (look.library.state != LibraryState::ready) {
-        listed.state = DeviceState::absent;
-        listed.why = sdl_problem(look.library.state);
-        listed.detail = look.library.detail;
-        listed.what_to_do = sdl_hint(look.library.state);
-    } else if (known) {
-        listed.found.emplace_back("FULCRUM_DEVICE=controller");
-    } else if (!listed.found.empty()) {
-        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL does not know its sticks and buttons");
+    if (access(machine.daemon.c_str(), X_OK) != 0) {
+        listed.why = machine.daemon + ": " + std::strerror(errno);
         listed.what_to_do = QT_TRANSLATE_NOOP(
-            "fulcrum::device_list", "set SDL_GAMECONTROLLERCONFIG to its mapping, or use another controller");
-    } else {
-        listed.why = look.failure.empty() ? QT_TRANSLATE_NOOP("fulcrum::device_list", "none is connected")
-                                          : QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL 2 does not start");
-        listed.detail = look.failure;
-        listed.what_to_do =
-            QT_TRANSLATE_NOOP("fulcrum::device_list",
-                              "connect one by cable or Bluetooth and switch it on; your account "
-                              "needs the right to read /dev/input/event*");
+            "fulcrum::device_list", "install fulcrum-hapticd next to fulcrum, or name it in FULCRUM_HAPTICD");
+        return;
     }
-    return listed;
+    if (row.found_by == FoundBy::library) see_library(row, machine, closed, listed);
+    if (row.found_by == FoundBy::port) see_port(row, machine, listed);
+    if (row.found_by == FoundBy::spacenavd) see_spacenavd(row, machine, listed);
+    if (row.found_by == FoundBy::serial) see_serial(row, machine, connected, listed);
+    if (row.found_by == FoundBy::script) {
+        listed.state = DeviceState::usable;
+        listed.found.emplace_back(
+            QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual:SCRIPT.json, for practice only"));
+    }
 }
 
 }  // namespace
@@ -246,88 +227,47 @@ std::function<std::vector<ListedDevice>()> devices_of_machine(const std::string&
 }
 
 std::vector<ListedDevice> list_devices(const Machine& machine) {
-    const bool display = machine.display;
-    const std::vector<std::string>& mice = machine.mice;
-    std::vector<ListedDevice> listed;
-    ListedDevice mouse{"mouse-keyboard",
-                       QT_TRANSLATE_NOOP("fulcrum::device_list", "mouse and keyboard"),
-                       DeviceClass::mouse_keyboard,
-                       {},
-                       {},
-                       {},
-                       {},
-                       {}};
-    mouse.state = display ? DeviceState::usable : DeviceState::absent;
-    if (!display) {
-        mouse.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "there is no screen here");
-        mouse.what_to_do =
-            QT_TRANSLATE_NOOP("fulcrum::device_list", "start Fulcrum on a desktop, or set DISPLAY");
-    }
-    listed.push_back(mouse);
-
-    ListedDevice two{"two-mice",
-                     QT_TRANSLATE_NOOP("fulcrum::device_list", "two mice, one for each hand"),
-                     DeviceClass::mouse_keyboard,
-                     {},
-                     mice,
-                     {},
-                     {},
-                     {}};
-    two.state = mice.size() >= 2 ? DeviceState::usable
-                : mice.empty()   ? DeviceState::absent
-                                 : DeviceState::connected;
-    if (mice.size() < 2) {
-        two.why = mice.empty()
-                      ? QT_TRANSLATE_NOOP("fulcrum::device_list",
-                                          "no mouse that an X server with XInput 2.1 reads by itself")
-                      : QT_TRANSLATE_NOOP("fulcrum::device_list", "one mouse only");
-        two.what_to_do = mice.empty()
-                             ? QT_TRANSLATE_NOOP("fulcrum::device_list",
-                                                 "start Fulcrum in an X11 session and connect two mice")
-                             : QT_TRANSLATE_NOOP("fulcrum::device_list", "connect a second mouse");
-    }
-    listed.push_back(two);
-    if (machine.controllers) listed.push_back(game_controllers(machine.controllers()));
-
-    ListedDevice scripted{"virtual",
-                          QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual device: a script"),
-                          DeviceClass::haptic,
-                          {},
-                          {},
-                          {},
-                          {},
-                          {}};
-    if (access(machine.daemon.c_str(), X_OK) == 0) {
-        scripted.state = DeviceState::usable;
-        scripted.found.push_back(
-            QT_TRANSLATE_NOOP("fulcrum::device_list", "virtual:SCRIPT.json, for practice only"));
-    } else {
-        no_daemon(scripted, machine.daemon, errno);
-    }
-    listed.push_back(scripted);
-
+    std::vector<ListedDevice> devices;
     const std::vector<UsbDevice> connected = usb_devices(machine.usb);
-    for (const VendorDriver& driver : vendor_drivers())
-        listed.push_back(driven_by_library(driver, machine, connected));
-    listed.push_back(listed_haply(machine));
-    listed.push_back(tracked_instruments(machine));
-    listed.push_back(listed_space_mouse(machine, connected));
-    return listed;
+    for (const DeviceRow& row : device_table) {
+        if (row.found_by == FoundBy::sdl && !machine.controllers) continue;
+        ListedDevice listed;
+        listed.kind = row.name;
+        listed.title = row.title;
+        listed.device_class = row.device_class;
+        listed.can_be_chosen = can_be_chosen(row);
+        if (row.found_by == FoundBy::screen)
+            see_screen(row, machine, listed);
+        else if (row.found_by == FoundBy::mice)
+            see_mice(row, machine, listed);
+        else if (row.found_by == FoundBy::sdl)
+            see_controllers(row, machine.controllers(), listed);
+        else
+            see_driven(row, machine, connected, listed);
+        devices.push_back(std::move(listed));
+    }
+    return devices;
 }
 
 nlohmann::json devices_json(const std::vector<ListedDevice>& devices) {
     nlohmann::json document = nlohmann::json::array();
-    for (const ListedDevice& device : devices)
+    for (const ListedDevice& device : devices) {
+        nlohmann::json moves = nlohmann::json::array();
+        if (const DeviceRow* const row = device_row(device.kind))
+            for (const auto& [bit, name] : device_parts)
+                if ((row->moves & bit) != 0) moves.push_back(name);
         document.push_back(
             {{"kind", device.kind},
              {"title", device.title},
              {"device_class", row_of(device_classes, device.device_class).name},
+             {"moves", moves},
              {"state", row_of(device_states, device.state).name},
              {"found", device.found},
              {"why", device.why.empty() ? nlohmann::json() : nlohmann::json(device.why)},
              {"detail", device.detail.empty() ? nlohmann::json() : nlohmann::json(device.detail)},
              {"what_to_do",
               device.what_to_do.empty() ? nlohmann::json() : nlohmann::json(device.what_to_do)}});
+    }
     return document;
 }
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "sim_core/controllers/game_controller.h"
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/maker_library.h"
+#include "sim_core/devices/usb_devices.h"
 #include "ui/services/device_service.h"
 
 namespace fulcrum::app {

@@ -5,25 +5,31 @@
 #include <algorithm>
 
 #include "app/live/device_rig.h"
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/device_table.h"
 
 namespace fulcrum::app {
 
 DeviceClass class_of(const DeviceFacts& facts) {
-    if (facts.kind == "space-mouse") return DeviceClass::controller;
-    return facts.force[0] || facts.force[1] ? DeviceClass::haptic : DeviceClass::tracked;
+    const DeviceRow* const row = device_row(facts.kind);
+    const DeviceClass usual = row != nullptr ? row->device_class : DeviceClass::haptic;
+    const bool forceless = !facts.force[0] && !facts.force[1];
+    return usual == DeviceClass::haptic && forceless ? DeviceClass::tracked : usual;
 }
 
 Devices::Devices(std::string specification) : specification_(std::move(specification)) {}
 
 namespace {
-constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual", *controller = "controller",
-                     *tracked = "openigtlink", *space_mouse = "space-mouse", *haply = "haply";
+constexpr const char *two_mice = "two-mice", *virtual_mice = "two-mice:virtual";
 constexpr const char *rumble_key = "rumble", *chosen_key = "device";
 
 /// "virtual" of "virtual:path.json".
 std::string kind_of(const std::string& specification) {
     return specification.substr(0, specification.find(':'));
+}
+
+bool is_controller(const std::string& specification) {
+    const DeviceRow* const row = device_row(specification);
+    return row != nullptr && row->read_by == ReadBy::program;
 }
 
 QString motion_key(const std::string& kind) {
@@ -41,7 +47,7 @@ QString scale_key(const std::string& kind) {
 
 void Devices::open() {
     if (specification_.empty() || specification_ == two_mice || specification_ == virtual_mice ||
-        kind_of(specification_) == controller)
+        is_controller(specification_))
         return;
     if (client_ != nullptr && client_->poll() != DaemonClient::Health::ended) return;
     test_.reset();
@@ -96,8 +102,9 @@ void Devices::set_slot_choice(const std::string& kind, const ui::SlotChoice& cho
 
 std::string Devices::chosen() {
     const std::string kind = QSettings().value(QLatin1String(chosen_key)).toString().toStdString();
-    const bool known = kind == two_mice || kind == controller || kind == tracked || kind == space_mouse ||
-                       kind == haply || vendor_driver(kind) != nullptr;
+    const DeviceRow* const row = find_row(device_table, kind);
+    // Mouse and keyboard are what is used without a choice.
+    const bool known = row != nullptr && can_be_chosen(*row) && row->found_by != FoundBy::screen;
     return known ? kind : std::string();
 }
 
@@ -169,7 +176,8 @@ std::optional<ui::DeviceReadings> Devices::readings() {
 ui::DeviceInUse Devices::in_use() const {
     if (specification_.empty()) return {};
     ui::DeviceInUse device;
-    if (specification_.rfind("virtual:", 0) == 0) device.practice_only = ui::PracticeOnly::scripted;
+    const DeviceRow* const row = device_row(specification_);
+    if (row != nullptr && row->found_by == FoundBy::script) device.practice_only = ui::PracticeOnly::scripted;
     if (specification_ == two_mice || specification_ == virtual_mice) {
         device.title = QT_TRANSLATE_NOOP("fulcrum::device_list", "two mice and keyboard");
         device.two_mice = true;
@@ -178,16 +186,14 @@ ui::DeviceInUse Devices::in_use() const {
         return device;
     }
     device.kind = kind_of(specification_);
-    if (device.kind == controller) {
-        device.device_class = DeviceClass::controller;
-        device.title =
-            pad_ != nullptr ? pad_->name() : QT_TRANSLATE_NOOP("fulcrum::device_list", "game controller");
+    if (is_controller(specification_)) {
+        device.device_class = row->device_class;
+        device.title = pad_ != nullptr ? pad_->name() : std::string(row->title);
         return device;
     }
-    device.device_class = client_ != nullptr           ? class_of(client_->facts())
-                          : device.kind == tracked     ? DeviceClass::tracked
-                          : device.kind == space_mouse ? DeviceClass::controller
-                                                       : DeviceClass::haptic;
+    device.device_class = client_ != nullptr ? class_of(client_->facts())
+                          : row != nullptr   ? row->device_class
+                                             : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
     return device;
 }
@@ -204,7 +210,7 @@ std::shared_ptr<Rig> Devices::hands(const Scene& scene, std::shared_ptr<Rig> oth
 }
 
 std::shared_ptr<GameController> Devices::game_controller() {
-    if (kind_of(specification_) != controller) return nullptr;
+    if (!is_controller(specification_)) return nullptr;
     // One that was not found again may have another name now: over Bluetooth, or another controller.
     if (pad_ != nullptr && pad_->readings().connected) return pad_;
     pad_.reset();

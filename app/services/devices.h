@@ -50,7 +50,7 @@ class Devices {
     std::int64_t counted_at_ = -1;  ///< ns; -1: not called since the device was opened
 };
 
-/// The class of a device: with force it is haptic, a SpaceMouse is a controller, others are tracked.
+/// The class of a device: that of its row in device_table; one without force is not haptic.
 DeviceClass class_of(const DeviceFacts& facts);
 
 }  // namespace fulcrum::app

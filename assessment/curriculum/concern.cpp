@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "assessment/learning/learning_curve.h"
+#include "assessment/curriculum/plateau.h"
 
 namespace fulcrum {
 namespace {
@@ -19,23 +19,6 @@ bool is_proficient(const TaskStanding& one) {
 bool is_left(const TaskStanding& one) {
     return one.standing != Standing::locked && one.standing != Standing::awaiting_rating &&
            !is_proficient(one);
-}
-
-/// Sets the plateau of `concern` where the curve of `points` levels off below `pass_mark`; false where not.
-bool levels_off(const std::vector<double>& points, double pass_mark, Concern& concern) {
-    const std::vector<CurveFit> fits = fit_curves(points, false);
-    if (fits.empty()) return false;
-    const CurveFit& fit = best_curve(fits);
-    if (fit.plateau >= pass_mark) return false;
-    // A cohort's grid asks this of every person and task: the ends of the interval only where they decide.
-    const std::optional<double> high = plateau_end(points, fit, PlateauEnd::high);
-    if (!high || *high >= pass_mark) return false;
-    const std::optional<double> low = plateau_end(points, fit, PlateauEnd::low);
-    if (!low) return false;
-    concern.plateau = fit.plateau;
-    concern.low = *low;
-    concern.high = *high;
-    return true;
 }
 
 }  // namespace
@@ -59,13 +42,12 @@ std::vector<Concern> concerns_of(const std::vector<TaskStanding>& standings, con
             add(ConcernKind::check_overdue, one, one.next_check);
         if (one.stalled && is_left(one)) add(ConcernKind::stalled, one, one.last_attempt);
         const auto found = points.find(one.task);
-        if (is_left(one) && found != points.end()) {
-            Concern plateau;
-            plateau.kind = ConcernKind::plateau;
-            plateau.task = one.task;
-            plateau.since = one.last_attempt;
-            plateau.attempts = one.attempts;
-            if (levels_off(found->second, pass_mark, plateau)) concerns.push_back(plateau);
+        if (!is_left(one) || found == points.end()) continue;
+        if (const auto plateau = plateau_below(found->second, pass_mark)) {
+            add(ConcernKind::plateau, one, one.last_attempt);
+            concerns.back().plateau = plateau->level;
+            concerns.back().low = plateau->low;
+            concerns.back().high = plateau->high;
         }
     }
     if (left && last_practice > 0 && at - last_practice > stopped_days * ms_of_a_day) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <iterator>
 #include <set>
 
@@ -43,6 +44,52 @@ RatingRule read_ratings(const JsonDocument& document, std::size_t number, const 
     return rule;
 }
 
+/// The one of these keys that the remedy has; fails where it has none, or several.
+const char* only_key(const JsonDocument& document, const std::string& where, const json& node,
+                     std::initializer_list<const char*> keys, const Sentence& hint) {
+    const char* found = nullptr;
+    for (const char* key : keys) {
+        if (!node.contains(key)) continue;
+        if (found != nullptr)
+            document.fail(where, {QT_TRANSLATE_NOOP("errors", "has both %1 and %2"), found, key}, hint);
+        found = key;
+    }
+    if (found == nullptr)
+        document.fail(where, QT_TRANSLATE_NOOP("errors", "something is missing in the remedy"), hint);
+    return found;
+}
+
+Remedy read_remedy(const JsonDocument& document, const std::string& where, const json& node) {
+    Remedy remedy;
+    remedy.metric = node.at("metric").get<std::string>();
+    remedy.unit = node.at("unit").get<std::string>();
+    const std::string side = only_key(document, where, node, {"above", "below"},
+                                      QT_TRANSLATE_NOOP("errors", "give one bound, \"above\" or \"below\""));
+    remedy.above = side == "above";
+    remedy.bound = node.at(side).get<double>();
+    const Sentence one_of = QT_TRANSLATE_NOOP(
+        "errors",
+        "say what to do: one of \"practise_from\", \"task\" (with \"variant\" or without), \"variant\", "
+        "\"feedback\"");
+    const bool of_task = node.contains("task");
+    const std::string what =
+        of_task ? only_key(document, where, node, {"task", "practise_from", "feedback"}, one_of)
+                : only_key(document, where, node, {"practise_from", "variant", "feedback"}, one_of);
+    if (node.contains("variant")) remedy.variant = node.at("variant").get<std::string>();
+    if (what == "practise_from") {
+        remedy.kind = RemedyKind::practise_from;
+        remedy.goal = node.at(what).get<std::string>();
+    } else if (what == "task") {
+        remedy.kind = RemedyKind::other_task;
+        remedy.task = node.at(what).get<std::string>();
+    } else if (what == "variant") {
+        remedy.kind = RemedyKind::other_variant;
+    } else {
+        remedy.kind = *feedback_named(node.at(what).get<std::string>());  // the schema names them
+    }
+    return remedy;
+}
+
 CurriculumTask read_task(const JsonDocument& document, std::size_t number, const json& node) {
     CurriculumTask task;
     task.task = node.at("task").get<std::string>();
@@ -55,6 +102,10 @@ CurriculumTask read_task(const JsonDocument& document, std::size_t number, const
     }
     if (node.contains("variants")) task.variants = node.at("variants").get<int>();
     if (node.contains("ratings")) task.ratings = read_ratings(document, number, node.at("ratings"));
+    if (node.contains("remedies"))
+        for (const json& one : node.at("remedies"))
+            task.remedies.push_back(read_remedy(
+                document, place(number, "remedies/") + std::to_string(task.remedies.size()), one));
     for (const json& name : node.at("device_classes"))
         task.device_classes.push_back(find_row(device_classes, name.get<std::string>())->kind);
     return task;
@@ -174,6 +225,10 @@ Curriculum parse_curriculum(const std::string& text, const std::string& file,
             document.fail(place(number, "stage"),
                           {QT_TRANSLATE_NOOP("errors", "there is no stage %1"), task.stage},
                           QT_TRANSLATE_NOOP("errors", "name one of /stages, or add it there"));
+        for (std::size_t i = 0; i < task.remedies.size(); ++i)
+            if (const auto found = problem_of(task.remedies[i]))
+                document.fail(place(number, "remedies/") + std::to_string(i) + "/" + found->key,
+                              found->problem, found->hint);
         curriculum.tasks.push_back(task);
         ++number;
     }

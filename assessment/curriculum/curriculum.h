@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assessment/curriculum/rating_rule.h"
+#include "assessment/curriculum/remedy.h"
 #include "assessment/learning/pass_rule.h"
 #include "assessment/task/attempt_words.h"
 
@@ -26,6 +27,7 @@ struct CurriculumTask {
     std::vector<DeviceClass> device_classes;  ///< whose attempts count
     int variants = 1;                         ///< the passes that the rule counts are on at least so many
     std::optional<RatingRule> ratings = {};   ///< of the attempt that completes the rule; none: not asked for
+    std::vector<Remedy> remedies = {};  ///< on a plateau, for the metric that is furthest beyond its bound
 };
 
 struct Curriculum {
@@ -57,8 +59,9 @@ constexpr DeviceClass curriculum_class(DeviceClass used) {
 bool counts(const CurriculumTask& task, DeviceClass used);
 
 /// Throws InputError with file, place and hint: not valid by the schema, a stage, task or prerequisite that
-/// is not there or named twice, a prerequisite of a later stage, a cycle, a rule that is none. `tasks`: the
-/// installed ones. Forms and items of ratings: check_ratings().
+/// is not there or named twice, a prerequisite of a later stage, a cycle, a rule that is none, a
+/// remedy with an unknown metric or a wrong unit. `tasks`: the installed ones. Forms and items of ratings:
+/// check_ratings(); what remedies ask for: check_remedies().
 Curriculum parse_curriculum(const std::string& text, const std::string& file,
                             const std::vector<std::string>& tasks);
 /// Of a draft: valid by the schema, whatever else is wrong with it (check_draft()). Throws InputError.

@@ -11,7 +11,7 @@ namespace fulcrum {
 namespace {
 
 constexpr std::size_t longest_title = 120, longest_stage_title = 60, longest_stage_id = 8, most_stages = 12,
-                      most_tasks = 60;
+                      most_tasks = 60, most_remedies = 12;
 
 bool is_blank(const std::string& text) {
     return text.find_first_not_of(" \t\r\n") == std::string::npos;
@@ -38,6 +38,7 @@ class DraftCheck {
             check_after(i);
             check_devices(i);
             check_rated(i);
+            check_remedied(i);
         }
         return std::move(found_);
     }
@@ -47,11 +48,7 @@ class DraftCheck {
              bool blocks = true) {
         found_.push_back({field, index, problem, hint, blocks});
     }
-    const InstalledTask* installed(const std::string& id) const {
-        const auto found = std::find_if(tasks_.begin(), tasks_.end(),
-                                        [&](const InstalledTask& one) { return one.id == id; });
-        return found == tasks_.end() ? nullptr : &*found;
-    }
+    const InstalledTask* installed(const std::string& id) const { return find_installed(tasks_, id); }
     /// Place of a stage in their order; their number where it is not there.
     std::size_t rank_of(const std::string& stage) const {
         return static_cast<std::size_t>(
@@ -118,10 +115,11 @@ class DraftCheck {
         } catch (const InputError& error) {
             add(CurriculumField::rule, i, error.problem_sentence(), error.hint_sentence());
         }
-        if (known != nullptr && task.variants > known->variants)
+        const int variants = known == nullptr ? 0 : static_cast<int>(known->variants.size());
+        if (known != nullptr && task.variants > variants)
             add(CurriculumField::variants, i,
                 {QT_TRANSLATE_NOOP("errors", "asks for passes on %1 variants, but %2 has %3"), task.variants,
-                 task.task, known->variants},
+                 task.task, variants},
                 QT_TRANSLATE_NOOP("errors", "ask for fewer, or the rule is never met"));
     }
 
@@ -192,6 +190,17 @@ class DraftCheck {
         }
     }
 
+    void check_remedied(std::size_t i) {
+        const CurriculumTask& task = draft_.tasks[i];
+        if (task.remedies.size() > most_remedies)
+            add(CurriculumField::remedies, i, QT_TRANSLATE_NOOP("errors", "the task has too many remedies"),
+                {QT_TRANSLATE_NOOP("errors", "keep %1 at most"), most_remedies});
+        for (std::size_t k = 0; k < task.remedies.size(); ++k)
+            if (const auto found = problem_of(task.remedies[k], task.task, tasks_))
+                add(CurriculumField::remedies, i,
+                    {QT_TRANSLATE_NOOP("errors", "remedy %1: %2"), k + 1, found->problem}, found->hint);
+    }
+
     const Curriculum& draft_;
     const std::vector<InstalledTask>& tasks_;
     const std::vector<ObserverForm>& forms_;
@@ -204,6 +213,19 @@ nlohmann::ordered_json ratings_json(const RatingRule& rule) {
     if (!rule.items.empty()) node["items"] = rule.items;
     if (rule.every_item) node["every_item"] = true;
     if (rule.blind) node["blind"] = true;
+    return node;
+}
+
+nlohmann::ordered_json remedy_json(const Remedy& remedy) {
+    nlohmann::ordered_json node = {
+        {"metric", remedy.metric}, {remedy.above ? "above" : "below", remedy.bound}, {"unit", remedy.unit}};
+    if (remedy.kind == RemedyKind::practise_from)
+        node["practise_from"] = remedy.goal;
+    else if (remedy.kind == RemedyKind::other_task)
+        node["task"] = remedy.task;
+    else if (remedy.kind != RemedyKind::other_variant)
+        node["feedback"] = feedback_name(remedy.kind);
+    if (!remedy.variant.empty()) node["variant"] = remedy.variant;
     return node;
 }
 
@@ -232,6 +254,7 @@ std::string curriculum_text(const Curriculum& draft) {
                                        {"rule", pass_rule_text(task.rule)}};
         if (task.variants > 1) node["variants"] = task.variants;
         if (task.ratings) node["ratings"] = ratings_json(*task.ratings);
+        for (const Remedy& remedy : task.remedies) node["remedies"].push_back(remedy_json(remedy));
         node["device_classes"] = nlohmann::ordered_json::array();
         for (const DeviceClass used : task.device_classes)
             node["device_classes"].push_back(row_of(device_classes, used).name);

@@ -11,14 +11,6 @@
 
 namespace fulcrum {
 
-/// What a curriculum can know of an installed task.
-struct InstalledTask {
-    std::string id;
-    int variants = 1;
-    bool needs_limits = false;             ///< a gate is based on the experts' range
-    std::vector<DeviceClass> with_limits;  ///< classes that a benchmark set with experts is installed for
-};
-
 enum class CurriculumField : std::uint8_t {
     title,   ///< of the curriculum
     stages,  ///< `index`: of the stage
@@ -28,7 +20,8 @@ enum class CurriculumField : std::uint8_t {
     rule,
     variants,
     devices,
-    ratings
+    ratings,
+    remedies
 };
 
 struct CurriculumProblem {
@@ -38,8 +31,8 @@ struct CurriculumProblem {
     bool blocks = true;  ///< false: it can be published, but its author should know
 };
 
-/// In the order of the fields and of the tasks. Where nothing blocks, parse_curriculum() and check_ratings()
-/// accept the draft's text.
+/// In the order of the fields and of the tasks. Where nothing blocks, parse_curriculum(), check_ratings() and
+/// check_remedies() accept the draft's text.
 std::vector<CurriculumProblem> check_draft(const Curriculum& draft, const std::vector<InstalledTask>& tasks,
                                            const std::vector<ObserverForm>& forms);
 

@@ -2,6 +2,10 @@
 #include "assessment/curriculum/recommendation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "assessment/curriculum/plateau.h"
 
 namespace fulcrum {
 namespace {
@@ -58,7 +62,66 @@ class Chooser {
     DeviceClass device_;
 };
 
+/// Of the latest attempts that have a value of the metric.
+std::vector<double> latest_values(const TaskHistory& history, const std::string& metric) {
+    std::vector<double> values;
+    for (auto one = history.values.rbegin();
+         one != history.values.rend() && values.size() < attempts_of_a_remedy; ++one) {
+        const auto found = one->find(metric);
+        if (found != one->end()) values.push_back(found->second);
+    }
+    return values;
+}
+
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+/// How far the value is beyond the bound for the bound's size; 0 or less: it is not.
+double beyond(const Remedy& remedy, double value) {
+    const double excess = remedy.above ? value - remedy.bound : remedy.bound - value;
+    if (excess <= 0 || remedy.bound != 0) return excess <= 0 ? 0 : excess / std::fabs(remedy.bound);
+    return std::numeric_limits<double>::infinity();
+}
+
+/// Whether the trainee has done what the remedy asks for since the latest attempt that counts.
+bool was_taken(const Remedy& remedy, const std::string& task, const TaskHistory& history,
+               const std::map<std::string, std::int64_t>& last_attempts) {
+    const auto found = last_attempts.find(remedy.kind == RemedyKind::other_task ? remedy.task : task);
+    return (found != last_attempts.end() && found->second > history.last) ||
+           (remedy.kind == RemedyKind::other_variant && history.last_variant == remedy.variant);
+}
+
 }  // namespace
+
+std::optional<ChosenRemedy> choose_remedy(const CurriculumTask& task, const TaskHistory& history,
+                                          double pass_mark) {
+    std::optional<ChosenRemedy> chosen;
+    double furthest = 0;
+    for (const Remedy& remedy : task.remedies) {
+        const std::vector<double> values = latest_values(history, remedy.metric);
+        if (values.empty()) continue;
+        const double value = median_of(values), how_far = beyond(remedy, value);
+        if (how_far <= furthest) continue;
+        furthest = how_far;
+        chosen = ChosenRemedy{remedy, value, static_cast<int>(values.size())};
+    }
+    if (chosen && !plateau_below(history.points, pass_mark)) return {};
+    return chosen;
+}
+
+Recommendation with_remedy(Recommendation next, const Curriculum& curriculum, const TaskHistory& history,
+                           const std::map<std::string, std::int64_t>& last_attempts, double pass_mark) {
+    const CurriculumTask* task = curriculum.find(next.task);
+    if (next.reason != RecommendationReason::longest_ago || task == nullptr) return next;
+    const auto chosen = choose_remedy(*task, history, pass_mark);
+    if (!chosen || was_taken(chosen->remedy, next.task, history, last_attempts)) return next;
+    next.reason = RecommendationReason::remedy;
+    next.remedy = chosen;
+    return next;
+}
 
 Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskStanding>& standings,
                          const std::map<std::string, std::int64_t>& last_attempts, DeviceClass device) {

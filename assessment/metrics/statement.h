@@ -87,6 +87,10 @@ enum class StatementId : std::uint8_t {
     recorded_elsewhere,
     gate_not_judged,
 
+    // Why an assessed attempt became practice.
+    practice_device_lost,
+    practice_stood_still,
+
     // Advice.
     critical_error,
     gate_missed,

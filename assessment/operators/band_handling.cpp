@@ -55,8 +55,10 @@ class BandHandling : public Behaviour {
         Limb& right = *body.limb[1];
         if (!begun_) {
             begun_ = true;
-            open(left);
-            open(right);
+            for (Limb* const limb : body.limb) {
+                limb->steady(skill_.plane.steadiness);
+                open(*limb);
+            }
         }
         if (right.time() > release_) right.hold_buttons(0);
         switch (stage_) {
@@ -254,7 +256,8 @@ class BandHandling : public Behaviour {
         if (limb.time() < until_) return;
         if (seen.grasps[0].held && seen.grasps[0].patch == band_) {
             stage_ = Stage::lift;
-            const double lift = (0.001 + 0.003 * skill_.comfortable_force) * limb.random().uniform(0.8, 1.2);
+            const double lift = (0.001 + 0.003 * skill_.traction.band * skill_.comfortable_force) *
+                                limb.random().uniform(0.8, 1.2);
             limb.carry(Vector3(0, 0, lift), std::max(0.3, lift / skill_.lift_speed));
             return;
         }

@@ -142,10 +142,10 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
 /// Half-way between an expert and a novice in the hands and their pace. Follows a line as an expert does,
 /// feels the right traction a third of the way on a logarithmic scale, and makes a twentieth of a novice's
 /// errors of the plane: half-way there nobody would stay within the limits of B2 and C4. At the plane
-/// the hands are a third as unsteady as elsewhere, and the pedal is used with two thirds of an
-/// expert's foresight: without that none of 60 would pass C4. Ends the first movement to a target two thirds
-/// of the way on a logarithmic scale: further off, 42 to 43 % would pass A2. Chosen for these limits, not
-/// measured on people.
+/// and on bands the hands are a third as unsteady as elsewhere, bands are lifted with less traction, and the
+/// pedal is used with two thirds of an expert's foresight: without that none of 60 would pass C4, and 3 % B3.
+/// Ends the first movement to a target two thirds of the way on a logarithmic scale: further off, 42 to 43 %
+/// would pass A2. Chosen for these limits, not measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
@@ -156,6 +156,7 @@ Skill intermediate() {
     skill.bowel.stride = between(a.bowel.stride, b.bowel.stride);
     skill.traction.error = a.traction.error * std::cbrt(b.traction.error / a.traction.error);
     skill.traction.slack = between(a.traction.slack, b.traction.slack);
+    skill.traction.band = 0.8;
     skill.line = a.line;
     const auto twentieth = [](double x, double y) { return x + 0.05 * (y - x); };
     skill.plane.recognition = twentieth(a.plane.recognition, b.plane.recognition);
@@ -236,6 +237,7 @@ void draw_learner(double mastery, std::uint64_t individual, std::uint64_t attemp
     skill.bowel.stride = between(low.bowel.stride, high.bowel.stride);
     skill.traction.error = between(low.traction.error, high.traction.error);
     skill.traction.slack = between(low.traction.slack, high.traction.slack);
+    skill.traction.band = between(low.traction.band, high.traction.band);
     skill.line.error = between(low.line.error, high.line.error);
     skill.line.stroke = between(low.line.stroke, high.line.stroke);
     skill.plane.recognition = between(low.plane.recognition, high.plane.recognition);

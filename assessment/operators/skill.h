@@ -26,6 +26,7 @@ struct BowelSkill {
 struct TractionSkill {
     double error = 0.1;  ///< of the traction held for the right one, relative, from hold to hold
     double slack = 0.2;  ///< relative distance from it that is accepted
+    double band = 1;     ///< share of comfortable_force with which a band is lifted before it is divided
 };
 /// Skill used only for dividing a sheet along a line.
 struct LineSkill {
@@ -38,7 +39,7 @@ struct PlaneSkill {
     double recognition = 1;  ///< share of the opened fibres that is recognised as the plane
     double blur = 0;         ///< m, standard deviation of the guessed height of a plane that is not seen
     double lean = 0;         ///< m, by which a guess leans towards the rectum, away from the veins
-    double steadiness = 1;   ///< share of path and endpoint noise that the hands have there
+    double steadiness = 1;   ///< share of path and endpoint noise of the hands there and on bands
     double care = 0.5;       ///< foresight with the pedal
 };
 

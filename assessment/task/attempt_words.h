@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "sim_core/instrument/device_class.h"
 #include "sim_core/numerics/name_table.h"
 
 namespace fulcrum {
@@ -34,18 +35,6 @@ inline constexpr NameRow<AttemptState> attempt_states[] = {
     {AttemptState::voided, "voided", QT_TRANSLATE_NOOP("fulcrum::attempts", "voided")},
     {AttemptState::running, "running", QT_TRANSLATE_NOOP("fulcrum::attempts", "running")}};
 static_assert(in_order(attempt_states));
-
-/// What the hands moved.
-enum class DeviceClass : std::uint8_t { haptic, tracked, controller, mouse_keyboard, synthetic, external };
-inline constexpr NameRow<DeviceClass> device_classes[] = {
-    {DeviceClass::haptic, "haptic", QT_TRANSLATE_NOOP("fulcrum::devices", "haptic device")},
-    {DeviceClass::tracked, "tracked", QT_TRANSLATE_NOOP("fulcrum::devices", "tracked instruments")},
-    {DeviceClass::controller, "controller", QT_TRANSLATE_NOOP("fulcrum::devices", "game controller")},
-    {DeviceClass::mouse_keyboard, "mouse-keyboard",
-     QT_TRANSLATE_NOOP("fulcrum::devices", "mouse and keyboard")},
-    {DeviceClass::synthetic, "synthetic", QT_TRANSLATE_NOOP("fulcrum::devices", "synthetic operator")},
-    {DeviceClass::external, "external", QT_TRANSLATE_NOOP("fulcrum::devices", "external trace")}};
-static_assert(in_order(device_classes));
 
 /// The class whose limits an attempt is held against. A synthetic operator without a model of a device, and a
 /// trace whose device nobody named, move a handle freely and with force, as with a haptic device.

@@ -32,9 +32,12 @@ std::string publish_curriculum(const Store& store, const Session& educator, cons
         throw StoreError(StoreErrorKind::bad_value,
                          QT_TRANSLATE_NOOP("errors", "a reason is missing or too long"),
                          QT_TRANSLATE_NOOP("errors", "give a reason of 1 to 4,000 characters"));
-    const Curriculum next = parse_curriculum(text, id, place.tasks);
+    std::vector<std::string> tasks;
+    for (const InstalledTask& task : place.tasks) tasks.push_back(task.id);
+    const Curriculum next = parse_curriculum(text, id, tasks);
     check_ratings(next, place.forms);
-    const Curriculum newest = load_versions(place.folder, id, place.tasks);
+    check_remedies(next, place.tasks);
+    const Curriculum newest = load_versions(place.folder, id, tasks);
     if (next.id != id || next.version != newest.version + 1) published_already(newest.name());
     const std::string path = (std::filesystem::path(place.folder) / file_of(next)).string();
     try {

@@ -13,8 +13,8 @@
 namespace fulcrum::database {
 
 struct CurriculumPublishing {
-    std::string folder;              ///< assets/curricula
-    std::vector<std::string> tasks;  ///< ids of the installed ones
+    std::string folder;  ///< assets/curricula
+    std::vector<InstalledTask> tasks;
     std::vector<ObserverForm> forms;
 };
 

@@ -305,7 +305,7 @@ void Recorder::flush() {
     state.committed(pending);
 }
 
-bool Recorder::relabel_as_practice(const std::string& reason) {
+bool Recorder::relabel_as_practice(const Statement& reason) {
     State& state = *state_;
     assert(!state.finished);
     if (state.meta.mode == AttemptMode::practice) return true;
@@ -315,10 +315,10 @@ bool Recorder::relabel_as_practice(const std::string& reason) {
         Query(store.connection(), "UPDATE attempt SET mode = 'practice' WHERE id = ?")
             .bind(state.meta.id)
             .run();
-        Audit(store).append(
-            state.session, state.meta.id, "attempt.practice",
-            json_object({{"from", row_of(attempt_modes, state.meta.mode).name}, {"reason", reason}}),
-            {{RecordKind::attempt, state.meta.id}});
+        Audit(store).append(state.session, state.meta.id, "attempt.practice",
+                            json_object({{"from", row_of(attempt_modes, state.meta.mode).name},
+                                         {"reason", stored_text(reason)}}),
+                            {{RecordKind::attempt, state.meta.id}});
         transaction.commit();
     } catch (const StoreError& error) {
         if (error.kind() == StoreErrorKind::locked) return false;

@@ -42,7 +42,7 @@ class Recorder {
     void flush();
     /// An assessed attempt continues as practice (a device was lost and came back): stored at once, audited
     /// with the reason. False while another program holds the store: ask again. No effect on practice.
-    bool relabel_as_practice(const std::string& reason);
+    bool relabel_as_practice(const Statement& reason);
     /// The rest of the trace, the result and its score, in one transaction, audited. Once. On StoreError
     /// nothing was written and it may be called again.
     void finish(const AttemptResult& result);

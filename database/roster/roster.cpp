@@ -8,6 +8,7 @@
 
 #include "database/records/people_rows.h"
 #include "database/roster/csv_rows.h"
+#include "database/roster/zip_entries.h"
 #include "database/rows/errors.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -96,7 +97,11 @@ std::optional<Role> role_of(const std::string& word) {
 
 class OneRoster {
   public:
-    explicit OneRoster(const files::path& folder) : folder_(folder) {
+    /// A folder, or an archive of the same files.
+    explicit OneRoster(const files::path& place) : place_(place), packed_(!files::is_directory(place)) {
+        if (packed_)
+            entries_ =
+                zip_entries(place.string(), {"users.csv", "roles.csv", "classes.csv", "enrollments.csv"});
         read_users();
         read_roles();
         read_classes();
@@ -115,7 +120,12 @@ class OneRoster {
     };
 
     std::optional<CsvRows> table(const char* name) const {
-        const files::path path = folder_ / name;
+        if (packed_) {
+            const auto entry = entries_.find(name);
+            if (entry == entries_.end()) return std::nullopt;
+            return CsvRows::parse(entry->second, name);
+        }
+        const files::path path = place_ / name;
         if (!files::exists(path)) return std::nullopt;
         return CsvRows::load(path.string());
     }
@@ -144,8 +154,8 @@ class OneRoster {
         const std::optional<CsvRows> rows = table("users.csv");
         if (!rows)
             throw InputError(
-                folder_.string(), "", QT_TRANSLATE_NOOP("errors", "has no users.csv"),
-                QT_TRANSLATE_NOOP("errors", "name the folder with the unpacked OneRoster files"));
+                place_.string(), "", QT_TRANSLATE_NOOP("errors", "has no users.csv"),
+                QT_TRANSLATE_NOOP("errors", "name the ZIP archive or the folder with the OneRoster files"));
         rows->require({"sourcedId", "username", "givenName", "familyName"});
         std::map<std::string, std::string> logins;
         for (std::size_t i = 0; i < rows->size(); ++i) {
@@ -245,7 +255,9 @@ class OneRoster {
         }
     }
 
-    files::path folder_;
+    files::path place_;
+    bool packed_;
+    std::map<std::string, std::string> entries_;  ///< of the archive
     std::map<std::string, User> users_;
     std::map<std::string, Class> classes_;
     std::vector<std::string> order_;
@@ -254,7 +266,7 @@ class OneRoster {
 }  // namespace
 
 Roster read_roster(const std::string& path) {
-    if (files::is_directory(path)) return OneRoster(path).roster;
+    if (files::is_directory(path) || is_zip(path)) return OneRoster(path).roster;
     return read_list(path);
 }
 

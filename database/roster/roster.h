@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// People and cohorts as another system lists them: a folder of OneRoster 1.1 or 1.2 CSV files (users,
-// classes, enrollments, roles), or one CSV with the columns login, name, role and cohort. Reading asks no
-// store. Source of the columns: 1EdTech OneRoster 1.2, CSV binding.
+// People and cohorts as another system lists them: a folder or ZIP archive of OneRoster 1.1 or 1.2 CSV files
+// (users, classes, enrollments, roles), or one CSV with the columns login, name, role and cohort. Reading
+// asks no store. Source of the columns: 1EdTech OneRoster 1.2, CSV binding.
 #pragma once
 
 #include <string>
@@ -30,10 +30,11 @@ struct Roster {
     std::vector<Sentence> left_out;     ///< a sentence for each row that is not imported, with its place
 };
 
-/// A folder is read as OneRoster, a file as login, name, role, cohort. Throws InputError with file and line:
-/// not readable as above, a login that the store would refuse or that is there twice with two names, a role
-/// that is none, an id that is there twice. Rows of other roles, rows marked to be deleted, people who are
-/// not enabled and enrollments of unknown people or classes are left out, and `left_out` says so.
+/// A folder and a ZIP archive are read as OneRoster, another file as login, name, role, cohort. Throws
+/// InputError with file and line: not readable as above, a login that the store would refuse or that is there
+/// twice with two names, a role that is none, an id that is there twice. Rows of other roles, rows marked to
+/// be deleted, people who are not enabled and enrollments of unknown people or classes are left out, and
+/// `left_out` says so.
 Roster read_roster(const std::string& path);
 
 }  // namespace fulcrum::database

@@ -103,7 +103,8 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     QJsonObject members = document.object();
     entry.role = members.take(QLatin1String(role_key)).toString().toStdString();
     members.remove(QLatin1String(records_key));
-    if (is_about_an_attempt(entry.operation)) {
+    // Why an attempt became practice the program itself has found; it is nobody's opinion.
+    if (is_about_an_attempt(entry.operation) && entry.operation != "attempt.practice") {
         for (const char* words : {"reason", "text", "state"}) {
             if (members.contains(QLatin1String(words)))
                 members.insert(QLatin1String(words), QStringLiteral("withheld"));
@@ -255,6 +256,18 @@ std::string Audit::signing_key() const {
                "s.sequence = e.sequence WHERE e.station_id = ? ORDER BY e.sequence DESC LIMIT 1");
     last.bind(store_.station_id());
     return last.next() && !last.is_null(0) ? key_fingerprint(last.bytes(0)) : std::string();
+}
+
+std::string Audit::signer_of(const std::string& attempt_id) const {
+    if (store_.is_server() || store_.found_schema() < schema_with_signatures) return {};
+    Query row(store_.connection(),
+              "SELECT s.public_half FROM audit_entry e LEFT JOIN audit_signature s ON s.station_id = "
+              "e.station_id AND s.sequence = e.sequence WHERE (e.object_id = ? AND e.operation IN "
+              "('attempt.finish', 'attempt.interrupted', 'attempt.import')) OR (e.operation = "
+              "'attempt.reassign' AND e.object_id = (SELECT from_id FROM attempt_reassignment WHERE to_id = "
+              "?)) ORDER BY e.time DESC, e.sequence DESC LIMIT 1");
+    row.bind(attempt_id).bind(attempt_id);
+    return row.next() && !row.is_null(0) ? key_fingerprint(row.bytes(0)) : std::string();
 }
 
 std::string Audit::head() const {

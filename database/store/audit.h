@@ -23,7 +23,8 @@ struct AuditEntry {
         person_name;  ///< whom the object is or belongs to; "" for cohorts, settings, the store
     std::string digest, previous_hash, hash;  ///< hex
     /// JSON, or "payload erased". What is said of an attempt (how it ended, why it was voided, what a trainee
-    /// asked for) reads "withheld": whoever views the audit log sees no reviews (docs/MANUAL.md).
+    /// asked for) reads "withheld": whoever views the audit log sees no reviews (docs/MANUAL.md). Why it
+    /// became practice is a stored statement (statement_of()), in rows of older programs an English text.
     std::string payload;
 };
 
@@ -57,6 +58,10 @@ class Audit {
     std::vector<std::string> kinds(const Session& administrator) const;
     /// Fingerprint of the key that signed the newest row of this station; empty where it is not signed.
     std::string signing_key() const;
+    /// Fingerprint of the key that signed the end of the attempt, or its import or copy; empty where this
+    /// store does not hold that row, it is not signed, or the store is a server, which shows signatures to
+    /// nobody.
+    std::string signer_of(const std::string& attempt_id) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
     /// Whether a row of any station has this hash; `hex`: at least its first 16 digits, as reports print

@@ -66,6 +66,7 @@ PatchBuilder::Scratch PatchBuilder::make_scratch() const {
     scratch.positions.reserve(vertices);
     scratch.order.reserve(vertices);
     scratch.triangle_local.assign(skin_.rest().triangles.size(), -1);
+    scratch.connected.resize(hand_count);
     return scratch;
 }
 
@@ -253,8 +254,53 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     model.mode = LocalMode::surface;
 }
 
-// Triangles whose three vertices are in the patch, and their adjacency in patch numbers.
+namespace {
+
+bool same_vertices(const SurfacePatch& a, const SurfacePatch& b) {
+    return a.vertex_count == b.vertex_count &&
+           std::equal(a.vertex_id.begin(), a.vertex_id.begin() + a.vertex_count, b.vertex_id.begin());
+}
+
+// Vertices, and what find_connections() writes.
+void copy_connections(const SurfacePatch& from, SurfacePatch& to) {
+    const auto copy = [](const auto& source, std::int32_t count, auto& target) {
+        std::copy_n(source.begin(), count, target.begin());
+    };
+    const std::int32_t vertices = from.vertex_count, triangles = from.triangle_count;
+    to.vertex_count = vertices;
+    to.triangle_count = triangles;
+    copy(from.vertex_id, vertices, to.vertex_id);
+    copy(from.border, vertices, to.border);
+    copy(from.triangle_id, triangles, to.triangle_id);
+    copy(from.triangles, triangles, to.triangles);
+    copy(from.triangle_neighbours, 3 * triangles, to.triangle_neighbours);
+    copy(from.vertex_triangle_offsets, vertices + 1, to.vertex_triangle_offsets);
+    copy(from.vertex_triangles, from.vertex_triangle_offsets[index(vertices)], to.vertex_triangles);
+    copy(from.vertex_neighbour_offsets, vertices + 1, to.vertex_neighbour_offsets);
+    copy(from.vertex_neighbours, from.vertex_neighbour_offsets[index(vertices)], to.vertex_neighbours);
+}
+
+}  // namespace
+
 void PatchBuilder::connect(Scratch& scratch, SurfacePatch& patch) const {
+    const bool cut_short = patch.overflow;
+    for (const SurfacePatch& last : scratch.connected) {
+        if (last.vertex_count == 0 || !same_vertices(last, patch)) continue;
+        copy_connections(last, patch);
+        patch.overflow = cut_short || last.overflow;
+        return;
+    }
+    patch.overflow = false;
+    find_connections(scratch, patch);
+    SurfacePatch& last = scratch.connected[scratch.oldest];
+    copy_connections(patch, last);
+    last.overflow = patch.overflow;
+    scratch.oldest = (scratch.oldest + 1) % scratch.connected.size();
+    patch.overflow = patch.overflow || cut_short;
+}
+
+// Triangles whose three vertices are in the patch, and their adjacency in patch numbers.
+void PatchBuilder::find_connections(Scratch& scratch, SurfacePatch& patch) const {
     const MeshAdjacency& adjacency = skin_.adjacency();
     const auto& triangles = skin_.rest().triangles;
     std::int32_t count = 0;

@@ -52,6 +52,10 @@ class PatchBuilder {
         std::vector<Vector3> positions;   ///< of the candidates
         std::vector<std::int32_t> order;
         std::vector<std::int32_t> triangle_local;  ///< surface triangle -> patch number, -1
+        /// The last patches that were connected, one for each hand: a tool that rests keeps its vertices, and
+        /// their connections are then copied.
+        std::vector<SurfacePatch> connected;
+        std::size_t oldest = 0;
     };
     Scratch make_scratch() const;
 
@@ -67,7 +71,9 @@ class PatchBuilder {
   private:
     void look_ahead(const RingMotion* rings, const PatchRequest& request, ToolKinematics& tool) const;
     double nearest_ring(const RingMotion* rings, const ToolKinematics& tool, int& nearest) const;
+    /// Finds the triangles and neighbours of the patch's vertices, or copies them.
     void connect(Scratch& scratch, SurfacePatch& patch) const;
+    void find_connections(Scratch& scratch, SurfacePatch& patch) const;
 
     const BowelSkin& skin_;
     PatchOptions options_;

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "sim_core/devices/device_table.h"
 #include "sim_core/devices/packets.h"
 #include "sim_core/devices/sentence_packet.h"
 #include "sim_core/numerics/input_error.h"

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim_core/devices/device_fault.h"
 #include "sim_core/devices/shared_latest.h"
 #include "sim_core/numerics/types.h"
 
@@ -52,7 +51,7 @@ enum class ForceOff : std::uint32_t {
     sequence_back,     ///< a command older than the one before
     overseer_stopped,  ///< the process that would switch off the motors does not run
     device_stopped,    ///< the process that reads the device stopped or ended
-    device_fault       ///< the device has a fault, see device_fault.h
+    device_fault       ///< the device has a fault, see device_table.h
 };
 const char* words_of(ForceOff why);
 
@@ -63,6 +62,12 @@ struct ForceReport {
     std::int64_t time = 0;          ///< ns, when it was rendered
     double force[3] = {0, 0, 0};    ///< N, rendered
     std::uint64_t off = 0;          ///< ForceOff
+};
+
+/// What is wrong with the device.
+struct FaultReport {
+    std::uint64_t fault = 0;  ///< DeviceFault (device_table.h)
+    std::uint64_t hands = 0;  ///< bit 0: left, bit 1: right
 };
 
 /// How the daemon's loop runs.

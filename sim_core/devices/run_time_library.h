@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/maker_library.h"
 
 namespace fulcrum {
 

@@ -35,12 +35,6 @@ void multiply(const HeatModel& model, const HeatState& state, const std::vector<
     }
 }
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) noexcept {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
-
 }  // namespace
 
 HeatState make_heat_state(const HeatModel& model) {
@@ -87,28 +81,37 @@ HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt
     // Conjugate gradients, preconditioned by the diagonal, started from the last temperatures: a few
     // iterations for short steps.
     multiply(model, state, scratch.diagonal, scratch.next, scratch.product);
-    for (std::size_t i = 0; i < count; ++i) scratch.residual[i] = scratch.right[i] - scratch.product[i];
-    const double scale = std::sqrt(dot(scratch.right, scratch.right));
+    // Sums of one pass run side by side: each waits for its own last term only.
+    double right2 = 0, residual2 = 0, next_rho = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double residual = scratch.right[i] - scratch.product[i];
+        scratch.residual[i] = residual;
+        right2 += scratch.right[i] * scratch.right[i];
+        residual2 += residual * residual;
+        next_rho += residual * residual / scratch.diagonal[i];
+    }
+    const double scale = std::sqrt(right2);
     double rho = 0;
     const int most = 4 * static_cast<int>(count) + 8;
     for (;;) {
-        report.residual =
-            scale > least_right ? std::sqrt(dot(scratch.residual, scratch.residual)) / scale : 0.0;
+        report.residual = scale > least_right ? std::sqrt(residual2) / scale : 0.0;
         if (!(report.residual > tolerance) || report.iterations >= most) break;
-        double next_rho = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            next_rho += scratch.residual[i] * scratch.residual[i] / scratch.diagonal[i];
         const double beta = report.iterations > 0 ? next_rho / rho : 0.0;
         rho = next_rho;
         for (std::size_t i = 0; i < count; ++i)
             scratch.direction[i] = scratch.residual[i] / scratch.diagonal[i] + beta * scratch.direction[i];
         multiply(model, state, scratch.diagonal, scratch.direction, scratch.product);
-        const double curvature = dot(scratch.direction, scratch.product);
+        double curvature = 0;
+        for (std::size_t i = 0; i < count; ++i) curvature += scratch.direction[i] * scratch.product[i];
         if (!(curvature > 0)) break;
         const double alpha = rho / curvature;
+        residual2 = next_rho = 0;
         for (std::size_t i = 0; i < count; ++i) {
             scratch.next[i] += alpha * scratch.direction[i];
-            scratch.residual[i] -= alpha * scratch.product[i];
+            const double residual = scratch.residual[i] - alpha * scratch.product[i];
+            scratch.residual[i] = residual;
+            residual2 += residual * residual;
+            next_rho += residual * residual / scratch.diagonal[i];
         }
         ++report.iterations;
     }

@@ -180,30 +180,15 @@ Separation separate_triangle(const OrientedBox& box, const Vector3& a, const Vec
     return best;
 }
 
-Separation separate_boxes(const OrientedBox& box, const OrientedBox& other) {
+bool boxes_overlap(const OrientedBox& box, const OrientedBox& other, Separation& found) {
     Vector3 points[8];
     for (int k = 0; k < 8; ++k) points[k] = into(box, other.corner(k));
     const Matrix3 turn = box.axes.transpose() * other.axes;
     const Vector3 edges[3] = {turn.col(0), turn.col(1), turn.col(2)};
     LeastOverlap least;
-    if (meet(box.half, points, edges, edges, 3, least)) return meeting(box, least, into(box, other.centre));
-    Separation best;
-    best.distance = std::numeric_limits<double>::infinity();
-    // The twelve edges of each box against those of the other: corners that differ in one bit.
-    for (int k = 0; k < 8; ++k) {
-        for (int bit = 1; bit < 8; bit <<= 1) {
-            if ((k & bit) != 0) continue;
-            const Separation one = separate_segment(box, other.corner(k), other.corner(k | bit));
-            if (one.distance < best.distance) best = one;
-            Separation two = separate_segment(other, box.corner(k), box.corner(k | bit));
-            if (two.distance < best.distance) {
-                std::swap(two.on_box, two.on_other);
-                two.normal = -two.normal;
-                best = two;
-            }
-        }
-    }
-    return best;
+    if (!meet(box.half, points, edges, edges, 3, least)) return false;
+    found = meeting(box, least, into(box, other.centre));
+    return true;
 }
 
 }  // namespace fulcrum

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oriented box and its exact distance to points, segments, triangles and other boxes. Any thread; no
-// allocation, no exception; inputs must be finite.
+// Oriented box, its exact distance to points, segments and triangles, and its overlap with other boxes. Any
+// thread; no allocation, no exception; inputs must be finite.
 #pragma once
 
 #include "sim_core/numerics/types.h"
@@ -42,8 +42,7 @@ Separation separate_segment(const OrientedBox& box, const Vector3& p, const Vect
 /// Gottschalk et al. 1996); the least overlap is reported. A triangle without area is treated as its edges.
 Separation separate_triangle(const OrientedBox& box, const Vector3& a, const Vector3& b, const Vector3& c);
 
-/// Nearest points of two boxes: at an edge of either, unless they intersect (fifteen axes). normal: outward
-/// from the first box.
-Separation separate_boxes(const OrientedBox& box, const OrientedBox& other);
+/// Whether two boxes overlap (fifteen axes); sets `found` if they do. normal: outward from the first box.
+bool boxes_overlap(const OrientedBox& box, const OrientedBox& other, Separation& found);
 
 }  // namespace fulcrum

@@ -7,6 +7,8 @@
 
 #include "sim_core/devices/device_facts.h"
 #include "sim_core/devices/device_page.h"
+#include "sim_core/devices/device_table.h"
+#include "sim_core/devices/maker_library.h"
 
 namespace fulcrum::hapticd {
 
@@ -32,5 +34,7 @@ class Backend {
 
 /// The device that a specification names: "virtual:SCRIPT.json", "touch". Throws InputError.
 std::unique_ptr<Backend> make_backend(const std::string& specification);
+/// Loads the library of the maker of this kind of device and reports what is missing.
+LibraryLook look_at_own_library(const std::string& kind);
 
 }  // namespace fulcrum::hapticd

@@ -25,8 +25,8 @@ constexpr int servo_priority = 84;                  // below the device process
 // of Eq. 8 for the stiffness at this rate.
 constexpr double peak_n = 8, continuous_n = 4, stiffness_n_m = 1000;
 
-const VendorDriver& driver() {
-    return *vendor_driver("force-dimension");
+const DeviceRow& own_row() {
+    return *device_row("force-dimension");
 }
 
 int number_of(const std::string& text, const std::string& specification) {
@@ -75,12 +75,12 @@ void ForceDimensionDevice::open_hand(int hand, int number) {
     const std::string shown = "device " + std::to_string(number);
     if (library_.open(static_cast<char>(number)) < 0)
         refuse_to_open(
-            driver(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"), last_error()},
+            own_row(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"), last_error()},
             QT_TRANSLATE_NOOP("errors", "check its cable and power, and end other programs that use it"));
     one.id = static_cast<char>(number);
     if (const char* const name = library_.name(one.id); name != nullptr && *name != '\0') facts_.title = name;
     if (library_.set_max_force(peak_n, one.id) < 0 || library_.enable_force(1, one.id) < 0)
-        throw InputError(driver().title, shown,
+        throw InputError(own_row().title, shown,
                          {QT_TRANSLATE_NOOP("errors", "force cannot be switched on: %1"), last_error()},
                          QT_TRANSLATE_NOOP("errors", "test the device with a program of the maker's SDK"));
     double angle = 0;
@@ -95,11 +95,11 @@ void ForceDimensionDevice::open_hand(int hand, int number) {
 }
 
 void ForceDimensionDevice::open() {
-    require_ready(driver(), library_.load());
+    require_ready(own_row(), library_.load());
     try {
         const int count = library_.device_count();
         if (count <= 0)
-            refuse_to_open(driver(), "", QT_TRANSLATE_NOOP("errors", "no device was found"),
+            refuse_to_open(own_row(), "", QT_TRANSLATE_NOOP("errors", "no device was found"),
                            QT_TRANSLATE_NOOP("errors", "connect it and its power supply"));
         if (!numbers_.given) {
             numbers_.hand[0] = count > 1 ? 0 : -1;

@@ -11,7 +11,7 @@ LibraryLook ForceDimensionLibrary::load() {
         names.push_back(std::string(sdk) + "/lib/release/lin-x86_64-gcc/libdrd.so");
     names.insert(names.end(), {"libdrd.so", "/usr/local/lib/libdrd.so"});
     return load_library(
-        *vendor_driver("force-dimension"), names,
+        *device_row("force-dimension"), names,
         {symbol("dhdGetDeviceCount", device_count), symbol("dhdOpenID", open), symbol("dhdClose", close),
          symbol("dhdGetSystemName", name), symbol("dhdGetPositionAndOrientationFrame", get_pose),
          symbol("dhdGetGripperAngleRad", get_gripper), symbol("dhdGetButtonMask", get_buttons),

@@ -10,24 +10,16 @@
 namespace fulcrum::hapticd {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::int64_t ms = 1'000'000;
 constexpr int connect_limit_ms = 2000;
 constexpr std::int64_t pose_limit = 2000 * ms;   // for the first pose
 constexpr std::int64_t ask_after = 700 * ms;     // then TDATA is asked for
 constexpr std::int64_t others_limit = 400 * ms;  // for the other tools, after the first
-constexpr std::int64_t least_span = 2 * ms, largest_span = 60 * ms;
-constexpr std::int64_t least_silence = 100 * ms, largest_silence = 250 * ms;
 constexpr std::int64_t fault_memory = 1000 * ms;
 constexpr std::int32_t tdata_every_ms = 10;
 constexpr const char* jaw_names[2] = {"LeftJaw", "RightJaw"};
 constexpr std::uint32_t known_buttons = 0xf;
 constexpr std::size_t most_tools = 16;
-
-/// After this a hand without a pose is absent.
-std::int64_t silence_of(std::int64_t interval) noexcept {
-    return std::clamp(3 * interval, least_silence, largest_silence);
-}
 
 [[noreturn]] void refuse_word(const std::string& word) {
     throw InputError(
@@ -123,20 +115,7 @@ void IgtlDevice::take_pose(std::string_view tool, const std::optional<igtl::Pose
         bad_pose_at_ = now;
         return;
     }
-    Slot& slot = slots_[i];
-    TrackedHandle next = handle_of(*pose, wanted_);
-    next.roll += 2 * pi * std::round((slot.to.roll - next.roll) / (2 * pi));
-    const bool first = slot.arrived == 0 || now - slot.arrived > largest_silence;
-    slot.to = next;
-    if (!first && now == slot.arrived) return;  // two that arrived together: the newer one is reached
-    if (first)
-        slot.interval = 0;
-    else
-        slot.interval =
-            slot.interval == 0 ? now - slot.arrived : (3 * slot.interval + now - slot.arrived) / 4;
-    slot.from = first ? next : slot.now;
-    if (first) slot.now = next;
-    slot.arrived = now;
+    slots_[i].handle.take(handle_of(*pose, wanted_), now);
 }
 
 void IgtlDevice::take_jaw(std::string_view device, const igtl::Sensor& sensor, std::int64_t now) noexcept {
@@ -191,8 +170,8 @@ bool IgtlDevice::all_seen(bool named_only) const noexcept {
     bool any = false, all = true;
     for (std::size_t i = 0; i < device_slots; ++i) {
         if (wanted_.tool[i].empty()) continue;
-        any = any || slots_[i].arrived != 0;
-        all = all && (slots_[i].arrived != 0 || (named_only && !wanted_.named[i]));
+        any = any || slots_[i].handle.seen();
+        all = all && (slots_[i].handle.seen() || (named_only && !wanted_.named[i]));
     }
     return any && all;
 }
@@ -218,7 +197,7 @@ void IgtlDevice::refuse() const {
                                            "in millimetres"));
     std::string wanted, others;
     for (std::size_t i = 0; i < device_slots; ++i)
-        if (!wanted_.tool[i].empty() && slots_[i].arrived == 0)
+        if (!wanted_.tool[i].empty() && !slots_[i].handle.seen())
             wanted += (wanted.empty() ? "" : ", ") + wanted_.tool[i];
     for (const std::string& name : other_tools_) others += (others.empty() ? "" : ", ") + name;
     if (others.empty())
@@ -255,7 +234,7 @@ void IgtlDevice::open() {
     if (ended_ != DeviceFault::none || !all_seen(true)) refuse();
     facts_.kind = "openigtlink";
     facts_.title = "OpenIGTLink " + wanted_.address.text();
-    for (std::size_t i = 0; i < device_slots; ++i) facts_.slot[i] = slots_[i].arrived != 0;
+    for (std::size_t i = 0; i < device_slots; ++i) facts_.slot[i] = slots_[i].handle.seen();
 }
 
 void IgtlDevice::read(std::int64_t now, DevicePose (&poses)[device_slots]) noexcept {
@@ -265,19 +244,14 @@ void IgtlDevice::read(std::int64_t now, DevicePose (&poses)[device_slots]) noexc
     bool any_absent = false;
     for (int i = 0; i < device_slots; ++i) {
         Slot& slot = slots_[i];
-        const std::int64_t age = now - slot.arrived;
-        const std::int64_t span = std::clamp(slot.interval, least_span, largest_span);
-        const double share = std::min(static_cast<double>(age) / static_cast<double>(span), 1.0);
-        slot.now.position = slot.from.position + share * (slot.to.position - slot.from.position);
-        slot.now.roll = slot.from.roll + share * (slot.to.roll - slot.from.roll);
+        const TrackedHandle& handle = slot.handle.at(now);
         DevicePose& pose = poses[i];
         pose.sequence = sequence_;
-        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = slot.now.position[axis];
-        pose.roll = slot.now.roll;
+        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = handle.position[axis];
+        pose.roll = handle.roll;
         pose.jaw = slot.jaw;
         pose.buttons = slot.buttons;
-        const bool fresh = slot.arrived != 0 && age <= silence_of(slot.interval);
-        pose.present = fresh && ended_ == DeviceFault::none ? 1 : 0;
+        pose.present = slot.handle.fresh(now) && ended_ == DeviceFault::none ? 1 : 0;
         if (!facts_.slot[i] || pose.present != 0) continue;
         any_absent = true;
         if (i < scope_slot) absent |= std::uint64_t{1} << i;

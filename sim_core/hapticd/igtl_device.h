@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instruments that another program tracks and sends over OpenIGTLink (docs/DEVICES.md, Tracked instruments):
 // PLUS, 3D Slicer, the program of a tracker. Without force.
-//
-// A pose that arrives is reached in a straight line over the time between two of them, so that a tracker of
-// 60 Hz moves an instrument without steps. A hand whose poses stop is absent.
 #pragma once
 
 #include <array>
@@ -11,6 +8,7 @@
 #include <string>
 
 #include "sim_core/hapticd/backend.h"
+#include "sim_core/hapticd/followed_handle.h"
 #include "sim_core/igtl/connection.h"
 #include "sim_core/igtl/content.h"
 
@@ -28,11 +26,6 @@ struct IgtlSpecification {
 /// "openigtlink", "openigtlink:HOST:PORT,left=NAME,…" (docs/DEVICES.md). Throws InputError.
 IgtlSpecification igtl_specification(const std::string& specification);
 
-/// Handle and roll of a tracked pose, device frame.
-struct TrackedHandle {
-    Vector3 position = Vector3::Zero();
-    double roll = 0;
-};
 TrackedHandle handle_of(const igtl::Pose& pose, const IgtlSpecification& specification) noexcept;
 
 class IgtlDevice : public Backend {
@@ -47,8 +40,7 @@ class IgtlDevice : public Backend {
 
   private:
     struct Slot {
-        TrackedHandle from, to, now;
-        std::int64_t arrived = 0, interval = 0;  // ns; arrived 0: no pose yet
+        FollowedHandle handle;
         double jaw = 1;
         std::uint32_t buttons = 0;
     };

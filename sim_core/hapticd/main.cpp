@@ -14,8 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim_core/devices/packets.h"
+#include "sim_core/hapticd/backend.h"
 #include "sim_core/hapticd/overseer.h"
-#include "sim_core/hapticd/vendor_library.h"
 
 int main(int argc, char** argv) {
     // Vendors' libraries read and write numbers in the language of the desktop.

@@ -39,9 +39,7 @@ class FaultMemory {
   private:
     static std::int64_t time_of(DeviceFault fault) noexcept {
         constexpr std::int64_t ms = 1'000'000;
-        return fault == DeviceFault::warm_motors || fault == DeviceFault::safety_brake ? 3000 * ms
-               : fault == DeviceFault::too_much_force                                  ? 1000 * ms
-                                                                                       : 200 * ms;
+        return fault_row(fault).remembered * ms;
     }
     DeviceFault fault_ = DeviceFault::none;
     std::int64_t until_ = 0;

@@ -18,8 +18,8 @@ constexpr int most_inits = 10;
 // Where a driver reports limits that are not possible: those of the smallest device of the series.
 constexpr double peak_n = 3.3, continuous_n = 0.88, stiffness_n_mm = 0.4;
 
-const VendorDriver& driver() {
-    return *vendor_driver("touch");
+const DeviceRow& own_row() {
+    return *device_row("touch");
 }
 
 std::string number_words(std::uint32_t code) {
@@ -110,18 +110,18 @@ hd::Handle TouchDevice::init(const std::string& name) {
     const std::string shown = shown_name(name);
     const Sentence said(QT_TRANSLATE_NOOP("errors", "the maker's driver reports %1"), words_of_error(error));
     if (error == hd::invalid_license)
-        throw InputError(driver().title, shown, said,
+        throw InputError(own_row().title, shown, said,
                          QT_TRANSLATE_NOOP("errors", "install the licence of OpenHaptics"));
     if (error == hd::already_initiated)
-        throw InputError(driver().title, shown, said,
+        throw InputError(own_row().title, shown, said,
                          QT_TRANSLATE_NOOP("errors", "end the other program that uses the device"));
     if (fault_of(error) == DeviceFault::no_answer)
         refuse_to_open(
-            driver(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not answer: %1"), said},
+            own_row(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not answer: %1"), said},
             QT_TRANSLATE_NOOP("errors",
                               "check its cable and power, then test it with the maker's Touch Diagnostic"));
     throw InputError(
-        driver().title, shown, said,
+        own_row().title, shown, said,
         QT_TRANSLATE_NOOP(
             "errors", "check the device's name in the maker's Touch Setup; touch:LEFT,RIGHT names devices"));
 }
@@ -159,14 +159,14 @@ void TouchDevice::open_hand(int hand, const std::string& name) {
     library_.enable(hd::max_force_clamping);
     if (const std::uint32_t error = first_error(); error != hd::success)
         throw InputError(
-            driver().title, shown_name(name),
+            own_row().title, shown_name(name),
             {QT_TRANSLATE_NOOP("errors", "force cannot be switched on: %1"), words_of_error(error)},
             QT_TRANSLATE_NOOP("errors", "test the device with the maker's Touch Diagnostic"));
     facts_.slot[hand] = true;
 }
 
 void TouchDevice::open() {
-    require_ready(driver(), library_.load());
+    require_ready(own_row(), library_.load());
     try {
         for (int h = 0; h < 2; ++h)
             if (names_.hand[h]) open_hand(h, *names_.hand[h]);
@@ -176,7 +176,7 @@ void TouchDevice::open() {
         running_ = true;
         if (const std::uint32_t error = first_error(); error != hd::success)
             throw InputError(
-                driver().title, "",
+                own_row().title, "",
                 {QT_TRANSLATE_NOOP("errors", "the maker's driver does not start: %1"), words_of_error(error)},
                 QT_TRANSLATE_NOOP("errors",
                                   "unplug the device, connect it again and test it with Touch Diagnostic"));

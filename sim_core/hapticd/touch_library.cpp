@@ -5,7 +5,7 @@ namespace fulcrum::hapticd {
 
 LibraryLook TouchLibrary::load() {
     return load_library(
-        *vendor_driver("touch"), {"libHD.so", "libHD.so.3.5", "libHD.so.3.4", "libHD.so.3.3", "libHD.so.3.0"},
+        *device_row("touch"), {"libHD.so", "libHD.so.3.5", "libHD.so.3.4", "libHD.so.3.3", "libHD.so.3.0"},
         {symbol("hdInitDevice", init_device), symbol("hdDisableDevice", disable_device),
          symbol("hdMakeCurrentDevice", make_current), symbol("hdBeginFrame", begin_frame),
          symbol("hdEndFrame", end_frame), symbol("hdEnable", enable), symbol("hdGetDoublev", get_double),

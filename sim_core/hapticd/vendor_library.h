@@ -6,26 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/devices/device_table.h"
 #include "sim_core/devices/run_time_library.h"
+#include "sim_core/devices/usb_devices.h"
 #include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::hapticd {
 
-/// Loads the library that the driver's variable names, else the first of `names` that exists, and finds every
-/// symbol. It stays loaded: the makers' libraries are not made to be closed.
-LibraryLook load_library(const VendorDriver& driver, const std::vector<std::string>& names,
+/// Loads the library that the variable of the device names, else the first of `names` that exists, and finds
+/// every symbol. It stays loaded: the makers' libraries are not made to be closed.
+LibraryLook load_library(const DeviceRow& device, const std::vector<std::string>& names,
                          const std::vector<Symbol>& symbols);
 
 /// Throws InputError where the library is not ready.
-void require_ready(const VendorDriver& driver, const LibraryLook& look);
-
-/// Loads the library of this kind of device and reports what is missing.
-LibraryLook look_at_own_library(const std::string& kind);
+void require_ready(const DeviceRow& device, const LibraryLook& look);
 
 /// What keeps a device from opening that its library cannot reach: none is connected, or its file may not be
 /// opened. Throws InputError with that, else with `problem` and `hint`.
-[[noreturn]] void refuse_to_open(const VendorDriver& driver, const std::string& device,
-                                 const Sentence& problem, const Sentence& hint,
-                                 const UsbFolders& folders = {});
+[[noreturn]] void refuse_to_open(const DeviceRow& kind, const std::string& device, const Sentence& problem,
+                                 const Sentence& hint, const UsbFolders& folders = {});
 
 }  // namespace fulcrum::hapticd

@@ -61,9 +61,9 @@ SolidContact collide_shapes(const ToolShape& first, const ToolShape& second) {
         if (across.norm() > 1e-12) deepest.normal = across.normalized();
     }
     // A jaw cannot penetrate deeper than a ball around it: skip it if the ball is no deeper than the best so
-    // far.
+    // far, or does not touch at all.
     const auto cannot_improve = [&](const OrientedBox& jaw, const Vector3& other, double radius) {
-        return jaw.half.norm() + radius - (jaw.centre - other).norm() < deepest.depth;
+        return jaw.half.norm() + radius - (jaw.centre - other).norm() < std::max(deepest.depth, 0.0);
     };
     const auto jaw_on_shaft = [&](const OrientedBox& jaw, const ToolShape& shaft, bool jaw_is_first) {
         const SegmentPair near = closest_points_of_segments(shaft.trocar, shaft.tip, jaw.centre, jaw.centre);
@@ -75,7 +75,8 @@ SolidContact collide_shapes(const ToolShape& first, const ToolShape& second) {
     for (int k = 0; k < first.jaws; ++k) {
         for (int m = 0; m < second.jaws; ++m) {
             if (cannot_improve(first.jaw[k], second.jaw[m].centre, second.jaw[m].half.norm())) continue;
-            keep_deeper(separate_boxes(first.jaw[k], second.jaw[m]), 0.0, true, deepest);
+            Separation found;
+            if (boxes_overlap(first.jaw[k], second.jaw[m], found)) keep_deeper(found, 0.0, true, deepest);
         }
     }
     return deepest;

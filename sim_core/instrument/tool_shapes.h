@@ -21,13 +21,14 @@ ToolShape tool_shape(const InstrumentModel& instrument, const ToolKinematics& to
 
 /// Deepest overlap of two shapes.
 struct SolidContact {
-    double depth = 0;                   ///< m; <= 0 if separated
+    double depth = 0;                   ///< m; <= 0 if separated, whatever its size
     Vector3 normal = Vector3::UnitZ();  ///< unit, from the second into the first
     Vector3 point = Vector3::Zero();    ///< m, contact point
     bool by_jaw = false;                ///< a jaw is one of the two shapes
 };
 
-/// Two instruments: shafts, jaws against shafts, jaws against jaws; exact.
+/// Two instruments: shafts, jaws against shafts, jaws against jaws; exact where they overlap. How far apart
+/// jaws are is not computed where they cannot touch.
 SolidContact collide_shapes(const ToolShape& first, const ToolShape& second);
 
 /// An instrument against a sphere (of the bowel's chain); exact.

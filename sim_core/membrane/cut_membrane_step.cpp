@@ -7,10 +7,6 @@
 #include "sim_core/membrane/membrane_system.h"
 
 namespace fulcrum {
-
-using membrane_detail::lanes_of;
-using membrane_detail::vector_of;
-
 namespace {
 
 constexpr double strongest = 1e9;  // N, m/s2, N/m

@@ -92,12 +92,6 @@ inline std::size_t at(std::int32_t i) {
 using Data = MembraneScratch::Data;
 
 double dot(const Lanes* a, const Lanes* b, std::size_t count);
-inline Lanes lanes_of(const Vector3& v) {
-    return Lanes{v.x(), v.y(), v.z(), 0.0};
-}
-inline Vector3 vector_of(const Lanes& v) {
-    return Vector3(v[0], v[1], v[2]);
-}
 
 /// Ends of springs by node numbers; count is a multiple of four, padded with springs of no stiffness.
 struct SpringEnds {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vector of four doubles, used by the rod's kernels. Every operation is the IEEE operation on each lane.
+// Vector of four doubles, used by kernels of rod, membranes and rigid bodies. Every operation is the IEEE
+// operation on each lane.
 #pragma once
 
 #include <cmath>
@@ -7,6 +8,8 @@
 #if defined(__AVX__)
 #include <immintrin.h>
 #endif
+
+#include "sim_core/numerics/types.h"
 
 namespace fulcrum {
 
@@ -34,6 +37,34 @@ inline Lanes sqrt_lanes(const Lanes& value) {
 #endif
 }
 
+/// a * b + c, rounded once where the processor can, as Eigen's pmadd.
+inline Lanes multiply_add_lanes(const Lanes& a, const Lanes& b, const Lanes& c) {
+#if defined(__FMA__)
+    return _mm256_fmadd_pd(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/// The first two lanes of a, the last two of b.
+inline Lanes first_two_lanes(const Lanes& a, const Lanes& b) {
+#if defined(__AVX__)
+    return _mm256_blend_pd(a, b, 12);
+#else
+    return Lanes{a[0], a[1], b[2], b[3]};
+#endif
+}
+
+/// The lanes i, j, k, l of a value.
+template <int i, int j, int k, int l>
+inline Lanes turned_lanes(const Lanes& v) {
+#if defined(__AVX2__)
+    return _mm256_permute4x64_pd(v, i + 4 * j + 16 * k + 64 * l);
+#else
+    return Lanes{v[i], v[j], v[k], v[l]};
+#endif
+}
+
 /// Transposes the 4 x 4 matrix whose rows are a, b, c, d.
 inline void transpose_lanes(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
 #if defined(__AVX__)
@@ -50,6 +81,14 @@ inline void transpose_lanes(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
     c = Lanes{p[2], q[2], r[2], s[2]};
     d = Lanes{p[3], q[3], r[3], s[3]};
 #endif
+}
+
+/// A vector in the first three lanes, 0 in the last.
+inline Lanes lanes_of(const Vector3& v) {
+    return Lanes{v.x(), v.y(), v.z(), 0.0};
+}
+inline Vector3 vector_of(const Lanes& v) {
+    return Vector3(v[0], v[1], v[2]);
 }
 
 /// Sum of the four lanes, in a fixed order.

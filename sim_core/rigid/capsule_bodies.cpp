@@ -25,6 +25,27 @@ Matrix3 cross(const Vector3& v) {
     return matrix;
 }
 
+// Sums and products in the order in which Eigen has them for its small fixed sizes, so that they are equal to
+// the bit to those of vectors and matrices.
+inline double dot(const Lanes& a, const Lanes& b) {
+    const Lanes product = a * b;
+    return (product[0] + product[1]) + product[2];
+}
+
+inline Lanes times(const Lanes* columns, const Lanes& v) {
+    const Lanes x = turned_lanes<0, 0, 0, 0>(v), y = turned_lanes<1, 1, 1, 1>(v),
+                z = turned_lanes<2, 2, 2, 2>(v);
+    const Lanes first = columns[0] * x;
+    const Lanes upper = multiply_add_lanes(columns[2], z, multiply_add_lanes(columns[1], y, first));
+    const Lanes lower = first + (columns[1] * y + columns[2] * z);
+    return first_two_lanes(upper, lower);
+}
+
+inline Lanes cross(const Lanes& a, const Lanes& b) {
+    return turned_lanes<1, 2, 0, 3>(a) * turned_lanes<2, 0, 1, 3>(b) -
+           turned_lanes<2, 0, 1, 3>(a) * turned_lanes<1, 2, 0, 3>(b);
+}
+
 }  // namespace
 
 BodyShape make_ring(int sides, double corner_radius, double tube_radius, double mass) {
@@ -216,65 +237,127 @@ void CapsuleBodies::find_springs(const std::vector<BodyState>& bodies, const Bod
     }
 }
 
-void CapsuleBodies::shift(BodyState& body, std::int32_t index, const Vector3& arm,
-                          const Vector3& impulse) const noexcept {
-    body.velocity += impulse / shape_.mass;
-    body.spin += inverse_inertia_[static_cast<std::size_t>(index)] * arm.cross(impulse);
+void CapsuleBodies::begin_sweeps(const std::vector<BodyState>& bodies, const BodyPusher* pushers,
+                                 double h) noexcept {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        motions_[i].velocity = lanes_of(bodies[i].velocity);
+        motions_[i].spin = lanes_of(bodies[i].spin);
+        for (int c = 0; c < 3; ++c) motions_[i].inverse_inertia[c] = lanes_of(inverse_inertia_[i].col(c));
+    }
+    order_contacts(static_cast<std::int32_t>(bodies.size()));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        const Contact& contact = contacts_[i];
+        Constraint& constraint = constraints_[static_cast<std::size_t>(place_[i])];
+        constraint.first = contact.first;
+        constraint.second = contact.second;
+        constraint.normal = lanes_of(contact.normal);
+        constraint.on_first = lanes_of(contact.on_first);
+        constraint.on_second = lanes_of(contact.on_second);
+        constraint.speed = lanes_of(contact.speed);
+        constraint.drag = all_lanes(0);
+        constraint.push = 0;
+        constraint.share_normal = contact.share_normal;
+        constraint.share_along = contact.share_along;
+        // Bodies may close a gap, and part where they overlap. An instrument pushes as a spring does.
+        constraint.softness = 0;
+        constraint.least = -contact.gap / h;
+        if (contact.pusher >= 0) {
+            const BodyPusher& pusher = pushers[contact.pusher];
+            const double scale = pusher.damping + h * pusher.stiffness;
+            constraint.softness = 1 / (h * scale);
+            constraint.least = -pusher.stiffness / scale * contact.gap;
+        } else if (contact.gap < 0) {
+            constraint.least =
+                std::min(correction * std::max(0.0, -contact.gap - slop) / h, fastest_correction);
+        }
+    }
 }
 
-void CapsuleBodies::pull(std::vector<BodyState>& bodies, Spring& spring) const noexcept {
-    BodyState& body = bodies[static_cast<std::size_t>(spring.body)];
-    const Vector3 speed = body.velocity + body.spin.cross(spring.arm);
+// A contact waits for the velocities that the one before it gave the same body. Contacts of other bodies in
+// between keep the processor busy meanwhile. Each body's contacts stay in the order in which they were found,
+// so that the result is the same to the bit.
+void CapsuleBodies::order_contacts(std::int32_t bodies) noexcept {
+    std::array<std::int32_t, most_bodies> next;  // contact of each body, count_ at its end
+    const auto after = [&](std::int32_t body, std::int32_t contact) {
+        while (contact < count_ && contacts_[static_cast<std::size_t>(contact)].first != body &&
+               contacts_[static_cast<std::size_t>(contact)].second != body)
+            ++contact;
+        return contact;
+    };
+    for (std::int32_t b = 0; b < bodies; ++b) next[static_cast<std::size_t>(b)] = after(b, 0);
+    // The earliest contact that is left is the next one of its bodies: each round places one or more.
+    for (std::int32_t placed = 0; placed < count_;) {
+        for (std::int32_t b = 0; b < bodies; ++b) {
+            const std::int32_t i = next[static_cast<std::size_t>(b)];
+            if (i == count_) continue;
+            const Contact& contact = contacts_[static_cast<std::size_t>(i)];
+            const std::int32_t other = contact.first == b ? contact.second : contact.first;
+            if (other >= 0 && next[static_cast<std::size_t>(other)] != i) continue;
+            place_[static_cast<std::size_t>(i)] = placed++;
+            next[static_cast<std::size_t>(b)] = after(b, i + 1);
+            if (other >= 0) next[static_cast<std::size_t>(other)] = after(other, i + 1);
+        }
+    }
+}
+
+void CapsuleBodies::shift(Motion& motion, const Lanes& arm, const Lanes& impulse) const noexcept {
+    motion.velocity += impulse / all_lanes(shape_.mass);
+    motion.spin += times(motion.inverse_inertia, cross(arm, impulse));
+}
+
+void CapsuleBodies::pull(Spring& spring) noexcept {
+    Motion& motion = motions_[static_cast<std::size_t>(spring.body)];
+    const Vector3 speed = vector_of(motion.velocity) + vector_of(motion.spin).cross(spring.arm);
     const Vector3 before = spring.impulse;
     spring.impulse += spring.inverse * (spring.goal - speed - spring.softness * spring.impulse);
     // Another hand or a post may take the body along within the step.
     const double size = spring.impulse.norm();
     if (size > spring.most) spring.impulse *= spring.most / size;
-    const Vector3 more = spring.impulse - before;
-    shift(body, spring.body, spring.arm, more);
+    shift(motion, lanes_of(spring.arm), lanes_of(Vector3(spring.impulse - before)));
 }
 
-void CapsuleBodies::push_bodies(std::vector<BodyState>& bodies, const Contact& contact,
-                                const Vector3& impulse) const noexcept {
-    shift(bodies[static_cast<std::size_t>(contact.first)], contact.first, contact.on_first, impulse);
-    if (contact.second >= 0)
-        shift(bodies[static_cast<std::size_t>(contact.second)], contact.second, contact.on_second, -impulse);
-}
-
-void CapsuleBodies::press(std::vector<BodyState>& bodies, const BodyPusher* pushers, Contact& contact,
-                          double h) const noexcept {
+void CapsuleBodies::press(Constraint& contact) noexcept {
+    Motion& one = motions_[static_cast<std::size_t>(contact.first)];
+    Motion* const two = contact.second >= 0 ? &motions_[static_cast<std::size_t>(contact.second)] : nullptr;
     const auto relative = [&] {
-        const BodyState& one = bodies[static_cast<std::size_t>(contact.first)];
-        Vector3 speed = one.velocity + one.spin.cross(contact.on_first) - contact.speed;
-        if (contact.second >= 0) {
-            const BodyState& two = bodies[static_cast<std::size_t>(contact.second)];
-            speed -= two.velocity + two.spin.cross(contact.on_second);
-        }
+        Lanes speed = one.velocity + cross(one.spin, contact.on_first) - contact.speed;
+        if (two != nullptr) speed -= two->velocity + cross(two->spin, contact.on_second);
         return speed;
     };
-    // Normal: bodies may close a gap, and part where they overlap. An instrument pushes as a spring does.
-    double least = -contact.gap / h, softness = 0;
-    if (contact.pusher >= 0) {
-        const BodyPusher& pusher = pushers[contact.pusher];
-        const double scale = pusher.damping + h * pusher.stiffness;
-        softness = 1 / (h * scale);
-        least = -pusher.stiffness / scale * contact.gap;
-    } else if (contact.gap < 0) {
-        least = std::min(correction * std::max(0.0, -contact.gap - slop) / h, fastest_correction);
-    }
+    const auto push_bodies = [&](const Lanes& impulse) {
+        shift(one, contact.on_first, impulse);
+        if (two != nullptr) shift(*two, contact.on_second, -impulse);
+    };
     const double before = contact.push;
-    const double closing = relative().dot(contact.normal);
-    contact.push =
-        std::max(0.0, before + (least - closing - softness * before) / (contact.share_normal + softness));
-    push_bodies(bodies, contact, (contact.push - before) * contact.normal);
+    const double closing = dot(relative(), contact.normal);
+    contact.push = std::max(0.0, before + (contact.least - closing - contact.softness * before) /
+                                              (contact.share_normal + contact.softness));
+    push_bodies(all_lanes(contact.push - before) * contact.normal);
     // Friction, within the cone.
-    const Vector3 speed = relative();
-    const Vector3 sliding = speed - speed.dot(contact.normal) * contact.normal;
-    Vector3 drag = contact.drag - sliding / contact.share_along;
-    const double most = ground_.friction * contact.push, size = drag.norm();
-    if (size > most) drag *= size > 0 ? most / size : 0.0;
-    push_bodies(bodies, contact, drag - contact.drag);
+    const Lanes speed = relative();
+    const Lanes sliding = speed - all_lanes(dot(speed, contact.normal)) * contact.normal;
+    Lanes drag = contact.drag - sliding / all_lanes(contact.share_along);
+    const double most = ground_.friction * contact.push, size = std::sqrt(dot(drag, drag));
+    if (size > most) drag *= all_lanes(size > 0 ? most / size : 0.0);
+    push_bodies(drag - contact.drag);
     contact.drag = drag;
+}
+
+void CapsuleBodies::end_sweeps(std::vector<BodyState>& bodies, BodyGrip* grips, BodyPusher* pushers,
+                               double dt) const noexcept {
+    for (int i = 0; i < spring_count_; ++i)
+        grips[springs_[static_cast<std::size_t>(i)].hand].force +=
+            springs_[static_cast<std::size_t>(i)].impulse / dt;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        const Contact& contact = contacts_[i];
+        const Constraint& pressed = constraints_[static_cast<std::size_t>(place_[i])];
+        if (contact.pusher >= 0)
+            pushers[contact.pusher].force += (pressed.push * contact.normal + vector_of(pressed.drag)) / dt;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].velocity = vector_of(motions_[i].velocity);
+        bodies[i].spin = vector_of(motions_[i].spin);
+    }
 }
 
 void CapsuleBodies::step(std::vector<BodyState>& bodies, BodyGrip* grips, BodyPusher* pushers, int hands,
@@ -287,19 +370,12 @@ void CapsuleBodies::step(std::vector<BodyState>& bodies, BodyGrip* grips, BodyPu
         begin_substep(bodies, h);
         find_contacts(bodies, pushers, hands, to, dt);
         find_springs(bodies, grips, hands, to, dt, h);
+        begin_sweeps(bodies, pushers, h);
         for (int sweep = 0; sweep < sweeps; ++sweep) {
-            for (int i = 0; i < spring_count_; ++i) pull(bodies, springs_[static_cast<std::size_t>(i)]);
-            for (int i = 0; i < count_; ++i)
-                press(bodies, pushers, contacts_[static_cast<std::size_t>(i)], h);
+            for (int i = 0; i < spring_count_; ++i) pull(springs_[static_cast<std::size_t>(i)]);
+            for (int i = 0; i < count_; ++i) press(constraints_[static_cast<std::size_t>(i)]);
         }
-        for (int i = 0; i < spring_count_; ++i)
-            grips[springs_[static_cast<std::size_t>(i)].hand].force +=
-                springs_[static_cast<std::size_t>(i)].impulse / dt;
-        for (int i = 0; i < count_; ++i) {
-            const Contact& contact = contacts_[static_cast<std::size_t>(i)];
-            if (contact.pusher >= 0)
-                pushers[contact.pusher].force += (contact.push * contact.normal + contact.drag) / dt;
-        }
+        end_sweeps(bodies, grips, pushers, dt);
         for (BodyState& body : bodies) {
             const double speed = body.velocity.norm(), spin = body.spin.norm();
             if (speed > fastest) body.velocity *= fastest / speed;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim_core/numerics/lanes.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
@@ -110,9 +111,20 @@ class CapsuleBodies {
         Vector3 on_first = Vector3::Zero(), on_second = Vector3::Zero();  ///< m, from the centres of mass
         Vector3 speed = Vector3::Zero();                                  ///< m/s, of what is no body
         double gap = 0;                                                   ///< m
-        double push = 0;                                                  ///< N s, so far in this substep
-        Vector3 drag = Vector3::Zero();                                   ///< N s, along the contact
         double share_normal = 0, share_along = 0;                         ///< 1/kg, of the bodies' answer
+    };
+    /// A contact as the sweeps read it: most of the time of a step is theirs.
+    struct Constraint {
+        Lanes normal, on_first, on_second, speed;  ///< as of the contact
+        Lanes drag;                                ///< N s, along the contact, so far in this substep
+        double push, least, softness;              ///< N s so far; m/s; s/kg
+        double share_normal, share_along;
+        std::int32_t first, second;
+    };
+    /// Of a body, during the sweeps.
+    struct Motion {
+        Lanes velocity, spin;      ///< m/s, rad/s
+        Lanes inverse_inertia[3];  ///< 1/(kg m2), columns
     };
     /// A spring of a grip in a substep.
     struct Spring {
@@ -131,13 +143,14 @@ class CapsuleBodies {
     void add(const Contact& contact) noexcept;
     void find_springs(const std::vector<BodyState>& bodies, const BodyGrip* grips, int hands, double to,
                       double dt, double h) noexcept;
-    void pull(std::vector<BodyState>& bodies, Spring& spring) const noexcept;
-    void press(std::vector<BodyState>& bodies, const BodyPusher* pushers, Contact& contact,
-               double h) const noexcept;
-    void push_bodies(std::vector<BodyState>& bodies, const Contact& contact,
-                     const Vector3& impulse) const noexcept;
-    void shift(BodyState& body, std::int32_t index, const Vector3& arm,
-               const Vector3& impulse) const noexcept;
+    void begin_sweeps(const std::vector<BodyState>& bodies, const BodyPusher* pushers, double h) noexcept;
+    void order_contacts(std::int32_t bodies) noexcept;
+    void pull(Spring& spring) noexcept;
+    void press(Constraint& contact) noexcept;
+    void shift(Motion& motion, const Lanes& arm, const Lanes& impulse) const noexcept;
+    /// Hands back the velocities, and the forces of grips and pushers.
+    void end_sweeps(std::vector<BodyState>& bodies, BodyGrip* grips, BodyPusher* pushers,
+                    double dt) const noexcept;
     Matrix3 answer(std::int32_t body, const Vector3& arm) const noexcept;
 
     BodyShape shape_;
@@ -147,6 +160,9 @@ class CapsuleBodies {
     std::array<Matrix3, most_bodies> inverse_inertia_;  ///< 1/(kg m2), patient frame
     std::array<std::array<Vector3, BodyShape::most_corners>, most_bodies> corners_;  ///< m, of each body now
     std::array<Contact, contact_capacity> contacts_;
+    std::array<Constraint, contact_capacity> constraints_;  ///< in the order of the sweeps
+    std::array<std::int32_t, contact_capacity> place_;      ///< of each contact's constraint
+    std::array<Motion, most_bodies> motions_;
     std::array<Spring, most_springs> springs_;
     int count_ = 0, spring_count_ = 0;
 

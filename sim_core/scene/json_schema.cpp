@@ -4,6 +4,9 @@
 #define VALIJSON_USE_EXCEPTIONS 1
 #endif
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -173,18 +176,32 @@ Sentence violation(const std::string& description) {
     return lower_first(description);
 }
 
-}  // namespace
-
-void JsonDocument::check_schema(const char* schema_text) const {
-    json schema_json;
-    valijson::Schema schema;
-    try {
-        schema_json = json::parse(schema_text);
+/// A built-in schema, read once: reading it takes longer than checking a file against it.
+struct ReadSchema {
+    explicit ReadSchema(const char* text) try : document(json::parse(text)) {
         valijson::SchemaParser parser;
-        parser.populateSchema(Adapter(schema_json), schema);
+        parser.populateSchema(Adapter(document), schema);
     } catch (const std::exception& error) {
         throw std::logic_error(std::string("the built-in schema is not valid: ") + error.what());
     }
+    json document;
+    valijson::Schema schema;
+};
+
+/// Any thread.
+const ReadSchema& read_schema(const char* text) {
+    static std::mutex mutex;
+    static std::map<std::string, std::unique_ptr<const ReadSchema>> schemas;
+    const std::lock_guard lock(mutex);
+    std::unique_ptr<const ReadSchema>& schema = schemas[text];
+    if (!schema) schema = std::make_unique<const ReadSchema>(text);
+    return *schema;
+}
+
+}  // namespace
+
+void JsonDocument::check_schema(const char* schema_text) const {
+    const auto& [schema_json, schema] = read_schema(schema_text);
     valijson::Validator validator;
     valijson::ValidationResults results;
     if (validator.validate(schema, Adapter(root_), &results)) return;

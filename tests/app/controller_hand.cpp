@@ -12,7 +12,7 @@
 namespace fulcrum::app::program_test {
 namespace {
 
-constexpr double near_goal = 0.6e-3, planned_ahead = 6e-3;  // m of the handle
+constexpr double near_goal = 0.6e-3;  // m of the handle
 constexpr double closing_s = 0.15;
 constexpr int button_ms = 120;
 
@@ -28,25 +28,6 @@ double push_for(double speed) {
 
 }  // namespace
 
-bool ControllerHand::work_until(const std::function<bool()>& done, int milliseconds) {
-    QElapsedTimer timer;
-    timer.start();
-    while (timer.elapsed() < milliseconds) {
-        QTest::qWait(8);
-        if (theatre_.session() == nullptr || done()) {
-            let_go();
-            return true;
-        }
-        if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
-        think();
-        for (int h = 0; h < hand_count; ++h)
-            if (theatre_.session()->scene().instrument(static_cast<Hand>(h)) != nullptr) push(h);
-        scope();
-    }
-    let_go();
-    return false;
-}
-
 void ControllerHand::let_go() {
     for (int axis = 0; axis < 6; ++axis) set_axis(axis, 0);
     buttons_ = 0;
@@ -55,29 +36,12 @@ void ControllerHand::let_go() {
     along_[0] = along_[1] = false;
 }
 
-double ControllerHand::error(int hand) const {
-    if (theatre_.session()->scene().instrument(static_cast<Hand>(hand)) == nullptr || tick_ == 0) return 0;
-    return (handle_of(wish_.hand[hand]) - theatre_.input()->targets().hand[hand].handle).norm();
-}
-
-void ControllerHand::think() {
-    const ui::AttemptSession& session = *theatre_.session();
-    mind_.observe(session.snapshot(), session.display());
-    const std::uint32_t now = session.health().ticks;
-    // Nobody plans further ahead than the hands follow.
-    if (tick_ != 0 && std::max(error(0), error(1)) > planned_ahead) {
-        tick_ = now;
-        return;
-    }
-    while (tick_ < now) mind_.read(++tick_, wish_);
-}
-
 void ControllerHand::set_axis(int axis, double share) {
     const auto value = static_cast<std::int32_t>(std::lround(32767 * std::clamp(share, -1.0, 1.0)));
     if (axis_[axis] == value) return;
     axis_[axis] = value;
     pad_.set_axis(axis, value);
-    ++changes_;
+    ++events_;
 }
 
 void ControllerHand::set_button(int button, bool held) {
@@ -85,7 +49,7 @@ void ControllerHand::set_button(int button, bool held) {
     buttons_ = held ? before | bit : before & ~bit;
     if (buttons_ == before) return;
     pad_.set_buttons(buttons_);
-    ++changes_;
+    ++events_;
 }
 
 void ControllerHand::push(int h) {

@@ -11,11 +11,13 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
+#include "assessment/metrics/statement.h"
 #include "assessment/operators/cheats.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
@@ -307,7 +309,10 @@ TEST_F(Escapes, StoppingTheProgramMakesPracticeOfItAndIsInTheAuditLog) {
                         "SELECT p.payload FROM audit_payload p JOIN audit_entry e ON e.sequence = p.sequence "
                         "WHERE e.operation = 'attempt.practice'");
     ASSERT_TRUE(row.next());
-    EXPECT_NE(row.text(0).find("the program stood still for 1."), std::string::npos) << row.text(0);
+    const std::string reason = nlohmann::json::parse(row.text(0)).at("reason").get<std::string>();
+    EXPECT_EQ(statement_of(reason).id(), StatementId::practice_stood_still) << reason;
+    ASSERT_NE(statement_of(reason).number("seconds"), nullptr) << reason;
+    EXPECT_GE(*statement_of(reason).number("seconds"), 1) << reason;
     EXPECT_TRUE(store.check(store.station_session()).ok);
 }
 

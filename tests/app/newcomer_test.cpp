@@ -19,6 +19,7 @@
 #include "tests/fakes/fake_touch.h"
 #include "tests/support/fake_haply.h"
 #include "tests/support/fake_tracker.h"
+#include "tests/support/fake_trainer.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::app::program_test {
@@ -216,6 +217,22 @@ TEST_F(NewcomerWithTracker, TouchesTheFirstTarget) {
             pose.place = position;
             tracker.move(static_cast<std::size_t>(hand), pose);
         });
+    });
+}
+
+struct NewcomersTrainer {
+    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
+    fulcrum::test::FakeTrainer trainer{"LR"};
+    Variable device{"FULCRUM_DEVICE", trainer.specification()};
+};
+class NewcomerWithTrainer : public NewcomersTrainer, public Newcomer {};
+TEST_F(NewcomerWithTrainer, TouchesTheFirstTarget) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    touch_first("box trainer on a serial port (pseudo-terminal)", "poses", [this](ObservingRig& mind) {
+        return PosedHand(
+            theatre(), mind,
+            [this](int hand, const Vector3& position) { trainer.move(hand == 0 ? 'L' : 'R', position); },
+            Vector3(0, 0, 0.24));
     });
 }
 

@@ -11,53 +11,17 @@ namespace fulcrum::app::program_test {
 namespace {
 
 constexpr int jaws_button = 1, pedal_button = 2, turning_button = 3, exchange_button = 8;
-constexpr double planned_ahead_m = 20e-3;  // of the handle
-constexpr int taken_within_ms = 250;       // a movement that had no effect by then is not waited for
-constexpr int furthest_counts = 220;       // in one go
+constexpr int taken_within_ms = 250;  // a movement that had no effect by then is not waited for
+constexpr int furthest_counts = 220;  // in one go
 
 constexpr int arrow_keys[] = {0, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};
 
 }  // namespace
 
-bool TwoMiceHand::work_until(const std::function<bool()>& done, int milliseconds) {
-    QElapsedTimer timer;
-    timer.start();
-    while (timer.elapsed() < milliseconds) {
-        QTest::qWait(8);
-        if (theatre_.session() == nullptr || done()) {
-            let_go();
-            return true;
-        }
-        if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
-        think();
-        for (int h = 0; h < hand_count; ++h)
-            if (theatre_.session()->scene().instrument(static_cast<Hand>(h)) != nullptr) push(h);
-        scope();
-    }
-    let_go();
-    return false;
-}
-
 void TwoMiceHand::let_go() {
     for (int h = 0; h < hand_count; ++h)
         for (const int button : {jaws_button, pedal_button, turning_button, exchange_button})
             hold(h, button, false);
-}
-
-double TwoMiceHand::error(int hand) const {
-    if (theatre_.session()->scene().instrument(static_cast<Hand>(hand)) == nullptr || tick_ == 0) return 0;
-    return (handle_of(wish_.hand[hand]) - theatre_.input()->targets().hand[hand].handle).norm();
-}
-
-void TwoMiceHand::think() {
-    const ui::AttemptSession& session = *theatre_.session();
-    mind_.observe(session.snapshot(), session.display());
-    const std::uint32_t now = session.health().ticks;
-    if (tick_ != 0 && std::max(error(0), error(1)) > planned_ahead_m) {
-        tick_ = now;
-        return;
-    }
-    while (tick_ < now) mind_.read(++tick_, wish_);
 }
 
 void TwoMiceHand::hold(int hand, int button, bool held) {

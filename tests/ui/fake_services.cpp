@@ -327,8 +327,10 @@ void FakeServices::publish_curriculum(const database::Session& session, const st
     if (fs::create_directory(folder))
         for (const auto& file : fs::directory_iterator(fulcrum::test::source_path("assets/curricula")))
             fs::copy_file(file.path(), folder / file.path().filename());
-    database::publish_curriculum(*store_, session, {folder.string(), fulcrum::task_ids(), forms()},
-                                 curriculum().id, text, reason);
+    std::vector<InstalledTask> installed;
+    for (const TaskDefinition& task : tasks_) installed.push_back(installed_task(task));
+    database::publish_curriculum(*store_, session, {folder.string(), installed, forms()}, curriculum().id,
+                                 text, reason);
     published_.push_back(load_versions(folder.string(), curriculum().id, fulcrum::task_ids()));
 }
 

@@ -3,8 +3,6 @@
 
 #include <QComboBox>
 #include <QDateEdit>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include "database/records/people.h"
 #include "ui/administration/audit_words.h"
@@ -36,17 +34,6 @@ QDateEdit* make_day(const QString& label, const char* name) {
     day->setCalendarPopup(true);
     day->setDisplayFormat(QStringLiteral("d MMM yyyy"));
     return day;
-}
-
-/// {"before":"yes","after":"no"} as "before: yes; after: no"; what is no object stays as it is.
-QString particulars(const std::string& payload) {
-    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
-    if (!document.isObject()) return text(payload);
-    const QJsonObject members = document.object();
-    QStringList lines;
-    for (auto member = members.begin(); member != members.end(); ++member)
-        lines << member.key() + QStringLiteral(": ") + member.value().toString();
-    return lines.join(QStringLiteral("; "));
 }
 
 struct ChainState {
@@ -196,7 +183,7 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
         table_->insertRow(row);
         const QString cells[] = {local_time(entry.time),  text(entry.actor_name),
                                  role_text(entry.role),   audit_operation_text(entry.operation),
-                                 text(entry.person_name), particulars(entry.payload)};
+                                 text(entry.person_name), audit_details_text(entry.operation, entry.payload)};
         for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));
         table_->item(row, 1)->setToolTip(beside({cells[1], cells[2]}));
         table_->item(row, 5)->setToolTip(cells[5] + QLatin1Char('\n') +

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/administration/audit_words.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -94,6 +97,20 @@ QString audit_group_text(const std::string& group) {
 QString audit_operation_text(const std::string& operation) {
     const QString words = words_in(operations, operation, "fulcrum::ui::audit");
     return words.isEmpty() ? text(operation) : words;
+}
+
+QString audit_details_text(const std::string& operation, const std::string& payload) {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
+    if (!document.isObject()) return text(payload);
+    const QJsonObject members = document.object();
+    QStringList lines;
+    for (auto member = members.begin(); member != members.end(); ++member) {
+        const QString said = member.value().toString();
+        const bool is_statement = operation == "attempt.practice" && member.key() == QLatin1String("reason");
+        lines << member.key() + QStringLiteral(": ") +
+                     (is_statement ? statement_text(statement_of(plain(said))) : said);
+    }
+    return lines.join(QStringLiteral("; "));
 }
 
 }  // namespace fulcrum::ui

@@ -11,5 +11,8 @@ namespace fulcrum::ui {
 QString audit_operation_text(const std::string& operation);
 /// The operations that begin with this word, "attempt" for attempt.finish and others: "Attempts, all".
 QString audit_group_text(const std::string& group);
+/// A payload {"before":"yes","after":"no"} as "after: no; before: yes"; what is not an object stays as it is.
+/// Why an attempt became practice is in the reader's words, in rows of older programs in English.
+QString audit_details_text(const std::string& operation, const std::string& payload);
 
 }  // namespace fulcrum::ui

@@ -60,7 +60,8 @@ ImportCard::ImportCard(Context& context)
     layout->setSpacing(8);
     layout->addWidget(make_label(tr("Import people from a list"), "heading"));
     layout->addWidget(make_label(
-        tr("Choose a folder with OneRoster CSV files, or one CSV file with the columns login, name, role and "
+        tr("Choose a folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, "
+           "name, role and "
            "cohort. The import only adds accounts and roles; it renames, deactivates and removes nobody."),
         "muted"));
     layout->addWidget(make_path_row());
@@ -116,7 +117,7 @@ void ImportCard::choose(bool folder) {
     auto* dialog = new QFileDialog(this, tr("List of people"), path_->text());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
-    if (!folder) dialog->setNameFilter(tr("CSV (*.csv)"));
+    if (!folder) dialog->setNameFilter(tr("CSV or ZIP (*.csv *.zip)"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         path_->setText(QDir::toNativeSeparators(path));
         look();

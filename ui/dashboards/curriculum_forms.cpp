@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "ui/dashboards/form_parts.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -25,9 +26,7 @@ constexpr DeviceClass curriculum_devices[] = {DeviceClass::haptic, DeviceClass::
                                               DeviceClass::controller, DeviceClass::mouse_keyboard};
 constexpr int most_variants_asked = 12, most_raters = 12;
 
-struct CurriculumWords {
-    Q_DECLARE_TR_FUNCTIONS(fulcrum::ui::CurriculumPage)
-};
+}  // namespace
 
 QLabel* make_problems(const char* name) {
     QLabel* label = make_label({});
@@ -37,7 +36,6 @@ QLabel* make_problems(const char* name) {
     return label;
 }
 
-/// The problems of these fields, a line each; hidden without any.
 void put_problems(QLabel* label, const std::vector<CurriculumProblem>& problems, std::size_t index,
                   std::initializer_list<CurriculumField> fields) {
     QStringList lines;
@@ -50,7 +48,7 @@ void put_problems(QLabel* label, const std::vector<CurriculumProblem>& problems,
     label->setVisible(!lines.isEmpty());
 }
 
-QWidget* named(QFormLayout* form, const QString& name, QWidget* field) {
+QWidget* add_named(QFormLayout* form, const QString& name, QWidget* field) {
     QLabel* label = make_label(name);
     label->setWordWrap(text_percent() > 150);
     label->setBuddy(field);
@@ -67,8 +65,6 @@ QFormLayout* make_form() {
     form->setVerticalSpacing(8);
     return form;
 }
-
-}  // namespace
 
 QString field_words(CurriculumField field) {
     switch (field) {
@@ -89,9 +85,11 @@ QString field_words(CurriculumField field) {
         case CurriculumField::devices:
             return CurriculumWords::tr("Devices");
         case CurriculumField::ratings:
+            return CurriculumWords::tr("Ratings");
+        case CurriculumField::remedies:
             break;
     }
-    return CurriculumWords::tr("Ratings");
+    return CurriculumWords::tr("Remedies");
 }
 
 QString problem_words(const CurriculumProblem& problem) {
@@ -105,11 +103,11 @@ TaskNeedsForm::TaskNeedsForm(QWidget* parent) : QWidget(parent) {
     layout->addWidget(problems_);
     QFormLayout* form = make_form();
     stage_ = make_narrow_choice("task_stage", {}, 14);
-    named(form, tr("Stage"), stage_);
+    add_named(form, tr("Stage"), stage_);
     variants_ = new QSpinBox;
     variants_->setObjectName(QStringLiteral("task_variants"));
     variants_->setRange(1, most_variants_asked);
-    named(form, tr("Passes on variants, at least"), variants_);
+    add_named(form, tr("Passes on variants, at least"), variants_);
     layout->addLayout(form);
     layout->addWidget(make_label(tr("Devices whose attempts count"), "heading"));
     auto* row = new FlowRow;
@@ -144,7 +142,7 @@ void TaskNeedsForm::show_task(const Curriculum& draft, std::size_t index, const 
     setting_ = true;
     stage_->clear();
     for (const CurriculumStage& stage : draft.stages)
-        stage_->addItem(beside({text(stage.id), asset_text(stage.title)}), text(stage.id));
+        stage_->addItem(join_with_dots({text(stage.id), asset_text(stage.title)}), text(stage.id));
     stage_->setCurrentIndex(stage_->findData(text(task.stage)));
     variants_->setValue(task.variants);
     variants_->setToolTip(tr("Installed: %n variants", nullptr, most_variants));
@@ -193,16 +191,16 @@ TaskRatingsForm::TaskRatingsForm(QWidget* parent) : QWidget(parent) {
     layout->addWidget(wanted_);
     QFormLayout* form = make_form();
     form_ = make_narrow_choice("ratings_form", {}, 14);
-    named(form, tr("Form"), form_);
+    add_named(form, tr("Form"), form_);
     raters_ = new QSpinBox;
     raters_->setObjectName(QStringLiteral("ratings_raters"));
     raters_->setRange(1, most_raters);
-    named(form, tr("Raters, at least"), raters_);
+    add_named(form, tr("Raters, at least"), raters_);
     lowest_ = new QDoubleSpinBox;
     lowest_->setObjectName(QStringLiteral("ratings_lowest"));
     lowest_->setRange(0, 100);
     lowest_->setSingleStep(0.5);
-    named(form, tr("Lowest mean, on the scale of the items"), lowest_);
+    add_named(form, tr("Lowest mean, on the scale of the items"), lowest_);
     layout->addLayout(form);
     every_item_ = new QCheckBox(tr("Each item reaches this mean"));
     every_item_->setObjectName(QStringLiteral("ratings_every_item"));
@@ -278,7 +276,7 @@ StagesForm::StagesForm(QWidget* parent) : QWidget(parent) {
     QFormLayout* form = make_form();
     title_ = new QLineEdit;
     title_->setObjectName(QStringLiteral("curriculum_title"));
-    named(form, tr("Title of the curriculum"), title_);
+    add_named(form, tr("Title of the curriculum"), title_);
     layout->addLayout(form);
     layout->addWidget(make_label(tr("Stages, in the order in which they are learned"), "heading"));
     table_ = make_table({tr("Short name"), tr("Title")}, "stages_table");

@@ -14,6 +14,7 @@
 #include "database/scoring/limit_trial.h"
 #include "ui/dashboards/curriculum_forms.h"
 #include "ui/dashboards/pass_rule_designer.h"
+#include "ui/dashboards/remedies_form.h"
 #include "ui/language/language.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
@@ -22,7 +23,7 @@
 namespace fulcrum::ui {
 namespace {
 
-enum CurriculumTab { rule_tab, needs_tab, ratings_tab, stages_tab };
+enum CurriculumTab { rule_tab, needs_tab, ratings_tab, remedies_tab, stages_tab };
 
 CurriculumTab tab_of(CurriculumField field) {
     switch (field) {
@@ -33,6 +34,8 @@ CurriculumTab tab_of(CurriculumField field) {
             return rule_tab;
         case CurriculumField::ratings:
             return ratings_tab;
+        case CurriculumField::remedies:
+            return remedies_tab;
         default:
             return needs_tab;
     }
@@ -46,11 +49,7 @@ bool is_of_task(CurriculumField field) {
 std::vector<InstalledTask> installed_tasks(const std::vector<TaskDefinition>& tasks) {
     std::vector<InstalledTask> installed;
     for (const TaskDefinition& task : tasks) {
-        InstalledTask one;
-        one.id = task.id;
-        one.variants = std::max(1, static_cast<int>(task.variants.size()));
-        one.needs_limits = std::any_of(task.gates.begin(), task.gates.end(),
-                                       [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; });
+        InstalledTask one = installed_task(task);
         if (one.needs_limits)
             for (const BenchmarkSet& set : sets_in_force(task.id))
                 if (!set.experts.empty()) one.with_limits.push_back(set.device_class);
@@ -69,6 +68,7 @@ CurriculumPage::CurriculumPage(Context& context)
       designer_(new PassRuleDesigner),
       needs_(new TaskNeedsForm),
       ratings_(new TaskRatingsForm),
+      remedies_(new RemediesForm),
       stages_(new StagesForm) {
     auto* body = new QWidget;
     auto* layout = new QVBoxLayout(body);
@@ -136,6 +136,7 @@ QWidget* CurriculumPage::make_task_card() {
     tabs_->addTab(rule, tr("Pass rule"));
     tabs_->addTab(needs_, tr("Prerequisites"));
     tabs_->addTab(ratings_, tr("Ratings"));
+    tabs_->addTab(remedies_, tr("Remedies"));
     tabs_->addTab(stages_, tr("Stages"));
     card_layout(card)->addWidget(tabs_, 1);
     return card;
@@ -217,6 +218,10 @@ void CurriculumPage::connect_parts() {
         if (CurriculumTask* task = chosen()) ratings_->apply(*task);
         look();
     });
+    connect(remedies_, &RemediesForm::changed, this, [this] {
+        if (CurriculumTask* task = chosen()) remedies_->apply(*task);
+        look();
+    });
     connect(stages_, &StagesForm::changed, this, [this] {
         stages_->apply(draft_);
         show_task();
@@ -258,6 +263,7 @@ void CurriculumPage::enter() {
             forms_ = context().services().forms();
         });
         ratings_->set_forms(forms_);
+        remedies_->set_tasks(context().services().tasks());
         start_over();
         fill(0);
     }
@@ -321,7 +327,8 @@ void CurriculumPage::write_line(int row) {
 
 void CurriculumPage::show_task() {
     const CurriculumTask* task = chosen();
-    for (const int tab : {rule_tab, needs_tab, ratings_tab}) tabs_->setTabEnabled(tab, task != nullptr);
+    for (const int tab : {rule_tab, needs_tab, ratings_tab, remedies_tab})
+        tabs_->setTabEnabled(tab, task != nullptr);
     if (task == nullptr) {
         task_name_->clear();
         facts_->clear();
@@ -347,11 +354,11 @@ void CurriculumPage::show_task() {
     designer_->show_rule(known == nullptr ? task->rule : known->rule, task->rule);
     QStringList titles;
     for (const CurriculumTask& one : draft_.tasks) titles << context().task_title(one.task);
-    const auto installed = std::find_if(installed_.begin(), installed_.end(),
-                                        [&](const InstalledTask& one) { return one.id == task->task; });
+    const InstalledTask* installed = find_installed(installed_, task->task);
     needs_->show_task(draft_, index_of_chosen(), titles,
-                      installed == installed_.end() ? 0 : installed->variants);
+                      installed == nullptr ? 0 : static_cast<int>(installed->variants.size()));
     ratings_->show_task(*task);
+    remedies_->show_task(*task);
     show_problems();
 }
 
@@ -442,6 +449,7 @@ void CurriculumPage::show_problems() {
     problem_list_->setVisible(!problems_.empty());
     needs_->show_problems(problems_, index_of_chosen());
     ratings_->show_problems(problems_, index_of_chosen());
+    remedies_->show_problems(problems_, index_of_chosen());
     stages_->show_problems(problems_);
 }
 

@@ -21,6 +21,7 @@ class QTabWidget;
 namespace fulcrum::ui {
 
 class PassRuleDesigner;
+class RemediesForm;
 class StagesForm;
 class TaskNeedsForm;
 class TaskRatingsForm;
@@ -32,6 +33,8 @@ class CurriculumPage : public Page {
     void enter() override;
     const Curriculum& draft() const { return draft_; }
     const std::vector<CurriculumProblem>& problems() const { return problems_; }
+    /// A file of a draft in place of the present one.
+    void read_draft(const QString& path);
 
   private:
     QWidget* make_tasks();
@@ -58,7 +61,6 @@ class CurriculumPage : public Page {
     void go_to_problem(int row);
     bool is_changed() const;
     void open_draft();
-    void read_draft(const QString& path);
     void save();
     void publish();
 
@@ -73,6 +75,7 @@ class CurriculumPage : public Page {
     PassRuleDesigner* designer_;
     TaskNeedsForm* needs_;
     TaskRatingsForm* ratings_;
+    RemediesForm* remedies_;
     StagesForm* stages_;
     QComboBox* new_task_;
     QPushButton *restore_, *add_, *remove_, *up_, *down_, *save_, *publish_, *discard_;

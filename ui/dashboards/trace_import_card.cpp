@@ -237,6 +237,31 @@ void TraceImportCard::set_busy(bool busy) {
     import_->setEnabled(!busy);
 }
 
+void TraceImportCard::run(const QString& line, std::function<void(const Progress&)> work,
+                          std::function<void()> done, std::function<void()> stopped) {
+    set_busy(true);
+    const auto end = [this] {
+        job_ = nullptr;
+        set_busy(false);
+    };
+    job_ = BackgroundJob::run(
+        this, std::move(work),
+        [end, done = std::move(done)] {
+            end();
+            done();
+        },
+        [this, end](const QString& why) {
+            end();
+            show_problem(why);
+        });
+    connect(job_, &BackgroundJob::ended, this, [this, end, stopped = std::move(stopped)] {
+        if (job_ == nullptr) return;  // done or failed
+        end();
+        if (stopped) stopped();
+    });
+    bar_->watch(job_, line);
+}
+
 void TraceImportCard::look() {
     forget();
     const QString path = QDir::fromNativeSeparators(path_->text().trimmed());
@@ -247,30 +272,16 @@ void TraceImportCard::look() {
     }
     const QString mapping = mapping_->currentData().toString();
     auto read = std::make_shared<ExternalTrace>();
-    set_busy(true);
-    job_ = BackgroundJob::run(
-        this,
+    run(
+        tr("Reading …"),
         [read, trace = plain(path),
          map = mapping == own_format ? std::string() : plain(mapping)](const Progress& progress) {
             *read = read_external_trace(trace, map, [&](double share) { return progress(share, {}); });
         },
         [this, read] {
-            job_ = nullptr;
-            set_busy(false);
             read_ = read;
             show_preview();
-        },
-        [this](const QString& why) {
-            job_ = nullptr;
-            set_busy(false);
-            show_problem(why);
         });
-    connect(job_, &BackgroundJob::ended, this, [this] {
-        if (job_ == nullptr) return;  // done or failed
-        job_ = nullptr;
-        set_busy(false);
-    });
-    bar_->watch(job_, tr("Reading …"));
 }
 
 void TraceImportCard::show_preview() {
@@ -327,9 +338,8 @@ void TraceImportCard::store() {
     attempt->performed = performed.toMSecsSinceEpoch();
     attempt->utc_offset_min = performed.offsetFromUtc() / 60;
     auto id = std::make_shared<std::string>();
-    set_busy(true);
-    job_ = BackgroundJob::run(
-        this,
+    run(
+        tr("Storing …"),
         [attempt, id, session = context_.session(),
          path = context_.store().path()](const Progress& progress) {
             const database::Store store = database::Store::open(path);
@@ -338,26 +348,12 @@ void TraceImportCard::store() {
             if (progress(0.5, {})) *id = imports.add(session, *attempt);
         },
         [this, id] {
-            job_ = nullptr;
-            set_busy(false);
             if (id->empty()) return;  // stopped before anything was stored
             path_->clear();           // forgets the preview
             exercise_->clear();
             emit imported(text(*id));
         },
-        [this](const QString& why) {
-            job_ = nullptr;
-            set_busy(false);
-            show_problem(why);
-        });
-    connect(job_, &BackgroundJob::ended, this, [this] {
-        if (job_ == nullptr) return;  // done or failed
-        job_ = nullptr;
-        set_busy(false);
-        // It may have been stored before the stop was seen.
-        emit imported({});
-    });
-    bar_->watch(job_, tr("Storing …"));
+        [this] { emit imported({}); });  // it may have been stored before the stop was seen
 }
 
 }  // namespace fulcrum::ui

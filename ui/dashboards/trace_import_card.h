@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 #include <memory>
 
 #include "database/scoring/external_import.h"
@@ -53,6 +54,9 @@ class TraceImportCard : public QFrame {
     /// What is shown belongs to the file and the mapping that were read.
     void forget();
     void show_problem(const QString& why);
+    /// In the background, with both buttons out of use. `done`: it has ended by itself; `stopped`: by Cancel.
+    void run(const QString& line, std::function<void(const Progress&)> work, std::function<void()> done,
+             std::function<void()> stopped = {});
     void set_busy(bool busy);
 
     Context& context_;

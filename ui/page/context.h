@@ -61,8 +61,10 @@ class Context : public QObject {
     void message(const QString& line, bool is_error);
     void input_seen();
     void home_wanted();
-    /// `variant` empty: the one that who is signed in has practised least.
-    void briefing_wanted(const QString& task_id, const QString& variant = {});
+    /// `variant` empty: the one that who is signed in has practised least. `goal` and `ghost`: the beginning
+    /// of practice that is chosen there.
+    void briefing_wanted(const QString& task_id, const QString& variant = {}, int goal = 0,
+                         bool ghost = false);
     /// Practice only: `goal` > 0, from the beginning of that goal on; `ghost`, with an expert's instruments.
     void attempt_wanted(const QString& task_id, bool assessed, int goal, bool ghost,
                         const QString& variant = {});

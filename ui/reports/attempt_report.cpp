@@ -9,6 +9,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
+#include "database/store/audit.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/rating_words.h"
@@ -46,14 +47,14 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.new_page();
     if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(
-        beside({text(paper.provenance.programme), capital(ReportTexts::tr("report on one attempt"))}));
+    sheet.paragraph(join_with_dots(
+        {text(paper.provenance.programme), capital(ReportTexts::tr("report on one attempt"))}));
     sheet.font(17, true);
-    sheet.paragraph(beside({text(attempt.meta.task_id), asset_text(paper.task.title)}));
+    sheet.paragraph(join_with_dots({text(attempt.meta.task_id), asset_text(paper.task.title)}));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(
-        beside({text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
-                device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
+    sheet.paragraph(join_with_dots(
+        {text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
+         device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
     const bool operated = attempt.meta.device_class == DeviceClass::synthetic;
     if (operated || attempt.synthetic || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
@@ -69,8 +70,9 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
             "proficiency or a certificate."));
     }
     sheet.font(11, true);
-    sheet.paragraph(beside({capital(verdict(attempt.passed, attempt.provisional)),
-                            attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
+    sheet.paragraph(
+        join_with_dots({capital(verdict(attempt.passed, attempt.provisional)),
+                        attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
     sheet.font(9);
     const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
     const QString reason = statement_text(attempt.not_scored_because);
@@ -188,8 +190,8 @@ void rating_table(Sheet& sheet, const Rated& raters) {
     for (const database::RatingRow* one : raters) {
         QString remark = text(one->remark).simplified();
         if (remark.size() > longest_remark) remark = remark.left(longest_remark) + QStringLiteral(" …");
-        const QString line =
-            beside({text(one->rater_name), local_time(one->handed_in), blinding_text(one->blinding), remark});
+        const QString line = join_with_dots(
+            {text(one->rater_name), local_time(one->handed_in), blinding_text(one->blinding), remark});
         sheet.paragraph(line);
     }
     sheet.skip(3);
@@ -276,6 +278,7 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
     paper.provenance.benchmark_sets = paper.report.benchmark_sets;
     paper.provenance.program_versions = paper.report.program_versions;
     paper.provenance.audit_head = paper.report.audit_head;
+    paper.provenance.attempt_key = database::Audit(store).signer_of(attempt_id);
     paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
     for (const TaskDefinition& task : tasks)
         if (task.id == paper.task.id) paper.task = {task.id, task.title, task.stage};
@@ -375,6 +378,7 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"pathology",
          paper.report.pathology ? Json::parse(pathology_json(*paper.report.pathology)) : Json(nullptr)},
         {"ratings", std::move(ratings)},
+        {"signed_by", words(paper.provenance.attempt_key.value_or(""))},
         {"provenance", provenance_json(paper.provenance)}};
     return document.dump(2) + "\n";
 }

@@ -72,16 +72,19 @@ void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) 
     if (!provenance.metric_versions.empty())
         sheet.paragraph(ReportTexts::tr("Metrics: %1").arg(versions_in_short(provenance.metric_versions)));
     const QString sets = ReportTexts::tr("Benchmark sets: %1").arg(joined(provenance.benchmark_sets));
-    sheet.paragraph(beside({provenance.benchmark_sets.empty() ? QString() : sets, n,
-                            ReportTexts::tr("program %1").arg(text(provenance.program_version))}));
-    const QString key = text(provenance.station_key.substr(0, 16));
+    sheet.paragraph(join_with_dots({provenance.benchmark_sets.empty() ? QString() : sets, n,
+                                    ReportTexts::tr("program %1").arg(text(provenance.program_version))}));
+    const bool of_attempt = provenance.attempt_key.has_value();
+    const QString key = text(provenance.attempt_key.value_or(provenance.station_key).substr(0, 16));
     const QString audit = text(provenance.audit_head.substr(0, 16));
-    sheet.paragraph(beside(
+    sheet.paragraph(join_with_dots(
         {text(provenance.programme),
          ReportTexts::tr("created %1 by %2 (%3)")
              .arg(local_time(provenance.as_of), text(provenance.made_by), role_text(provenance.made_as)),
          audit.isEmpty() ? audit : ReportTexts::tr("audit %1").arg(audit),
-         key.isEmpty() ? key : ReportTexts::tr("signed by key %1").arg(key)}));
+         key.isEmpty() ? key
+         : of_attempt  ? ReportTexts::tr("attempt signed by key %1").arg(key)
+                       : ReportTexts::tr("signed by key %1").arg(key)}));
 }
 
 }  // namespace fulcrum::ui

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -22,6 +23,9 @@ namespace fulcrum::ui {
 struct ReportProvenance {
     std::string programme, program_version, audit_head;
     std::string station_key;  ///< fingerprint of the key that signed the audit head; empty: not signed
+    /// Of the report of one attempt: fingerprint of the key that signed it; empty: none that this store
+    /// knows.
+    std::optional<std::string> attempt_key = {};
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
     std::int64_t as_of = 0;        ///< UTC ms
     std::string made_by, made_as;  ///< who asked for it, in which role

@@ -89,7 +89,7 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
     sheet.new_page();
     if (provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(beside({text(provenance.programme), capital(kind)}));
+    sheet.paragraph(join_with_dots({text(provenance.programme), capital(kind)}));
     sheet.font(17, true);
     sheet.paragraph(text(title));
     sheet.font(9, false, paper_palette().muted);
@@ -190,8 +190,9 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
     const auto head = [&] {
         page_head(
             sheet, report.provenance, ReportTexts::tr("progress report"), report.name,
-            beside({report.login.empty() ? QString() : ReportTexts::tr("account %1").arg(text(report.login)),
-                    ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of))}),
+            join_with_dots(
+                {report.login.empty() ? QString() : ReportTexts::tr("account %1").arg(text(report.login)),
+                 ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of))}),
             report.synthetic || report.provenance.demo, any_provisional(report.rows));
     };
     const double columns[] = {0, 0.25, 0.445, 0.655, 0.745, 0.855, 0.93, 1.0};
@@ -298,10 +299,10 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     for (const database::CohortRow& row : report.table.rows)
         if (row.device_class) devices.insert(*row.device_class);
     const int left_out = report.table.left_out_synthetic;
-    const QString line =
-        beside({ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)), n,
-                devices.size() == 1 ? device_class_text(*devices.begin()) : QString(),
-                left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
+    const QString line = join_with_dots(
+        {ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)), n,
+         devices.size() == 1 ? device_class_text(*devices.begin()) : QString(),
+         left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
     const auto head = [&] {
         page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name, line,
                   false, any_provisional(report.table.rows));

@@ -27,11 +27,12 @@ QString compared_words(const ComparedSide& side) {
     const database::AttemptSummary& attempt = side.model.summary;
     const std::optional<bool> passed = side.model.score ? side.model.score->passed : attempt.passed;
     const std::optional<double> points = side.model.score ? side.model.score->points : attempt.points;
-    return beside({attempt.meta.id.empty() ? ComparePage::tr("Expert of the benchmark (simulated)")
-                                           : text(attempt.person_name),
-                   attempt.meta.id.empty() ? QString() : local_time(attempt.meta.started),
-                   verdict(passed, attempt.provisional), points && passed ? points_text(*points) : QString(),
-                   ComparePage::tr("duration %1").arg(clock_text(side.model.duration))});
+    return join_with_dots({attempt.meta.id.empty() ? ComparePage::tr("Expert of the benchmark (simulated)")
+                                                   : text(attempt.person_name),
+                           attempt.meta.id.empty() ? QString() : local_time(attempt.meta.started),
+                           verdict(passed, attempt.provisional),
+                           points && passed ? points_text(*points) : QString(),
+                           ComparePage::tr("duration %1").arg(clock_text(side.model.duration))});
 }
 
 }  // namespace

@@ -83,30 +83,33 @@ std::optional<ComparedSide> load_side(const database::Store& store, const databa
                                       const std::string& attempt_id, const std::optional<Scene>& scene,
                                       const Progress& progress) {
     const database::Attempts attempts(store);
-    database::AttemptSummary summary = attempts.read(session, attempt_id);
-    std::optional<database::ScoreRow> score = attempts.score(session, attempt_id);
-    if (progress && !progress(0.1, {})) return std::nullopt;
+    const database::AttemptSummary summary = attempts.read(session, attempt_id);
     ComparedSide side;
     side.scene = scene;
     auto trace = std::make_shared<database::Trace>();
-    if (!summary.meta.keep_trace) {
+    const Progress share_of = [&](double done, const std::string& line) {
+        return !progress || progress(0.6 * done, line);
+    };
+    try {
+        // The charts chunk by chunk, before the whole trace is in memory: an hour of it takes 1.1 GB.
+        std::optional<AttemptModel> model = load_attempt(store, session, attempt_id, scene, share_of);
+        if (!model) return std::nullopt;
+        side.model = std::move(*model);
+        if (summary.meta.keep_trace) *trace = attempts.read_trace(session, attempt_id);
+    } catch (const database::StoreError& error) {
+        if (error.kind() != database::StoreErrorKind::not_found) throw;
+        side.why_no_trace = error_text(error);  // it is at the station that recorded it
+        side.model = model_of_trace(summary, attempts.score(session, attempt_id), trace, scene);
+    }
+    if (!summary.meta.keep_trace)
         side.why_no_trace = database::is_external_task(summary.meta.task_id)
                                 ? external_trace_text(summary.meta.device)
                                 : trace_not_kept_text();
-    } else {
-        try {
-            *trace = attempts.read_trace(session, attempt_id);
-        } catch (const database::StoreError& error) {
-            if (error.kind() != database::StoreErrorKind::not_found) throw;
-            side.why_no_trace = error_text(error);  // it is at the station that recorded it
-        }
-    }
-    if (progress && !progress(0.6, {})) return std::nullopt;
+    if (progress && !progress(0.9, {})) return std::nullopt;
     if (side.has_trace() && trace->samples.empty())
         side.why_no_trace = ComparisonTexts::tr("Nothing was recorded.");
-    side.model = model_of_trace(std::move(summary), std::move(score), std::move(trace), scene);
-    side.moments = phase_moments(side.model.trace->events, side.model.tick, side.model.duration);
-    if (progress && !progress(0.9, {})) return std::nullopt;
+    side.model.trace = trace;
+    side.moments = phase_moments(trace->events, side.model.tick, side.model.duration);
     return side;
 }
 

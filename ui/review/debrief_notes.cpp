@@ -31,7 +31,13 @@ QStringList DebriefPage::notes() const {
                     : tr("Practice from the moment %1 of an attempt: never scored.").arg(clock_text(from_s)));
     } else if (!passed && !voided) {
         const Statement why = model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
-        notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
+        // Where the advice above says the same, once is enough.
+        const Statement advice = model_->score ? model_->score->advice : Statement();
+        const Statement* said =
+            advice.id() == StatementId::not_scored ? advice.statement("because") : nullptr;
+        if (said == nullptr || *said != why)
+            notes << tr("Not scored: %1")
+                         .arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
     }
     if (attempt.provisional) {
         notes << tr(

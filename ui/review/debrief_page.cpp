@@ -393,10 +393,11 @@ void DebriefPage::fill_head() {
         verdict_words);
     set_tint(verdict_, voided || !passed ? Tint::muted : *passed ? Tint::good : Tint::bad);
     const std::optional<double> points = model_->score ? model_->score->points : attempt.points;
-    about_->setText(beside({text(attempt.person_name), local_time(attempt.meta.started),
-                            mode_text(attempt.meta.mode), device_class_text(attempt.meta.device_class),
-                            attempt_state(voided ? attempt.recorded_state : attempt.state),
-                            points && passed ? points_text(*points) : QString()}));
+    about_->setText(
+        join_with_dots({text(attempt.person_name), local_time(attempt.meta.started),
+                        mode_text(attempt.meta.mode), device_class_text(attempt.meta.device_class),
+                        attempt_state(voided ? attempt.recorded_state : attempt.state),
+                        points && passed ? points_text(*points) : QString()}));
     const QStringList shown = notes();
     notes_->setText(shown.join(QLatin1Char('\n')));
     notes_->setVisible(!shown.isEmpty());

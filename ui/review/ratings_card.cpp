@@ -165,8 +165,9 @@ void RatingsCard::show_row(const RatingRow& row, int mark) {
     if (!trainee) seen = row.released > 0 ? tr("shown to the trainee") : tr("not shown to the trainee");
     auto* line = new QHBoxLayout;
     line->addWidget(new RaterMark(mark), 0, Qt::AlignTop);
-    QLabel* words = make_label(beside({text(row.rater_name), rating_sum_text(row.form, row.answers),
-                                       local_time(row.handed_in), blinding_text(row.blinding), seen}));
+    QLabel* words =
+        make_label(join_with_dots({text(row.rater_name), rating_sum_text(row.form, row.answers),
+                                   local_time(row.handed_in), blinding_text(row.blinding), seen}));
     words->setObjectName(QStringLiteral("rating_shown"));
     line->addWidget(words, 1);
     list_->addLayout(line);

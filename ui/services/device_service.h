@@ -30,6 +30,7 @@ struct ListedDevice {
     std::vector<std::string> found;  ///< what is connected
     std::string why, what_to_do;     ///< empty where it can be used
     std::string detail = {};         ///< of why: what the system says, in no language
+    bool can_be_chosen = true;       ///< for the hands, on the page of settings
 };
 
 /// Why attempts with a device are never assessed.

@@ -213,7 +213,7 @@ void DevicesCard::show_list(const std::vector<ListedDevice>& devices) {
         if (device.state == DeviceState::usable) set_tint(state, Tint::good);
         if (device.state == DeviceState::connected) set_tint(state, Tint::bad);
         list_->addWidget(state);
-        const bool choosable = device.state == DeviceState::usable && device.kind != "virtual" &&
+        const bool choosable = device.state == DeviceState::usable && device.can_be_chosen &&
                                context_.services().device_can_be_chosen();
         if (choosable) {
             QPushButton* use = make_button(tr("Use for the hands"), "");

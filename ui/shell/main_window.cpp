@@ -102,8 +102,8 @@ void MainWindow::connect_context() {
     connect(&context_, &Context::home_wanted, this, &MainWindow::show_home);
     connect(&context_, &Context::switch_user_wanted, this, &MainWindow::switch_user);
     connect(&context_, &Context::briefing_wanted, this,
-            [this](const QString& task_id, const QString& variant) {
-                page<BriefingPage>()->set_task(plain(task_id), plain(variant));
+            [this](const QString& task_id, const QString& variant, int goal, bool ghost) {
+                page<BriefingPage>()->set_task(plain(task_id), plain(variant), goal, ghost);
                 show_page(page<BriefingPage>());
             });
     connect(&context_, &Context::attempt_wanted, this,

@@ -50,7 +50,7 @@ QString event_text(const std::string& name) {
     return row == nullptr ? text(name) : QCoreApplication::translate("fulcrum::events", row->title);
 }
 
-QString beside(QStringList parts) {
+QString join_with_dots(QStringList parts) {
     parts.removeAll(QString());
     return parts.join(QStringLiteral(" · "));
 }

@@ -23,7 +23,7 @@ inline std::string plain(const QString& shown) {
     return shown.toStdString();
 }
 /// One line of text of several parts, "Surgery · attempt report", without the empty ones.
-QString beside(QStringList parts);
+QString join_with_dots(QStringList parts);
 
 /// What a device with force gave of the model's force: "Force was felt at 40 %."; empty where no device
 /// rendered force.

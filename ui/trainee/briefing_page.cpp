@@ -204,11 +204,12 @@ QLayout* BriefingPage::make_beginning() {
     return beginning;
 }
 
-void BriefingPage::set_task(const std::string& task_id, const std::string& variant) {
+void BriefingPage::set_task(const std::string& task_id, const std::string& variant, int goal, bool ghost) {
     task_id_ = task_id;
     wanted_variant_ = variant;
+    wanted_goal_ = goal;
     begin_at_->clear();
-    ghost_->setChecked(false);
+    ghost_->setChecked(ghost);
     practice_->setChecked(true);
 }
 
@@ -231,6 +232,7 @@ void BriefingPage::fill_beginnings(const TaskDefinition& task) {
         begin_at_->addItem(QStringLiteral("%1.  %2").arg(goal + 1).arg(asset_text(task.goals[goal].text)),
                            static_cast<int>(goal));
     }
+    begin_at_->setCurrentIndex(std::max(0, begin_at_->findData(wanted_goal_)));
 }
 
 QString BriefingPage::why_locked() {

@@ -22,8 +22,9 @@ class BriefingPage : public Page {
     Q_OBJECT
   public:
     explicit BriefingPage(Context& context);
-    /// `variant` empty: the one practised least.
-    void set_task(const std::string& task_id, const std::string& variant = {});
+    /// `variant` empty: the one practised least. `goal`, `ghost`: where practice begins, and with a ghost.
+    void set_task(const std::string& task_id, const std::string& variant = {}, int goal = 0,
+                  bool ghost = false);
     void enter() override;
 
   private:
@@ -47,6 +48,7 @@ class BriefingPage : public Page {
     void show_fidelity_note();
     void fill_beginnings(const TaskDefinition& task);
     std::string task_id_, wanted_variant_;
+    int wanted_goal_ = 0;
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
     QVBoxLayout* steps_;
     ScenePicture* picture_;

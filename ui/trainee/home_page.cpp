@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 
+#include "assessment/scoring/score.h"
 #include "database/records/curricula.h"
 #include "database/records/report_data.h"
 #include "database/records/reviews.h"
@@ -72,26 +73,81 @@ void HomePage::enter() {
     fill_tasks(summaries);
 }
 
-void HomePage::fill_next(const Summaries& summaries) {
-    clear_layout(next_);
-    const Curriculum& curriculum = *followed_;
+Recommendation HomePage::next_of(const Summaries& summaries, std::string& latest_attempt) {
     std::map<std::string, std::int64_t> last;
     for (const auto& [task, summary] : summaries) last[task] = summary.last_attempt;
-    const Recommendation next =
-        recommend(curriculum, standings_, last, context().services().device_in_use().device_class);
-    const CurriculumStage* stage = curriculum.find_stage(next.stage);
+    Recommendation next =
+        recommend(*followed_, standings_, last, context().services().device_in_use().device_class);
+    const CurriculumTask* task = followed_->find(next.task);
+    if (next.reason != RecommendationReason::longest_ago || task == nullptr || task->remedies.empty())
+        return next;
+    context().guarded([&] {
+        const database::Session& session = context().session();
+        const database::PersonProgress progress =
+            database::Reports(context().store()).person_progress(session, session.person_id(), next.task);
+        next = with_remedy(next, *followed_, history_of(progress, *task), last, pass_mark);
+        latest_attempt = latest_counting(progress, *task);
+    });
+    return next;
+}
+
+/// Leads to what the remedy asks for.
+QPushButton* HomePage::remedy_button(const Recommendation& next, const std::string& latest_attempt) {
+    const Remedy& remedy = next.remedy->remedy;
+    const QString task = text(next.task);
+    if (remedy.kind == RemedyKind::demonstration) {
+        QPushButton* watch = make_button(tr("Watch an expert do it"), "next_remedy", "primary");
+        connect(watch, &QPushButton::clicked, this,
+                [this, task] { emit context().demonstration_wanted(task); });
+        return watch;
+    }
+    if (remedy.kind == RemedyKind::replay && !latest_attempt.empty()) {
+        QPushButton* look = make_button(tr("Open the replay"), "next_remedy", "primary");
+        connect(look, &QPushButton::clicked, this,
+                [this, id = text(latest_attempt)] { emit context().debrief_wanted(id, -1); });
+        return look;
+    }
+    QPushButton* go = make_button(tr("Open the briefing"), "next_remedy", "primary");
+    const QString of = remedy.kind == RemedyKind::other_task ? text(remedy.task) : task;
+    int goal = 0;
+    if (const TaskDefinition* own = context().task(next.task))
+        for (std::size_t i = 0; i < own->goals.size(); ++i)
+            if (own->goals[i].id == remedy.goal) goal = static_cast<int>(i);
+    connect(go, &QPushButton::clicked, this,
+            [this, of, variant = text(remedy.variant), goal, ghost = remedy.kind == RemedyKind::ghost] {
+                emit context().briefing_wanted(of, variant, goal, ghost);
+            });
+    return go;
+}
+
+void HomePage::fill_next(const Summaries& summaries) {
+    clear_layout(next_);
+    std::string latest_attempt;
+    const Recommendation next = next_of(summaries, latest_attempt);
+    const CurriculumStage* stage = followed_->find_stage(next.stage);
+    const bool remedy = next.reason == RecommendationReason::remedy;
     const QString why =
-        reason_text(next, stage == nullptr ? QString() : asset_text(stage->title), context().store().now());
+        remedy ? remedy_reason_text(next, context().task_title(next.task), context().services().tasks())
+               : reason_text(next, stage == nullptr ? QString() : asset_text(stage->title),
+                             context().store().now());
     next_->addWidget(make_label(tr("Recommended next"), "muted"));
     if (next.reason == RecommendationReason::nothing) {
         next_->addWidget(make_label(why, "heading"));
         return;
     }
-    next_->addWidget(make_label(context().task_title(next.task), "title"));
-    next_->addWidget(make_label(why));
-    QPushButton* go = make_button(tr("Open the briefing"), "next_briefing", "primary");
-    connect(go, &QPushButton::clicked, this,
-            [this, id = text(next.task)] { emit context().briefing_wanted(id); });
+    const bool other = remedy && next.remedy->remedy.kind == RemedyKind::other_task;
+    next_->addWidget(make_label(context().task_title(other ? next.remedy->remedy.task : next.task), "title"));
+    QLabel* reason = make_label(why);
+    reason->setObjectName(QStringLiteral("next_reason"));
+    next_->addWidget(reason);
+    QPushButton* go = nullptr;
+    if (remedy) {
+        go = remedy_button(next, latest_attempt);
+    } else {
+        go = make_button(tr("Open the briefing"), "next_briefing", "primary");
+        connect(go, &QPushButton::clicked, this,
+                [this, id = text(next.task)] { emit context().briefing_wanted(id); });
+    }
     next_->addWidget(go, 0, Qt::AlignLeft);
     go->setFocus();
 }
@@ -185,9 +241,10 @@ QFrame* HomePage::task_card(const std::string& task_id, const TaskStanding* stan
     if (summary.attempts > 0)
         figures = tr("%1 of %2 attempts passed").arg(summary.passes).arg(summary.attempts);
     if (summary.best_points)
-        figures = beside({figures, tr("best %1").arg(points_text(*summary.best_points))});
+        figures = join_with_dots({figures, tr("best %1").arg(points_text(*summary.best_points))});
     if (summary.not_counting > 0)
-        figures = beside({figures, tr("%n do not count", nullptr, static_cast<int>(summary.not_counting))});
+        figures =
+            join_with_dots({figures, tr("%n do not count", nullptr, static_cast<int>(summary.not_counting))});
     if (!figures.isEmpty()) card_layout(card)->addWidget(make_label(figures, "muted"));
     auto* row = new QHBoxLayout;
     QPushButton* briefing =

@@ -5,12 +5,14 @@
 
 #include <map>
 
+#include "assessment/curriculum/recommendation.h"
 #include "assessment/curriculum/standing.h"
 #include "ui/page/context.h"
 
 class QFrame;
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace fulcrum::ui {
@@ -29,6 +31,9 @@ class HomePage : public Page {
     /// By task.
     using Summaries = std::map<std::string, TaskSummary>;
     void fill_next(const Summaries& summaries);
+    /// What to do about a plateau, where the curriculum names it.
+    Recommendation next_of(const Summaries& summaries, std::string& latest_attempt);
+    QPushButton* remedy_button(const Recommendation& next, const std::string& latest_attempt);
     void fill_interrupted();
     void fill_comments();
     void fill_tasks(const Summaries& summaries);

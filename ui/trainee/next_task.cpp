@@ -3,7 +3,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
+#include "assessment/metrics/registry.h"
+#include "ui/style/remedy_words.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 
@@ -21,7 +24,71 @@ QString ago_text(std::int64_t last, std::int64_t now_ms) {
                        : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
 }
 
+/// Null: no attempt counts.
+const database::ProgressSeries* counting_series(const database::PersonProgress& progress,
+                                                const CurriculumTask& task) {
+    const database::ProgressSeries* newest = nullptr;
+    std::int64_t last = 0;
+    for (const database::ProgressSeries& series : progress.series) {
+        if (!counts(task, series.device_class)) continue;
+        for (const database::ProgressPoint& point : series.points) {
+            if (!point.counting || point.started < last) continue;
+            last = point.started;
+            newest = &series;
+        }
+    }
+    return newest;
+}
+
+/// Of both hands the worse value, by metric.
+std::map<std::string, double> worse_values(const std::vector<database::MetricRow>& rows) {
+    std::map<std::string, double> values;
+    for (const database::MetricRow& row : rows) {
+        if (!row.value || !row.tissue.empty()) continue;
+        const MetricDescriptor* metric = find_metric(row.id);
+        const double value = metric != nullptr && metric->absolute_value ? std::fabs(*row.value) : *row.value;
+        const auto [known, is_new] = values.emplace(row.id, value);
+        if (!is_new)
+            known->second = row.direction == Direction::higher ? std::min(known->second, value)
+                                                               : std::max(known->second, value);
+    }
+    return values;
+}
+
 }  // namespace
+
+TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task) {
+    TaskHistory history;
+    const database::ProgressSeries* series = counting_series(progress, task);
+    if (series == nullptr) return history;
+    for (const database::ProgressPoint& point : series->points) {
+        if (!point.counting) continue;
+        if (point.points) history.points.push_back(*point.points);
+        history.values.push_back(worse_values(point.metrics));
+        history.last_variant = point.variant;
+        history.last = point.started;
+    }
+    return history;
+}
+
+std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task) {
+    std::string latest;
+    if (const database::ProgressSeries* series = counting_series(progress, task))
+        for (const database::ProgressPoint& point : series->points)
+            if (point.counting) latest = point.attempt_id;
+    return latest;
+}
+
+QString remedy_reason_text(const Recommendation& next, const QString& task_title,
+                           const std::vector<TaskDefinition>& tasks) {
+    const ChosenRemedy& chosen = *next.remedy;
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                   "Your curve in %1 levels off below the pass mark, and %2 is %3 (median of "
+                                   "your latest attempts: %4): %5."))
+        .arg(task_title, metric_text(chosen.remedy.metric), remedy_bound_words(chosen.remedy),
+             figure_with_unit(chosen.value, chosen.remedy.unit),
+             remedy_action_words(chosen.remedy, next.task, tasks));
+}
 
 std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortRow>& rows) {
     std::map<std::string, TaskSummary> summaries;
@@ -61,6 +128,8 @@ QString reason_text(const Recommendation& next, const QString& stage, std::int64
                            "fulcrum::ui::next_task",
                            "Of the tasks left in the stage %1, you practised this one least recently (%2)."))
                 .arg(stage, ago_text(next.last, now_ms));
+        case RecommendationReason::remedy:
+            break;  // remedy_reason_text()
         case RecommendationReason::practice_only:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "The remaining tasks cannot be assessed with mouse and keyboard, "

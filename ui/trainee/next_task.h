@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assessment/curriculum/recommendation.h"
+#include "assessment/task/task.h"
 #include "database/records/report_data.h"
 
 namespace fulcrum::ui {
@@ -21,7 +22,17 @@ struct TaskSummary {
 /// By task; a task without rows is left out.
 std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortRow>& rows);
 
-/// Why this is the next thing to do: one sentence. `stage`: the title of the task's stage.
+/// What the curriculum's remedies go by: the series of a device class that counts whose latest attempt is the
+/// newest.
+TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task);
+/// The latest attempt of such a history; empty without one.
+std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task);
+/// Why a remedy is recommended, and what to do: one sentence.
+QString remedy_reason_text(const Recommendation& next, const QString& task_title,
+                           const std::vector<TaskDefinition>& tasks);
+
+/// Why this is the next thing to do: one sentence. `stage`: the title of the task's stage. Of a
+/// remedy: remedy_reason_text().
 QString reason_text(const Recommendation& next, const QString& stage, std::int64_t now_ms);
 
 }  // namespace fulcrum::ui

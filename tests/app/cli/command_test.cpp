@@ -11,6 +11,8 @@
 #include <cctype>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -263,6 +265,20 @@ TEST(ProgramCommands, GermanHelpHasAlignedColumns) {
         }
     }
     EXPECT_GT(umlauts, 30);
+}
+
+TEST(ProgramCommands, NumbersInTheWordsOfTheHelpHaveTheDecimalSignOfItsLanguage) {
+    static const std::regex with_point(R"([0-9]\.[0-9]+\s+(ms|%))"), with_comma(R"([0-9],[0-9]+\s+(ms|%))");
+    const auto count = [](const std::string& text, const std::regex& number) {
+        return std::distance(std::sregex_iterator(text.begin(), text.end(), number), {});
+    };
+    const CommandTable& table = program_commands();
+    const std::string english = table.help("perform");
+    EXPECT_GT(count(english, with_point), 10);
+    EXPECT_EQ(count(english, with_comma), 0);
+    const GermanHelp german;
+    EXPECT_EQ(count(table.help("perform"), with_comma), count(english, with_point));
+    EXPECT_EQ(count(table.help("perform"), with_point), 0);
 }
 
 TEST(CommandTable, EnglishHelpIsAsWrittenInTheTable) {

@@ -147,6 +147,34 @@ TEST(DeviceList, ASpaceMouseIsUsableWhereSpacenavdListens) {
               (std::vector<std::string>{"SpaceMouse Compact (256f:c635)", "FULCRUM_DEVICE=space-mouse"}));
 }
 
+TEST(DeviceList, ATrainerIsUsableWhereOneSerialPortOfABoardMayBeOpened) {
+    const fulcrum::test::OwnFolder usb;
+    Machine machine = machine_with(usb.path(), "/bin/true");
+    const auto listed = [&] { return row(list_devices(machine), "trainer"); };
+    const auto plug_board = [&](const char* port, const char* tty) {
+        plug_in(usb.path(), port, "2341", "0043", "Arduino Uno");
+        std::filesystem::create_directories(usb.path() / port / (std::string(port) + ":1.0") / "tty" / tty);
+        std::filesystem::create_directories(usb.path() / "dev");
+        std::ofstream(usb.path() / "dev" / tty) << "";
+    };
+    EXPECT_EQ(listed().state, DeviceState::absent);
+    EXPECT_NE(listed().what_to_do.find("FULCRUM_DEVICE=trainer:PORT"), std::string::npos);
+    plug_board("1-1", "ttyACM0");
+    EXPECT_EQ(listed().state, DeviceState::usable);
+    EXPECT_EQ(listed().found,
+              (std::vector<std::string>{"Arduino Uno (2341:0043)", "FULCRUM_DEVICE=trainer"}));
+    EXPECT_EQ(listed().device_class, DeviceClass::tracked);
+    machine.may_open = [](const std::string&) { return false; };
+    EXPECT_EQ(listed().state, DeviceState::connected);
+    EXPECT_EQ(listed().detail, (usb.path() / "dev" / "ttyACM0").string());
+    EXPECT_NE(listed().what_to_do.find("usermod -aG dialout"), std::string::npos);
+    machine.may_open = [](const std::string&) { return true; };
+    plug_board("1-2", "ttyACM1");
+    EXPECT_EQ(listed().state, DeviceState::connected);
+    EXPECT_NE(listed().detail.find("ttyACM0, "), std::string::npos);
+    EXPECT_NE(listed().what_to_do.find("name the port"), std::string::npos);
+}
+
 TEST(DeviceList, ATrackersServerOnThisComputerIsFoundWithoutConnecting) {
     const fulcrum::test::OwnFolder usb, net;
     Machine machine = machine_with(usb.path(), "/bin/true");

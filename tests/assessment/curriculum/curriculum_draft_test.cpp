@@ -17,12 +17,12 @@ namespace {
 Curriculum draft_in_force() {
     return load_versions(asset_path("curricula"), "rectal", task_ids());
 }
-std::vector<InstalledTask> all_installed() {
-    std::vector<InstalledTask> tasks;
+const std::vector<InstalledTask>& all_installed() {
+    static std::vector<InstalledTask> tasks;
+    if (!tasks.empty()) return tasks;
     for (const std::string& id : task_ids()) {
-        InstalledTask one;
-        one.id = id;
-        one.variants = 3;
+        InstalledTask one = installed_task(load_task(task_file(id)));
+        one.variants.resize(3, "another");
         one.needs_limits = true;
         one.with_limits = {DeviceClass::haptic, DeviceClass::tracked};
         tasks.push_back(one);
@@ -36,8 +36,7 @@ const std::vector<ObserverForm>& forms() {
 /// What blocks, as "field index".
 std::vector<std::pair<CurriculumField, std::size_t>> blocking(const Curriculum& draft) {
     std::vector<std::pair<CurriculumField, std::size_t>> found;
-    static const std::vector<InstalledTask> installed = all_installed();
-    for (const CurriculumProblem& one : check_draft(draft, installed, forms()))
+    for (const CurriculumProblem& one : check_draft(draft, all_installed(), forms()))
         if (one.blocks) found.emplace_back(one.field, one.index);
     return found;
 }
@@ -91,6 +90,16 @@ TEST(CurriculumDraft, EachProblemIsFoundAtItsPlace) {
     draft.tasks[c4].ratings->form = "no such form";
     EXPECT_EQ(blocking(draft), (Found{{CurriculumField::ratings, c4}}));
     draft = good;
+    draft.tasks[a2].remedies[0].unit = "m";
+    draft.tasks[c4].remedies[0].metric = "plane_dve";
+    draft.tasks[c4].remedies[1].goal = "no such goal";
+    EXPECT_EQ(blocking(draft), (Found{{CurriculumField::remedies, a2},
+                                      {CurriculumField::remedies, c4},
+                                      {CurriculumField::remedies, c4}}));
+    draft = good;
+    draft.tasks[a2].remedies.resize(13, draft.tasks[a2].remedies[0]);
+    EXPECT_EQ(blocking(draft), (Found{{CurriculumField::remedies, a2}})) << "more than a file may hold";
+    draft = good;
     draft.title = "  ";
     draft.stages[1].id = draft.stages[0].id;
     draft.tasks.push_back(draft.tasks[0]);
@@ -116,6 +125,9 @@ TEST(CurriculumDraft, WhatDoesNotBlockCanBeReadByTheProgram) {
         [](Curriculum& d, std::size_t i) { d.tasks[i].rule.p0 = 0.9; },
         [](Curriculum& d, std::size_t i) { d.stages[i % d.stages.size()].title = std::string(61, 'x'); },
         [](Curriculum& d, std::size_t i) { d.tasks[i].variants = static_cast<int>(i); },
+        [](Curriculum& d, std::size_t i) { d.tasks[i].remedies[0].unit = "ell"; },
+        [](Curriculum& d, std::size_t i) { d.tasks[i].remedies.back().above = i % 2 == 0; },
+        [](Curriculum& d, std::size_t i) { d.tasks[i].remedies[0].kind = RemedyKind::other_task; },
         [](Curriculum& d, std::size_t) { d.title = "Ωχι " + std::string(200, 'y'); }};
     const std::vector<std::string> installed = task_ids();
     int readable = 0;
@@ -130,6 +142,7 @@ TEST(CurriculumDraft, WhatDoesNotBlockCanBeReadByTheProgram) {
                 try {
                     const Curriculum again = parse_curriculum(curriculum_text(draft), "draft", installed);
                     check_ratings(again, forms());
+                    check_remedies(again, all_installed());
                 } catch (const InputError& error) {
                     read = false;
                     EXPECT_TRUE(blocked) << error.what();

@@ -34,7 +34,7 @@ std::string refusal(const nlohmann::json& document) {
 
 TEST(Curriculum, ShippedOneHasInstalledTasksInTheirStagesAndForTheirDevices) {
     const Curriculum curriculum = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
-    EXPECT_EQ(curriculum.name(), "rectal@2");
+    EXPECT_EQ(curriculum.name(), "rectal@3");
     EXPECT_EQ(curriculum.find("C4")->variants, 2);
     EXPECT_EQ(curriculum.find("A2")->variants, 1) << "where it says nothing";
     for (const CurriculumTask& task : curriculum.tasks) {
@@ -51,13 +51,15 @@ TEST(Curriculum, ShippedOneHasInstalledTasksInTheirStagesAndForTheirDevices) {
 
 TEST(Curriculum, EarlierVersionsStayInstalledAndNoneIsThereTwice) {
     const Curriculum newest = load_versions(asset_path("curricula"), "rectal", task_ids());
-    EXPECT_EQ(newest.name(), "rectal@2");
-    ASSERT_EQ(newest.older.size(), 1U);
-    EXPECT_EQ(newest.version_named("rectal@1"), &newest.older[0]);
+    EXPECT_EQ(newest.name(), "rectal@3");
+    ASSERT_EQ(newest.older.size(), 2U);
+    EXPECT_EQ(newest.version_named("rectal@1"), &newest.older[1]);
     EXPECT_EQ(newest.version_named("rectal@1")->find("C4")->variants, 1);
-    EXPECT_EQ(newest.version_named("rectal@2"), &newest);
-    EXPECT_EQ(newest.version_named("rectal@3"), nullptr);
-    EXPECT_EQ(newest.older[0].file, "rectal-1.json");
+    EXPECT_EQ(newest.version_named("rectal@2"), &newest.older[0]);
+    EXPECT_TRUE(newest.version_named("rectal@2")->find("C4")->remedies.empty());
+    EXPECT_EQ(newest.version_named("rectal@3"), &newest);
+    EXPECT_EQ(newest.version_named("rectal@4"), nullptr);
+    EXPECT_EQ(newest.older[1].file, "rectal-1.json");
     EXPECT_FALSE(newest.text.empty());
 
     const test::OwnFolder folder;

@@ -60,6 +60,7 @@ std::vector<Statement> samples() {
         {Id::time_ran_out, {{"metric", std::string("time")}}},
         {Id::gate_without_value, {{"metric", metric}, {"hand", hand}, {"because", because}}},
         {Id::not_scored, {{"because", because}}},
+        {Id::practice_stood_still, {{"seconds", 1.5}}},
         Statement::plain("The force rose to 6.0 N."),
     };
     std::vector<Statement> all;

@@ -28,11 +28,13 @@ class CurriculumPublished : public ::testing::Test {
     CurriculumPublished() {
         for (const auto& file : fs::directory_iterator(asset_path("curricula")))
             fs::copy_file(file.path(), folder / file.path().filename());
-        place = {folder.path().string(), task_ids(), load_forms(asset_path("forms"))};
+        std::vector<InstalledTask> tasks;
+        for (const std::string& id : task_ids()) tasks.push_back(installed_task(load_task(task_file(id))));
+        place = {folder.path().string(), tasks, load_forms(asset_path("forms"))};
     }
     /// The next version with another title.
     std::string next(const std::string& title, int by = 1) {
-        Curriculum draft = load_versions(place.folder, "rectal", place.tasks);
+        Curriculum draft = load_versions(place.folder, "rectal", task_ids());
         draft.version += by;
         draft.title = title;
         return curriculum_text(draft);
@@ -40,7 +42,7 @@ class CurriculumPublished : public ::testing::Test {
     std::string publish(const char* login, const std::string& text, const std::string& reason = "better") {
         return publish_curriculum(*programme.store, programme.session(login), place, "rectal", text, reason);
     }
-    Curriculum newest() { return load_versions(place.folder, "rectal", place.tasks); }
+    Curriculum newest() { return load_versions(place.folder, "rectal", task_ids()); }
 
     Programme programme;
     fulcrum::test::OwnFolder folder;
@@ -53,12 +55,12 @@ TEST_F(CurriculumPublished, IsTheEducatorsAuditedAndInForce) {
     EXPECT_EQ(error_kind([&] { publish("educator", next("No"), " "); }), StoreErrorKind::bad_value);
     EXPECT_EQ(error_kind([&] { publish("educator", next("No", 2)); }), StoreErrorKind::conflict);
     EXPECT_THROW(publish("educator", "{}"), InputError);
-    EXPECT_EQ(newest().version, 2) << "nothing was written";
+    EXPECT_EQ(newest().version, 3) << "nothing was written";
     EXPECT_TRUE(AcceptedAssets(*programme.store).list().empty());
     const std::string path = publish("educator", next("New title"), "A clearer title");
-    EXPECT_EQ(fs::path(path).filename(), "rectal-3.json");
+    EXPECT_EQ(fs::path(path).filename(), "rectal-4.json");
     EXPECT_EQ(newest().title, "New title");
-    ASSERT_EQ(newest().older.size(), 2U);
+    ASSERT_EQ(newest().older.size(), 3U);
     const auto accepted = AcceptedAssets(*programme.store).list();
     ASSERT_EQ(accepted.size(), 1U);
     EXPECT_EQ(accepted[0].reason, "A clearer title");
@@ -66,7 +68,7 @@ TEST_F(CurriculumPublished, IsTheEducatorsAuditedAndInForce) {
               "asset.accept");
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
     publish("educator", next("Again"));
-    EXPECT_EQ(newest().version, 4);
+    EXPECT_EQ(newest().version, 5);
 }
 
 TEST_F(CurriculumPublished, OfTwoAtOnceExactlyOne) {
@@ -87,14 +89,14 @@ TEST_F(CurriculumPublished, OfTwoAtOnceExactlyOne) {
     for (std::thread& one : both) one.join();
     EXPECT_EQ(done, 1);
     EXPECT_EQ(refused, 1);
-    EXPECT_EQ(newest().version, 3);
+    EXPECT_EQ(newest().version, 4);
 }
 
 TEST_F(CurriculumPublished, ATryThatWasCutOffCanBeRepeated) {
     const std::string text = next("Cut off");
     // Accepted, but killed before the file had its name.
     AcceptedAssets(*programme.store)
-        .accept(programme.session("educator"), {"curricula/rectal-3.json", sha256_hex(text)}, "first try");
+        .accept(programme.session("educator"), {"curricula/rectal-4.json", sha256_hex(text)}, "first try");
     publish("educator", text);
     EXPECT_EQ(newest().title, "Cut off");
 }

@@ -60,7 +60,7 @@ TEST(CutOff, ALostDeviceThatMadePracticeOfAnAttemptCounts) {
         Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
                           programme.clock.options());
         Programme::append_second(recorder);
-        ASSERT_TRUE(recorder.relabel_as_practice("a device was lost and came back"));
+        ASSERT_TRUE(recorder.relabel_as_practice(StatementId::practice_device_lost));
         recorder.finish(example_result(true, 70));
     }
     EXPECT_EQ(series(programme), std::vector<std::string>{"ann A2 3"});

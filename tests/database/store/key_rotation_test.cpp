@@ -5,6 +5,7 @@
 #include <fstream>
 #include <thread>
 
+#include "database/records/attempts.h"
 #include "database/store/audit.h"
 #include "database/store/signing_keys.h"
 #include "database/store/station_key.h"
@@ -53,6 +54,24 @@ class KeyRotation : public ::testing::Test {
     const KeysOfOneTest own_keys;
     const std::string station = programme.store->station_id(), first = key();
 };
+
+TEST_F(KeyRotation, AnAttemptIsSignedByTheKeyThatSignedItsEnd) {
+    const Audit audit(*programme.store);
+    const std::string before = programme.record("ann");
+    const SigningKey made = rotate();
+    const std::string after = programme.record("ann");
+    EXPECT_EQ(audit.signer_of(before), first);
+    EXPECT_EQ(audit.signer_of(after), made.fingerprint);
+    EXPECT_NE(first, made.fingerprint);
+    EXPECT_EQ(audit.signing_key(), made.fingerprint) << "of the newest row";
+    EXPECT_EQ(audit.signer_of("no such attempt"), "");
+    rotate();
+    const std::string copy =
+        Attempts(*programme.store)
+            .reassign(programme.session("educator"), before, programme.id("ben"), "wrong name");
+    EXPECT_EQ(audit.signer_of(copy), key()) << "the row of the copy";
+    EXPECT_EQ(audit.signer_of(before), first);
+}
 
 TEST_F(KeyRotation, TheNewKeySignsFromThenOnAndTheOldOneKeepsItsPeriod) {
     const std::string attempt = programme.record("ann");

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "sim_core/devices/daemon_client.h"
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/device_table.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_force_dimension.h"
 #include "tests/fakes/fake_page.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "sim_core/devices/daemon_client.h"
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/device_table.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_touch.h"

@@ -5,10 +5,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "assessment/metrics/statement.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::ui {
@@ -43,6 +45,23 @@ TEST(AuditWords, EveryAuditedOperationHasWords) {
     }
     EXPECT_EQ(audit_operation_text("attempt.finish"), "Attempt finished");
     EXPECT_EQ(audit_operation_text("later.operation"), "later.operation");
+}
+
+TEST(AuditWords, WhyAnAttemptBecamePracticeIsPutIntoWordsAndAnOldRowStaysReadable) {
+    const auto shown = [](const Statement& why) {
+        const nlohmann::json payload = {{"from", "assessed"}, {"reason", stored_text(why)}};
+        return audit_details_text("attempt.practice", payload.dump()).toStdString();
+    };
+    EXPECT_EQ(shown(StatementId::practice_device_lost),
+              "from: assessed; reason: a device was lost and came back");
+    EXPECT_EQ(shown({StatementId::practice_stood_still, {{"seconds", 1.5}}}),
+              "from: assessed; reason: the program stood still for 1.5 s");
+    EXPECT_EQ(shown(Statement::plain("the program stood still for 1.5 s")),
+              "from: assessed; reason: the program stood still for 1.5 s");
+    const std::string typed = stored_text(StatementId::practice_device_lost);  // by a person, elsewhere
+    const nlohmann::json other = {{"reason", typed}};
+    EXPECT_EQ(audit_details_text("person.merge", other.dump()).toStdString(), "reason: " + typed);
+    EXPECT_EQ(audit_details_text("attempt.practice", "payload erased").toStdString(), "payload erased");
 }
 
 }  // namespace

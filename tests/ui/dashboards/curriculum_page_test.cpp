@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTableWidget>
 
@@ -239,6 +243,74 @@ TEST_F(CurriculumView, StagesAndRatingsAreEditedWithTheKeyboard) {
         }));
 }
 
+TEST_F(CurriculumView, RemediesAreEditedAndAWrongOneOfADraftIsShownAtItsPlace) {
+    auto* page = static_cast<CurriculumPage*>(window.current_page());
+    choose("C4");
+    choose_tab(window, "curriculum_tabs", "Remedies");
+    auto* list = find<QListWidget>(window, "remedies_list");
+    ASSERT_EQ(list->count(), 3);
+    EXPECT_EQ(list->item(0)->text().replace(QChar(0x202f), QLatin1Char(' ')).toStdString(),
+              "1.  Typical distance from the plane above 0.5 mm: practise B2 Traction and plane cutting");
+    keep("curriculum-remedies-light");
+    window.set_theme(Theme::dark);
+    window.resize(1280, 1000);
+    keep("curriculum-remedies-dark");
+    window.resize(1024, 740);
+    window.set_theme(Theme::light);
+    window.set_text_size(200);
+    keep("curriculum-remedies-200");
+    for (QScrollArea* area : page->findChildren<QScrollArea*>()) {
+        if (area->widget()->objectName() != "page_body") continue;
+        EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << "at the largest text";
+        area->ensureWidgetVisible(find<QWidget>(window, "remedy_variant"));
+    }
+    keep("curriculum-remedies-200-below");
+    window.set_text_size(100);
+    const auto remedies = [&]() -> const std::vector<Remedy>& { return page->draft().find("C4")->remedies; };
+    click(window, "remedy_add");
+    ASSERT_EQ(remedies().size(), 4U);
+    const auto pick = [&](const char* name, const QVariant& data) {
+        auto* box = find<QComboBox>(window, name);
+        const int row = box->findData(data);
+        ASSERT_GE(row, 0) << name;
+        box->setCurrentIndex(row);
+        emit box->activated(row);
+    };
+    pick("remedy_metric", "bleed_ml");
+    find<QDoubleSpinBox>(window, "remedy_bound")->setValue(20);
+    pick("remedy_kind", static_cast<int>(RemedyKind::other_task));
+    pick("remedy_target", "B3");
+    pick("remedy_variant", "deep");
+    EXPECT_EQ(remedies()[3], (Remedy{"bleed_ml", true, 20, "mL", RemedyKind::other_task, "", "B3", "deep"}));
+    pick("remedy_kind", static_cast<int>(RemedyKind::practise_from));
+    EXPECT_EQ(remedies()[3].goal, "divide") << "the second goal is offered first";
+    EXPECT_TRUE(remedies()[3].variant.empty());
+    click(window, "remedy_up");
+    EXPECT_EQ(remedies()[2].metric, "bleed_ml");
+    click(window, "remedy_remove");
+    EXPECT_EQ(remedies().size(), 3U);
+    EXPECT_FALSE(std::any_of(page->problems().begin(), page->problems().end(),
+                             [](const CurriculumProblem& one) { return one.blocks; }));
+    // A draft of another hand: an unknown metric and a wrong unit, each in its task.
+    QTemporaryDir folder;
+    Curriculum wrong = page->draft();
+    wrong.tasks[1].remedies[0].metric = "path_length";
+    wrong.tasks.back().remedies[0].unit = "cm";
+    QFile file(folder.filePath("draft.json"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(curriculum_text(wrong)));
+    file.close();
+    page->read_draft(file.fileName());
+    choose("C4");
+    EXPECT_TRUE(
+        find<QLabel>(window, "remedies_problems")->text().contains("plane_dev is not measured in 'cm'"));
+    keep("curriculum-remedies-problem");
+    choose("A2");
+    EXPECT_TRUE(find<QLabel>(window, "remedies_problems")->text().contains("did you mean path_len?"));
+    type(window, "curriculum_reason", "because");
+    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
+}
+
 TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
     choose("C4");
     step("rule_passes", 1, Qt::Key_Left);
@@ -251,17 +323,17 @@ TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
     type(window, "curriculum_reason", "Three of five are enough");
     const std::string before = services.curriculum().name();
     click(window, "curriculum_publish");
-    EXPECT_EQ(services.curriculum().name(), "rectal@3");
+    EXPECT_EQ(services.curriculum().name(), "rectal@4");
     EXPECT_EQ(pass_rule_text(services.curriculum().find("C4")->rule), "of:3,5");
     ASSERT_NE(services.curriculum().version_named(before), nullptr)
         << "the one before is there for its people";
     EXPECT_EQ(pass_rule_text(services.curriculum().version_named(before)->find("C4")->rule), "of:4,5");
     const auto accepted = database::AcceptedAssets(*services.store()).list();
     ASSERT_EQ(accepted.size(), 1U);
-    EXPECT_EQ(accepted[0].file.name, "curricula/rectal-3.json");
+    EXPECT_EQ(accepted[0].file.name, "curricula/rectal-4.json");
     EXPECT_EQ(accepted[0].reason, "Three of five are enough");
-    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 3 is in force."));
-    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 4");
+    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 4 is in force."));
+    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 5");
     EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
     EXPECT_FALSE(tasks->item(6)->text().contains("tried"));
 }
@@ -271,17 +343,17 @@ TEST_F(CurriculumView, WritesTheFileOfANewVersion) {
     choose("C4");
     step("rule_passes", 1, Qt::Key_Left);
     auto* path = find<QLineEdit>(window, "curriculum_path");
-    EXPECT_TRUE(path->text().endsWith("rectal-3.json")) << path->text().toStdString();
-    path->setText(folder.filePath("rectal-3.json"));
+    EXPECT_TRUE(path->text().endsWith("rectal-4.json")) << path->text().toStdString();
+    path->setText(folder.filePath("rectal-4.json"));
     click(window, "curriculum_save");
-    ASSERT_TRUE(wait_for([&] { return QFileInfo::exists(folder.filePath("rectal-3.json")); }));
-    const Curriculum written = load_curriculum(folder.filePath("rectal-3.json").toStdString(), task_ids());
+    ASSERT_TRUE(wait_for([&] { return QFileInfo::exists(folder.filePath("rectal-4.json")); }));
+    const Curriculum written = load_curriculum(folder.filePath("rectal-4.json").toStdString(), task_ids());
     EXPECT_EQ(written.version, services.curriculum().version + 1);
     EXPECT_EQ(pass_rule_text(written.find("C4")->rule), "of:3,5");
     EXPECT_EQ(pass_rule_text(written.find("A2")->rule), pass_rule_text(rule_of("A2")));
     EXPECT_EQ(find<QAbstractButton>(window, "curriculum_save")->text(), "Replace");
 
-    path->setText(folder.filePath("nowhere/rectal-3.json"));
+    path->setText(folder.filePath("nowhere/rectal-4.json"));
     click(window, "curriculum_save");
     EXPECT_FALSE(QFileInfo::exists(folder.filePath("nowhere")));
     EXPECT_TRUE(find<QLabel>(window, "message_text")->text().contains("nowhere"))

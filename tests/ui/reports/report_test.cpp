@@ -205,10 +205,10 @@ TEST(Figures, HaveOneFormat) {
 }
 
 TEST(Figures, AreJoinedWithoutEmptyParts) {
-    EXPECT_EQ(beside({"Surgery", "attempt report"}).toStdString(), "Surgery · attempt report");
-    EXPECT_EQ(beside({"", "attempt report"}).toStdString(), "attempt report");
-    EXPECT_EQ(beside({"a", QString(), "b", ""}).toStdString(), "a · b");
-    EXPECT_TRUE(beside({"", QString()}).isEmpty());
+    EXPECT_EQ(join_with_dots({"Surgery", "attempt report"}).toStdString(), "Surgery · attempt report");
+    EXPECT_EQ(join_with_dots({"", "attempt report"}).toStdString(), "attempt report");
+    EXPECT_EQ(join_with_dots({"a", QString(), "b", ""}).toStdString(), "a · b");
+    EXPECT_TRUE(join_with_dots({"", QString()}).isEmpty());
 }
 
 /// No line of the report begins or ends with a separator or contains two in a row.

@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <cmath>
+#include <functional>
 
 #include "database/records/attempts.h"
 #include "database/records/people.h"
@@ -107,6 +108,7 @@ class DebriefLayout : public ::testing::Test {
         score.passed = false;
         score.advice = Statement(StatementId::gates_met);
         score.pathology = pathology_json(specimen);
+        if (change_score) change_score(score);
         result.score = score;
         recorder.finish(result);
         return recorder.attempt_id();
@@ -139,7 +141,35 @@ class DebriefLayout : public ::testing::Test {
     FakeServices services;
     std::unique_ptr<Session> tara;
     std::unique_ptr<MainWindow> window;
+    std::function<void(database::ScoreRow&)> change_score;
 };
+
+TEST_F(DebriefLayout, WhyAnAttemptWasNotScoredAppearsOnce) {
+    const Statement why(StatementId::device_class_differs, {{"device", "controller"}});
+    change_score = [&](database::ScoreRow& score) {
+        score.passed.reset();
+        score.not_scored_because = why;
+        score.advice = Statement(StatementId::not_scored, {{"because", why}});
+        score.gates[0].passed.reset();
+        score.gates[0].limit.reset();
+        score.gates[0].limit_source.clear();
+        score.gates[0].not_passed_because = why;
+    };
+    open(record(varied_specimen()));
+    EXPECT_TRUE(find<QLabel>(*window, "advice")->text().contains("not comparable: there are no limits"))
+        << find<QLabel>(*window, "advice")->text().toStdString();
+    const auto* notes = window->current_page()->findChild<QLabel*>(QStringLiteral("debrief_notes"));
+    ASSERT_NE(notes, nullptr);
+    EXPECT_FALSE(notes->text().contains("comparable")) << notes->text().toStdString();
+    keep("debrief-no-limits");
+    // Where the advice is about something else, the note says why.
+    change_score = [&, before = change_score](database::ScoreRow& score) {
+        before(score);
+        score.advice = Statement(StatementId::attempt_abandoned);
+    };
+    open(record(varied_specimen()));
+    EXPECT_TRUE(find<QLabel>(*window, "debrief_notes")->text().contains("Not scored: not comparable"));
+}
 
 TEST_F(DebriefLayout, VerdictAdviceAndProductComeFirstThenTheReplayThenTabs) {
     open(record(varied_specimen()));

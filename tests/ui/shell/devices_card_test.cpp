@@ -8,8 +8,7 @@
 #include <atomic>
 #include <thread>
 
-#include "sim_core/devices/device_fault.h"
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/device_table.h"
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
 
@@ -32,7 +31,7 @@ class DevicesOnThePage : public Screens {
                              DeviceState::connected,
                              {"Touch (2988:0302)"},
                              "you have no permission to open the device",
-                             vendor_driver("touch")->rule,
+                             device_row("touch")->rule,
                              "/dev/ttyACM0"},
                             {"space-mouse",
                              "SpaceMouse",
@@ -41,7 +40,15 @@ class DevicesOnThePage : public Screens {
                              {},
                              "spacenavd, which reads it, does not run",
                              "install the package spacenavd and start it with `sudo systemctl restart "
-                             "spacenavd`"}};
+                             "spacenavd`"},
+                            {"trainer",
+                             device_row("trainer")->title,
+                             DeviceClass::tracked,
+                             DeviceState::connected,
+                             {"Arduino Uno (2341:0043)"},
+                             "you have no permission to open the device",
+                             device_row("trainer")->rule,
+                             "/dev/ttyACM1"}};
     }
     ~DevicesOnThePage() override {
         window.reset();
@@ -74,7 +81,8 @@ TEST_F(DevicesOnThePage, EachSaysItsStateWhyAndWhatToDo) {
           "Touch (2988:0302)\nWhy: you have no permission to open the device (/dev/ttyACM0)\nWhat to do: "
           "write the line "
           "SUBSYSTEMS==\"usb\"",
-          "– SpaceMouse: not connected"})
+          "– SpaceMouse: not connected", "! box trainer on a serial port: connected, cannot be used",
+          "What to do: run `sudo usermod -aG dialout $USER`"})
         EXPECT_TRUE(words().contains(line)) << line << "\n\n" << words().toStdString();
     EXPECT_FALSE(sees(*window, "force_scale")) << "mouse and keyboard give no force";
 }

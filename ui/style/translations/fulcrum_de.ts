@@ -147,10 +147,6 @@
         <translation>Alle Personen dieser Gruppe umstellen.</translation>
     </message>
     <message>
-        <source>The version, such as rectal@2.</source>
-        <translation>Die Version, zum Beispiel rectal@2.</translation>
-    </message>
-    <message>
         <source>Print which standings would change and move nobody.</source>
         <translation>Ausgeben, welcher Stand sich ändern würde, und niemanden umstellen.</translation>
     </message>
@@ -473,10 +469,6 @@
     <message>
         <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. What fewer than 5 people did is put together with other rows or left out, and so is every count from which a smaller one would follow. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them.</source>
         <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Was weniger als 5 Personen getan haben, wird mit anderen Zeilen zusammengefasst oder weggelassen, ebenso jede Zahl, aus der eine kleinere folgen würde. Wer die Versuche einer Person gut kennt, erkennt sie vielleicht trotzdem: Geben Sie die Dateien Forschenden, und veröffentlichen Sie sie nicht.</translation>
-    </message>
-    <message>
-        <source>PATH is a folder with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
-        <translation>PFAD ist ein Ordner mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann deshalb wiederholt werden.</translation>
     </message>
     <message>
         <source>Makes accounts for the people of a list; needs --as, an administrator.</source>
@@ -1183,8 +1175,20 @@
         <translation>Der neue Schlüssel signiert von jetzt an. Der alte signiert die Protokollzeile, die den neuen nennt, dann wird seine geheime Hälfte gelöscht; was er signiert hat, bleibt gültig, und nichts Späteres wird von ihm angenommen. Wechseln Sie den Schlüssel, wenn seine Datei kopiert worden sein kann und wenn jemand geht, der sie lesen konnte.</translation>
     </message>
     <message>
-        <source>Open this device (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) and measure rate, jitter and delays.</source>
-        <translation>Dieses Gerät öffnen (touch, force-dimension, haply, controller, openigtlink:HOST:PORT, space-mouse, virtual:SCRIPT.json) und Rate, Schwankung und Verzögerungen messen.</translation>
+        <source>The version, such as rectal@3.</source>
+        <translation>Die Version, zum Beispiel rectal@3.</translation>
+    </message>
+    <message>
+        <source>%1.%2</source>
+        <translation>%1,%2</translation>
+    </message>
+    <message>
+        <source>PATH is a folder or ZIP archive with OneRoster CSV files (users.csv, classes.csv, enrollments.csv, roles.csv), or one CSV file with the columns login, name, role (trainee or educator) and cohort. Nobody is renamed, deactivated or removed, so an import can be repeated.</source>
+        <translation>PATH ist ein Ordner oder ZIP-Archiv mit OneRoster-CSV-Dateien (users.csv, classes.csv, enrollments.csv, roles.csv) oder eine CSV-Datei mit den Spalten login, name, role (trainee oder educator) und cohort. Niemand wird umbenannt, deaktiviert oder entfernt; ein Import kann also wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>Open this device (%1) and measure rate, jitter and delays.</source>
+        <translation>Dieses Gerät öffnen (%1) und Rate, Schwankung und Verzögerungen messen.</translation>
     </message>
 </context>
 <context>
@@ -3522,10 +3526,6 @@
         <translation>enthält keine users.csv</translation>
     </message>
     <message>
-        <source>name the folder with the unpacked OneRoster files</source>
-        <translation>nennen Sie den Ordner mit den entpackten OneRoster-Dateien</translation>
-    </message>
-    <message>
         <source>give every row an id of its own</source>
         <translation>geben Sie jeder Zeile eine eigene Kennung</translation>
     </message>
@@ -3751,7 +3751,7 @@
     </message>
     <message>
         <source>%1: the key of this station: %2</source>
-        <translation>%1: der Schlüssel dieser Station: %2</translation>
+        <translation>%1: der Schlüssel dieses Arbeitsplatzes: %2</translation>
     </message>
     <message>
         <source>make its folder readable and writable for you, or name another folder in FULCRUM_STATION_KEYS</source>
@@ -3759,7 +3759,7 @@
     </message>
     <message>
         <source>%1: is not a key of a station</source>
-        <translation>%1: ist kein Schlüssel einer Station</translation>
+        <translation>%1: ist kein Schlüssel eines Arbeitsplatzes</translation>
     </message>
     <message>
         <source>put its copy back; without one move the file away, and a new key is made</source>
@@ -3787,7 +3787,7 @@
     </message>
     <message>
         <source>%1: the store does not name its station</source>
-        <translation>%1: Der Datenbestand nennt seine Station nicht</translation>
+        <translation>%1: Der Datenbestand nennt seinen Arbeitsplatz nicht</translation>
     </message>
     <message>
         <source>run `fulcrum db check`, or restore the newest backup</source>
@@ -4146,10 +4146,6 @@
         <translation>nennen Sie eine Gruppe dieses Datenbestands</translation>
     </message>
     <message>
-        <source>name the version: --to rectal@2</source>
-        <translation>nennen Sie die Version: --to rectal@2</translation>
-    </message>
-    <message>
         <source>say why, or look first with --dry-run</source>
         <translation>nennen Sie den Grund, oder sehen Sie es sich zuerst mit --dry-run an</translation>
     </message>
@@ -4271,7 +4267,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not the fingerprint of a station&apos;s key</source>
-        <translation>„%1“ ist nicht der Fingerabdruck eines Stationsschlüssels</translation>
+        <translation>„%1“ ist nicht der Fingerabdruck eines Arbeitsplatzschlüssels</translation>
     </message>
     <message>
         <source>give its first 16 to 32 hexadecimal digits, as reports and `db audit` print them</source>
@@ -4955,7 +4951,7 @@
     </message>
     <message>
         <source>station</source>
-        <translation>Station</translation>
+        <translation>Arbeitsplatz</translation>
     </message>
     <message>
         <source>a reason is missing or too long</source>
@@ -5195,7 +5191,7 @@
     </message>
     <message>
         <source>%1: signed by the key %2, not by this station&apos;s, %3</source>
-        <translation>%1: mit dem Schlüssel %2 signiert, nicht mit dem dieser Station, %3</translation>
+        <translation>%1: mit dem Schlüssel %2 signiert, nicht mit dem dieses Arbeitsplatzes, %3</translation>
     </message>
     <message>
         <source>audit rows %1 to %2 are missing</source>
@@ -5363,7 +5359,7 @@
     </message>
     <message>
         <source>the newest audit row is not signed (it should be, by %1): the log was written by somebody else, or the station has a new key</source>
-        <translation>die neueste Protokollzeile ist nicht signiert (nötig wäre %1): Jemand anders hat das Protokoll geschrieben, oder die Station hat einen neuen Schlüssel</translation>
+        <translation>die neueste Protokollzeile ist nicht signiert (nötig wäre %1): Jemand anders hat das Protokoll geschrieben, oder der Arbeitsplatz hat einen neuen Schlüssel</translation>
     </message>
     <message>
         <source>the stored state was written by another version of the program, or for another scene</source>
@@ -5475,7 +5471,7 @@
     </message>
     <message>
         <source>the trace of attempt %1 is not in this store: it was recorded at the station %2</source>
-        <translation>die Aufzeichnung des Versuchs %1 ist nicht in diesem Datenbestand: Sie wurde an der Station %2 gemacht</translation>
+        <translation>die Aufzeichnung des Versuchs %1 ist nicht in diesem Speicher: Sie wurde an der Station %2 gemacht</translation>
     </message>
     <message>
         <source>open it there</source>
@@ -5559,7 +5555,7 @@
     </message>
     <message>
         <source>sync again; if it is refused again, `fulcrum db check` looks at this store</source>
-        <translation>gleichen Sie wieder ab; wird es erneut abgelehnt, prüft `fulcrum db check` diesen Datenbestand</translation>
+        <translation>gleichen Sie wieder ab; wird es erneut abgelehnt, prüft `fulcrum db check` diesen Speicher</translation>
     </message>
     <message>
         <source>another station is writing the same rows</source>
@@ -5603,7 +5599,7 @@
     </message>
     <message>
         <source>neither this store nor the server has a programme</source>
-        <translation>weder dieser Datenbestand noch der Server hat ein Programm</translation>
+        <translation>weder dieser Speicher noch der Server hat ein Programm</translation>
     </message>
     <message>
         <source>make the programme at one station (start `fulcrum`, Create programme) and sync that one first</source>
@@ -5611,15 +5607,15 @@
     </message>
     <message>
         <source>this store belongs to another programme than the server</source>
-        <translation>dieser Datenbestand gehört zu einem anderen Programm als der Server</translation>
+        <translation>dieser Speicher gehört zu einem anderen Programm als der Server</translation>
     </message>
     <message>
         <source>name the right server; a further station begins with an empty store (`fulcrum db create`) and gets its people by sync</source>
-        <translation>nennen Sie den richtigen Server; eine weitere Station beginnt mit einem leeren Datenbestand (`fulcrum db create`) und erhält ihre Personen durch den Abgleich</translation>
+        <translation>nennen Sie den richtigen Server; eine weitere Station beginnt mit einem leeren Speicher (`fulcrum db create`) und erhält ihre Personen durch den Abgleich</translation>
     </message>
     <message>
         <source>the audit log of this store is not the one that the server knows (row %1): an older copy is in its place, or it was rewritten</source>
-        <translation>das Protokoll dieses Datenbestands ist nicht das, das der Server kennt (Zeile %1): An seiner Stelle liegt eine ältere Kopie, oder es wurde umgeschrieben</translation>
+        <translation>das Protokoll dieses Speichers ist nicht das, das der Server kennt (Zeile %1): An seiner Stelle liegt eine ältere Kopie, oder es wurde umgeschrieben</translation>
     </message>
     <message>
         <source>restore the newest backup; nothing was transferred</source>
@@ -5631,7 +5627,7 @@
     </message>
     <message>
         <source>name the store of the programme with --db</source>
-        <translation>nennen Sie mit --db den Datenbestand des Programms</translation>
+        <translation>nennen Sie mit --db den Speicher des Programms</translation>
     </message>
     <message>
         <source>%1: there without an audit row (if a sync was cut off, the station&apos;s next one brings it)</source>
@@ -5639,7 +5635,7 @@
     </message>
     <message>
         <source>%1: not as the station that made it has signed it</source>
-        <translation>%1: nicht so, wie die Station es signiert hat</translation>
+        <translation>%1: nicht so, wie die Station es unterschrieben hat</translation>
     </message>
     <message>
         <source>%1: PostgreSQL %2 is too old</source>
@@ -5691,7 +5687,7 @@
     </message>
     <message>
         <source>the store has no table %1</source>
-        <translation>der Datenbestand hat keine Tabelle %1</translation>
+        <translation>der Speicher hat keine Tabelle %1</translation>
     </message>
     <message>
         <source>name the server: --to postgresql://USER@HOST:PORT/DATABASE</source>
@@ -6095,7 +6091,7 @@
     </message>
     <message>
         <source>the programme server is only read here; do it at a station, with its own store</source>
-        <translation>der Programmserver wird hier nur gelesen; tun Sie es an einer Station mit deren eigenem Datenbestand</translation>
+        <translation>der Programmserver wird hier nur gelesen; tun Sie es an einer Station mit deren eigenem Speicher</translation>
     </message>
     <message>
         <source>%1: this is a programme server, not a file</source>
@@ -6103,7 +6099,7 @@
     </message>
     <message>
         <source>name the station&apos;s own store; `fulcrum server` has the commands for a server</source>
-        <translation>nennen Sie den eigenen Datenbestand der Station; die Befehle für einen Server sind `fulcrum server`</translation>
+        <translation>nennen Sie den eigenen Speicher der Station; die Befehle für einen Server sind `fulcrum server`</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is the name of one at this station and of another one on the server; neither is transferred until one of them is renamed</source>
@@ -6667,7 +6663,7 @@
     </message>
     <message>
         <source>there is no imported trace of attempt %1 in this store</source>
-        <translation>in diesem Datenbestand gibt es keine importierte Aufzeichnung von Versuch %1</translation>
+        <translation>in diesem Speicher gibt es keine importierte Aufzeichnung von Versuch %1</translation>
     </message>
     <message>
         <source>open it at the station that imported it</source>
@@ -6806,10 +6802,6 @@
         <translation>„%1“ ist nicht der Name einer Art von Gerät</translation>
     </message>
     <message>
-        <source>write two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse or virtual:SCRIPT.json, in small letters; `fulcrum devices` lists what is connected</source>
-        <translation>schreiben Sie two-mice, controller, touch, force-dimension, haply, openigtlink, space-mouse oder virtual:SCRIPT.json, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
-    </message>
-    <message>
         <source>write haply:PORT, then left=ID, right=ID, events=PORT, grip=+z or axes=+x+z-y, each after a comma</source>
         <translation>schreiben Sie haply:PORT, dann left=ID, right=ID, events=PORT, grip=+z oder axes=+x+z-y, jeweils nach einem Komma</translation>
     </message>
@@ -6903,7 +6895,7 @@
     </message>
     <message>
         <source>a person who is to be erased is performing at this station</source>
-        <translation>eine Person, die gelöscht werden soll, übt gerade an dieser Station</translation>
+        <translation>eine Person, die gelöscht werden soll, übt gerade an diesem Arbeitsplatz</translation>
     </message>
     <message>
         <source>try again when the attempt has ended</source>
@@ -6939,7 +6931,7 @@
     </message>
     <message>
         <source>erase on the server (`fulcrum server erase`); each station follows at its next sync</source>
-        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jede Station folgt bei ihrem nächsten Abgleich</translation>
+        <translation>löschen Sie auf dem Server (`fulcrum server erase`); jeder Arbeitsplatz folgt bei seinem nächsten Abgleich</translation>
     </message>
     <message>
         <source>the last administrator cannot be erased</source>
@@ -7107,7 +7099,7 @@
     </message>
     <message>
         <source>save the draft; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
-        <translation>speichern Sie den Entwurf; die Administration legt die Datei dort ab, und ein Ausbilder nimmt sie mit `fulcrum assets accept` an</translation>
+        <translation>speichern Sie den Entwurf; die Administration legt die Datei dort ab, und eine Lehrperson nimmt sie mit `fulcrum assets accept` an</translation>
     </message>
     <message>
         <source>make the store&apos;s folder writable and free some space on the disk</source>
@@ -7120,6 +7112,286 @@
     <message>
         <source>open a draft of %1</source>
         <translation>öffnen Sie einen Entwurf von %1</translation>
+    </message>
+    <message>
+        <source>has both %1 and %2</source>
+        <translation>hat %1 und %2 zugleich</translation>
+    </message>
+    <message>
+        <source>something is missing in the remedy</source>
+        <translation>der Abhilfe fehlt etwas</translation>
+    </message>
+    <message>
+        <source>give one bound, &quot;above&quot; or &quot;below&quot;</source>
+        <translation>geben Sie eine Grenze an, &quot;above&quot; oder &quot;below&quot;</translation>
+    </message>
+    <message>
+        <source>say what to do: one of &quot;practise_from&quot;, &quot;task&quot; (with &quot;variant&quot; or without), &quot;variant&quot;, &quot;feedback&quot;</source>
+        <translation>sagen Sie, was zu tun ist: eines von &quot;practise_from&quot;, &quot;task&quot; (mit oder ohne &quot;variant&quot;), &quot;variant&quot;, &quot;feedback&quot;</translation>
+    </message>
+    <message>
+        <source>the task has too many remedies</source>
+        <translation>die Aufgabe hat zu viele Abhilfen</translation>
+    </message>
+    <message>
+        <source>keep %1 at most</source>
+        <translation>behalten Sie höchstens %1</translation>
+    </message>
+    <message>
+        <source>remedy %1: %2</source>
+        <translation>Abhilfe %1: %2</translation>
+    </message>
+    <message>
+        <source>did you mean %1? There are: %2</source>
+        <translation>meinten Sie %1? Es gibt: %2</translation>
+    </message>
+    <message>
+        <source>name the id of a metric that the task shows (docs/METRICS.md)</source>
+        <translation>nennen Sie die Kennung einer Kennzahl, die die Aufgabe zeigt (docs/METRICS.md)</translation>
+    </message>
+    <message>
+        <source>did you mean %1? docs/METRICS.md lists all metrics</source>
+        <translation>meinten Sie %1? docs/METRICS.md nennt alle Kennzahlen</translation>
+    </message>
+    <message>
+        <source>there is no metric %1</source>
+        <translation>es gibt keine Kennzahl %1</translation>
+    </message>
+    <message>
+        <source>%1 has no goal %2</source>
+        <translation>%1 hat kein Ziel %2</translation>
+    </message>
+    <message>
+        <source>%1 is the first goal of %2: from it on is the whole task</source>
+        <translation>%1 ist das erste Ziel von %2: ab ihm ist es die ganze Aufgabe</translation>
+    </message>
+    <message>
+        <source>name a later goal, or choose another remedy</source>
+        <translation>nennen Sie ein späteres Ziel, oder wählen Sie eine andere Abhilfe</translation>
+    </message>
+    <message>
+        <source>%1 is not a remedy for itself</source>
+        <translation>%1 ist keine Abhilfe für sich selbst</translation>
+    </message>
+    <message>
+        <source>name another task, or only a variant of this one</source>
+        <translation>nennen Sie eine andere Aufgabe, oder nur eine Variante dieser</translation>
+    </message>
+    <message>
+        <source>%1 has no variant %2</source>
+        <translation>%1 hat keine Variante %2</translation>
+    </message>
+    <message>
+        <source>%1 has no ghost: it is for the scope alone</source>
+        <translation>%1 hat kein Schattenbild: Sie ist für die Kamera allein</translation>
+    </message>
+    <message>
+        <source>write demonstration or replay</source>
+        <translation>schreiben Sie demonstration oder replay</translation>
+    </message>
+    <message>
+        <source>%1 is not measured in &apos;%2&apos;</source>
+        <translation>%1 wird nicht in &apos;%2&apos; gemessen</translation>
+    </message>
+    <message>
+        <source>write its unit, &quot;%1&quot;, and the bound in this unit</source>
+        <translation>schreiben Sie ihre Einheit, &quot;%1&quot;, und die Grenze in dieser Einheit</translation>
+    </message>
+    <message>
+        <source>the bound of %1 is on the good side</source>
+        <translation>die Grenze von %1 liegt auf der guten Seite</translation>
+    </message>
+    <message>
+        <source>a high value is good: write &quot;below&quot;</source>
+        <translation>ein hoher Wert ist gut: schreiben Sie &quot;below&quot;</translation>
+    </message>
+    <message>
+        <source>a low value is good: write &quot;above&quot;</source>
+        <translation>ein niedriger Wert ist gut: schreiben Sie &quot;above&quot;</translation>
+    </message>
+    <message>
+        <source>%1 does not show the metric %2</source>
+        <translation>%1 zeigt die Kennzahl %2 nicht</translation>
+    </message>
+    <message>
+        <source>name the ZIP archive or the folder with the OneRoster files</source>
+        <translation>nennen Sie das ZIP-Archiv oder den Ordner mit den OneRoster-Dateien</translation>
+    </message>
+    <message>
+        <source>is in the archive twice</source>
+        <translation>ist zweimal im Archiv</translation>
+    </message>
+    <message>
+        <source>pack every file once, all in the same folder</source>
+        <translation>packen Sie jede Datei einmal, alle im selben Ordner</translation>
+    </message>
+    <message>
+        <source>the archive is damaged or cut off</source>
+        <translation>das Archiv ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>export it again, or unpack it and name the folder</source>
+        <translation>exportieren Sie es noch einmal, oder entpacken Sie es und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>the archive is in several parts</source>
+        <translation>das Archiv besteht aus mehreren Teilen</translation>
+    </message>
+    <message>
+        <source>pack it in one file</source>
+        <translation>packen Sie es in eine Datei</translation>
+    </message>
+    <message>
+        <source>the archive has %1 files</source>
+        <translation>das Archiv hat %1 Dateien</translation>
+    </message>
+    <message>
+        <source>pack the OneRoster files alone</source>
+        <translation>packen Sie nur die OneRoster-Dateien</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>pack it without a password</source>
+        <translation>packen Sie sie ohne Passwort</translation>
+    </message>
+    <message>
+        <source>is packed by another method (%1)</source>
+        <translation>ist mit einem anderen Verfahren gepackt (%1)</translation>
+    </message>
+    <message>
+        <source>pack it as an ordinary ZIP archive (deflate)</source>
+        <translation>packen Sie sie als gewöhnliches ZIP-Archiv (deflate)</translation>
+    </message>
+    <message>
+        <source>is larger than 64 MiB</source>
+        <translation>ist größer als 64 MiB</translation>
+    </message>
+    <message>
+        <source>name the version: --to rectal@3</source>
+        <translation>nennen Sie die Version: --to rectal@3</translation>
+    </message>
+    <message>
+        <source>The trainer was unplugged. Plug it in again; where it comes off by itself, use another cable or port.</source>
+        <translation>Der Trainer wurde ausgesteckt. Stecken Sie ihn wieder ein; wo er sich von selbst löst, nehmen Sie ein anderes Kabel oder einen anderen Anschluss.</translation>
+    </message>
+    <message>
+        <source>The trainer sends nothing new. Press the reset button of its board; where that does not help, unplug it and plug it in again.</source>
+        <translation>Der Trainer sendet nichts Neues. Drücken Sie die Reset-Taste seiner Platine; wo das nicht hilft, stecken Sie ihn aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>What the trainer sends cannot be read. Press the reset button of its board, and load the sketch that came with this version of Fulcrum.</source>
+        <translation>Was der Trainer sendet, kann nicht gelesen werden. Drücken Sie die Reset-Taste seiner Platine, und laden Sie den Sketch, der mit dieser Version von Fulcrum kam.</translation>
+    </message>
+    <message>
+        <source>Lines of the trainer arrive damaged. Use a shorter cable, away from motors and electrosurgery, or a lower rate on both sides.</source>
+        <translation>Zeilen des Trainers kommen beschädigt an. Nehmen Sie ein kürzeres Kabel, fern von Motoren und Elektrochirurgie, oder auf beiden Seiten eine kleinere Rate.</translation>
+    </message>
+    <message>
+        <source>The trainer reports an angle or a length that is not possible. Check the plugs of its sensors and the ranges in its sketch.</source>
+        <translation>Der Trainer meldet einen Winkel oder eine Länge, die nicht möglich sind. Prüfen Sie die Stecker seiner Sensoren und die Bereiche in seinem Sketch.</translation>
+    </message>
+    <message>
+        <source>run `sudo usermod -aG dialout $USER` (the group that owns the port), then sign out and in again</source>
+        <translation>führen Sie `sudo usermod -aG dialout $USER` aus (die Gruppe, der der Anschluss gehört), melden Sie sich dann ab und wieder an</translation>
+    </message>
+    <message>
+        <source>write one of %1, in small letters; `fulcrum devices` lists what is connected</source>
+        <translation>schreiben Sie eines von %1, in Kleinbuchstaben; `fulcrum devices` listet auf, was angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>use trainer:PORT, then baud=BITS (9600 to 1000000) or length=MM (100 to 600), each after a comma</source>
+        <translation>verwenden Sie trainer:PORT, dann baud=BITS (9600 bis 1000000) oder length=MM (100 bis 600), jeweils nach einem Komma</translation>
+    </message>
+    <message>
+        <source>no serial port of a micro-controller was found</source>
+        <translation>es wurde kein serieller Anschluss eines Mikrocontrollers gefunden</translation>
+    </message>
+    <message>
+        <source>plug the trainer in, or name its port: trainer:/dev/ttyUSB0</source>
+        <translation>stecken Sie den Trainer ein, oder nennen Sie seinen Anschluss: trainer:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>more than one port can be the trainer&apos;s: %1</source>
+        <translation>mehr als ein Anschluss kann der des Trainers sein: %1</translation>
+    </message>
+    <message>
+        <source>name it: trainer:%1</source>
+        <translation>nennen Sie ihn: trainer:%1</translation>
+    </message>
+    <message>
+        <source>end the other program that uses it, such as the serial monitor of the Arduino program</source>
+        <translation>beenden Sie das andere Programm, das ihn benutzt, etwa den seriellen Monitor des Arduino-Programms</translation>
+    </message>
+    <message>
+        <source>name a serial port, such as /dev/ttyACM0</source>
+        <translation>nennen Sie einen seriellen Anschluss, etwa /dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>plug the trainer in; `fulcrum devices` shows whether it is found</source>
+        <translation>stecken Sie den Trainer ein; `fulcrum devices` zeigt, ob er gefunden wird</translation>
+    </message>
+    <message>
+        <source>the trainer&apos;s port does not open: %1</source>
+        <translation>der Anschluss des Trainers lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>the trainer was unplugged</source>
+        <translation>der Trainer wurde ausgesteckt</translation>
+    </message>
+    <message>
+        <source>plug it in, and use a cable and a port that hold it firmly</source>
+        <translation>stecken Sie ihn ein, mit einem Kabel und an einem Anschluss, die fest sitzen</translation>
+    </message>
+    <message>
+        <source>the trainer speaks version %1 of the protocol, Fulcrum version %2</source>
+        <translation>der Trainer spricht Version %1 des Protokolls, Fulcrum Version %2</translation>
+    </message>
+    <message>
+        <source>load the sketch that came with this version of Fulcrum</source>
+        <translation>laden Sie den Sketch, der mit dieser Version von Fulcrum kam</translation>
+    </message>
+    <message>
+        <source>the trainer sends angles or lengths that are not possible</source>
+        <translation>der Trainer sendet Winkel oder Längen, die nicht möglich sind</translation>
+    </message>
+    <message>
+        <source>set the ranges of its sensors in its sketch (docs/TRAINER.md)</source>
+        <translation>stellen Sie die Bereiche seiner Sensoren in seinem Sketch ein (docs/TRAINER.md)</translation>
+    </message>
+    <message>
+        <source>the trainer&apos;s lines have wrong checksums</source>
+        <translation>die Zeilen des Trainers haben falsche Prüfsummen</translation>
+    </message>
+    <message>
+        <source>use a shorter cable, or a lower rate on both sides</source>
+        <translation>nehmen Sie ein kürzeres Kabel oder auf beiden Seiten eine kleinere Rate</translation>
+    </message>
+    <message>
+        <source>what it sends are not the lines of a trainer</source>
+        <translation>was er sendet, sind nicht die Zeilen eines Trainers</translation>
+    </message>
+    <message>
+        <source>load the sketch of docs/trainer, and name its rate: trainer:PORT,baud=115200</source>
+        <translation>laden Sie den Sketch aus docs/trainer, und nennen Sie seine Rate: trainer:PORT,baud=115200</translation>
+    </message>
+    <message>
+        <source>no trainer answers</source>
+        <translation>kein Trainer antwortet</translation>
+    </message>
+    <message>
+        <source>check that this is its port, and load the sketch of docs/trainer</source>
+        <translation>prüfen Sie, ob dies sein Anschluss ist, und laden Sie den Sketch aus docs/trainer</translation>
+    </message>
+    <message>
+        <source>the trainer sends no pose of its instruments</source>
+        <translation>der Trainer sendet keine Stellung seiner Instrumente</translation>
+    </message>
+    <message>
+        <source>press the reset button of its board</source>
+        <translation>drücken Sie die Reset-Taste seiner Platine</translation>
     </message>
 </context>
 <context>
@@ -7320,6 +7592,26 @@
     <message>
         <source>install the Inverse service from Haply and start it; connect the device and its power supply</source>
         <translation>installieren Sie den Inverse-Dienst von Haply und starten Sie ihn; schließen Sie das Gerät und sein Netzteil an</translation>
+    </message>
+    <message>
+        <source>box trainer on a serial port</source>
+        <translation>Box-Trainer an einem seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>no serial port of a micro-controller was found</source>
+        <translation>es wurde kein serieller Anschluss eines Mikrocontrollers gefunden</translation>
+    </message>
+    <message>
+        <source>load the sketch of docs/trainer on a board with sensors and plug it in; a port of another kind is named: FULCRUM_DEVICE=trainer:PORT</source>
+        <translation>laden Sie den Sketch aus docs/trainer auf eine Platine mit Sensoren und stecken Sie sie ein; ein anderer Anschluss wird genannt: FULCRUM_DEVICE=trainer:PORT</translation>
+    </message>
+    <message>
+        <source>more than one serial port can be its port</source>
+        <translation>mehr als ein serieller Anschluss kann der seine sein</translation>
+    </message>
+    <message>
+        <source>unplug the others, or name the port: FULCRUM_DEVICE=trainer:PORT</source>
+        <translation>stecken Sie die anderen aus, oder nennen Sie den Anschluss: FULCRUM_DEVICE=trainer:PORT</translation>
     </message>
 </context>
 <context>
@@ -9390,22 +9682,6 @@
         <translation>{where}{fault} ({excess}){on_tissue}; {remedy}.</translation>
     </message>
     <message>
-        <source>All gates are met. Repeat the task to make it a habit.</source>
-        <translation>Alle Kriterien sind erfüllt. Wiederholen Sie die Aufgabe, bis sie zur Gewohnheit wird.</translation>
-    </message>
-    <message>
-        <source>All gates are met. Closest to its limit: {metric}{of_hand} ({value}, limit {limit}). To improve: {remedy}.</source>
-        <translation>Alle Kriterien sind erfüllt. Am knappsten: {metric}{of_hand} ({value}, Grenzwert {limit}). Zur Verbesserung: {remedy}.</translation>
-    </message>
-    <message>
-        <source>The time ran out before the last step was completed. To improve: {remedy}.</source>
-        <translation>Die Zeit lief ab, bevor der letzte Schritt abgeschlossen war. Zur Verbesserung: {remedy}.</translation>
-    </message>
-    <message>
-        <source>The attempt was abandoned before the last step was completed. Carry the next one through to the end.</source>
-        <translation>Der Versuch wurde abgebrochen, bevor der letzte Schritt abgeschlossen war. Führen Sie den nächsten bis zum Ende durch.</translation>
-    </message>
-    <message>
         <source>{where}{metric} has no value because {because}; {remedy}.</source>
         <translation>{where}{metric} ohne Wert: {because}; {remedy}.</translation>
     </message>
@@ -9485,6 +9761,30 @@
         <source>it was recorded elsewhere and imported: measured, but judged by no limits</source>
         <translation>anderswo aufgezeichnet und importiert: gemessen, aber nach keinen Grenzwerten bewertet</translation>
     </message>
+    <message>
+        <source>a device was lost and came back</source>
+        <translation>ein Gerät ging verloren und kam zurück</translation>
+    </message>
+    <message>
+        <source>the program stood still for {seconds} s</source>
+        <translation>das Programm stand {seconds} s still</translation>
+    </message>
+    <message>
+        <source>All gates are met. Repeat the task to make it a habit.</source>
+        <translation>Alle Kriterien sind erfüllt. Wiederholen Sie die Aufgabe, bis sie zur Gewohnheit wird.</translation>
+    </message>
+    <message>
+        <source>All gates are met. Closest to its limit: {metric}{of_hand} ({value}, limit {limit}). To improve: {remedy}.</source>
+        <translation>Alle Kriterien sind erfüllt. Am knappsten: {metric}{of_hand} ({value}, Grenzwert {limit}). Zur Verbesserung: {remedy}.</translation>
+    </message>
+    <message>
+        <source>The time ran out before the last step was completed. To improve: {remedy}.</source>
+        <translation>Die Zeit lief ab, bevor der letzte Schritt abgeschlossen war. Zur Verbesserung: {remedy}.</translation>
+    </message>
+    <message>
+        <source>The attempt was abandoned before the last step was completed. Carry the next one through to the end.</source>
+        <translation>Der Versuch wurde abgebrochen, bevor der letzte Schritt abgeschlossen war. Führen Sie den nächsten bis zum Ende durch.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::tissues</name>
@@ -9532,14 +9832,6 @@
         <translation>Ungültig; Kopie für diese Person</translation>
     </message>
     <message>
-        <source>Reason (kept in the audit log)</source>
-        <translation>Grund (steht im Protokoll)</translation>
-    </message>
-    <message>
-        <source>What is wrong with this attempt</source>
-        <translation>Was an diesem Versuch nicht stimmt</translation>
-    </message>
-    <message>
         <source>Voiding removes the attempt from progress, cohorts and benchmarks. It stays visible, struck through, with your reason. Reassigning voids it as well and stores a copy, with recording and score, for the person who performed it.</source>
         <translation>Ein für ungültig erklärter Versuch zählt nicht mehr für Fortschritt, Gruppen und Richtwerte. Er bleibt sichtbar, durchgestrichen, mit Ihrem Grund. Neu zuordnen erklärt ihn ebenfalls für ungültig und speichert eine Kopie, mit Aufzeichnung und Bewertung, für die Person, die ihn durchgeführt hat.</translation>
     </message>
@@ -9566,6 +9858,14 @@
     <message>
         <source>Your educators will see the request.</source>
         <translation>Ihre Ausbilder sehen die Anfrage.</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
+    <message>
+        <source>What is wrong with this attempt</source>
+        <translation>Was an diesem Versuch nicht stimmt</translation>
     </message>
 </context>
 <context>
@@ -9630,23 +9930,12 @@
         <translation>Kommentare</translation>
     </message>
     <message>
-        <source>Open attempt</source>
-        <translation>Versuch öffnen</translation>
-    </message>
-    <message>
         <source>My attempts</source>
         <translation>Meine Versuche</translation>
     </message>
     <message>
         <source>Recompute</source>
         <translation>Neu berechnen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</source>
-        <translation>
-            <numerusform>%n Bewertung wurde mit älteren Kennzahlen oder Grenzwerten berechnet. Neu berechnen fügt dem Versuch eine zweite Bewertung hinzu; die geltende Bewertung ändert sich nicht.</numerusform>
-            <numerusform>%n Bewertungen wurden mit älteren Kennzahlen oder Grenzwerten berechnet. Neu berechnen fügt jedem Versuch eine zweite Bewertung hinzu; die geltende Bewertung ändert sich nicht.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Recomputed: %1. The result differs from the score in force in %2 of them.</source>
@@ -9681,16 +9970,8 @@
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>People with three or more interrupted attempts in a row: %1</source>
-        <translation>Personen mit drei oder mehr unterbrochenen Versuchen in Folge: %1</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1, %2: %3 interrupted attempts, the last on %4. Recorded: %5</source>
-        <translation>%1, %2: %3 unterbrochene Versuche, der letzte am %4. Aufgezeichnet: %5</translation>
     </message>
     <message>
         <source> (%1 unread)</source>
@@ -9699,6 +9980,33 @@
     <message>
         <source>Voided by %1: %2</source>
         <translation>Für ungültig erklärt von %1: %2</translation>
+    </message>
+    <message>
+        <source>The recording was imported as an external attempt.</source>
+        <translation>Die Aufzeichnung wurde als externer Versuch importiert.</translation>
+    </message>
+    <message>
+        <source>Open attempt</source>
+        <translation>Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Import a recording …</source>
+        <translation>Aufzeichnung importieren …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</source>
+        <translation>
+            <numerusform>%n Bewertung wurde mit älteren Kennzahlen oder Grenzwerten berechnet. Neu berechnen fügt dem Versuch eine zweite Bewertung hinzu; die geltende Bewertung ändert sich nicht.</numerusform>
+            <numerusform>%n Bewertungen wurden mit älteren Kennzahlen oder Grenzwerten berechnet. Neu berechnen fügt jedem Versuch eine zweite Bewertung hinzu; die geltende Bewertung ändert sich nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>People with three or more interrupted attempts in a row: %1</source>
+        <translation>Personen mit drei oder mehr unterbrochenen Versuchen in Folge: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 interrupted attempts, the last on %4. Recorded: %5</source>
+        <translation>%1, %2: %3 unterbrochene Versuche, der letzte am %4. Aufgezeichnet: %5</translation>
     </message>
     <message>
         <source>newest 500 attempts</source>
@@ -9710,14 +10018,6 @@
             <numerusform>%n Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The recording was imported as an external attempt.</source>
-        <translation>Die Aufzeichnung wurde als externer Versuch importiert.</translation>
-    </message>
-    <message>
-        <source>Import a recording …</source>
-        <translation>Aufzeichnung importieren …</translation>
     </message>
 </context>
 <context>
@@ -9749,14 +10049,6 @@
     <message>
         <source>Details</source>
         <translation>Details</translation>
-    </message>
-    <message>
-        <source>Show older entries</source>
-        <translation>Ältere Einträge zeigen</translation>
-    </message>
-    <message>
-        <source>Comments and reasons about an attempt are not shown here; people who may open the attempt see them there. A person who can write to the store&apos;s file could rewrite the whole log: compare the newest hash above with the one printed in a report.</source>
-        <translation>Kommentare und Begründungen zu einem Versuch stehen nicht hier; wer den Versuch öffnen darf, sieht sie dort. Eine Person, die in die Datei des Datenbestands schreiben kann, könnte das ganze Protokoll neu schreiben: Vergleichen Sie den neuesten Hash oben mit dem in einem Bericht.</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -9802,13 +10094,6 @@
         <source>Everything</source>
         <translation>Alles</translation>
     </message>
-    <message numerus="yes">
-        <source>%n entries shown</source>
-        <translation>
-            <numerusform>%n Eintrag gezeigt</numerusform>
-            <numerusform>%n Einträge gezeigt</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Row %1, object %2, hash %3</source>
         <translation>Zeile %1, Objekt %2, Hash %3</translation>
@@ -9838,6 +10123,21 @@ und %1 weitere</translation>
     <message>
         <source>The audit log could not be read: %1</source>
         <translation>Das Protokoll konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Show older entries</source>
+        <translation>Ältere Einträge zeigen</translation>
+    </message>
+    <message>
+        <source>Comments and reasons about an attempt are not shown here; people who may open the attempt see them there. A person who can write to the store&apos;s file could rewrite the whole log: compare the newest hash above with the one printed in a report.</source>
+        <translation>Kommentare und Begründungen zu einem Versuch stehen nicht hier; wer den Versuch öffnen darf, sieht sie dort. Eine Person, die in die Datei des Datenbestands schreiben kann, könnte das ganze Protokoll neu schreiben: Vergleichen Sie den neuesten Hash oben mit dem in einem Bericht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries shown</source>
+        <translation>
+            <numerusform>%n Eintrag gezeigt</numerusform>
+            <numerusform>%n Einträge gezeigt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9879,10 +10179,6 @@ und %1 weitere</translation>
         <translation>Einem Experten zusehen</translation>
     </message>
     <message>
-        <source>A simulated expert performs the task. Nothing is stored. Press Esc to stop.</source>
-        <translation>Ein simulierter Experte führt die Aufgabe durch. Es wird nichts gespeichert. Drücken Sie Esc, um zu beenden.</translation>
-    </message>
-    <message>
         <source>My attempts and learning curve</source>
         <translation>Meine Versuche und Lernkurve</translation>
     </message>
@@ -9919,20 +10215,8 @@ und %1 weitere</translation>
         <translation>Ab einem späteren Schritt übernimmt ein simulierter Experte, was davor kommt. Eine solche Übung wird nie ausgewertet.</translation>
     </message>
     <message>
-        <source>Show an expert&apos;s instruments</source>
-        <translation>Instrumente eines Experten zeigen</translation>
-    </message>
-    <message>
-        <source>Translucent instruments show an expert&apos;s next movement and wait for you. The scene is the one in which the expert was simulated.</source>
-        <translation>Durchscheinende Instrumente zeigen die nächste Bewegung eines Experten und warten auf Sie. Die Szene ist die, in der der Experte simuliert wurde.</translation>
-    </message>
-    <message>
         <source>the beginning</source>
         <translation>am Anfang</translation>
-    </message>
-    <message>
-        <source>This task is %1. Until then, you can only practise it.</source>
-        <translation>Diese Aufgabe ist %1. Bis dahin können Sie sie nur üben.</translation>
     </message>
     <message>
         <source>%1 (sha256 %2)</source>
@@ -9951,10 +10235,6 @@ und %1 weitere</translation>
         <translation>Was zu tun ist</translation>
     </message>
     <message>
-        <source>Time limit %1 · Outcome: %2</source>
-        <translation>Zeitlimit %1 · Ergebnis: %2</translation>
-    </message>
-    <message>
         <source>You hold the scope with mouse and keyboard. F1 shows the keys.</source>
         <translation>Sie führen die Optik mit Maus und Tastatur. F1 zeigt die Tasten.</translation>
     </message>
@@ -9965,10 +10245,6 @@ und %1 weitere</translation>
     <message>
         <source>The demonstration accepts practice attempts only.</source>
         <translation>In der Vorführung sind nur Übungen möglich.</translation>
-    </message>
-    <message>
-        <source>The effect of the simulation&apos;s level of detail on the score has not been measured for this task.</source>
-        <translation>Die Wirkung der Genauigkeit der Simulation auf die Bewertung ist für diese Aufgabe nicht gemessen.</translation>
     </message>
     <message>
         <source>%1 differs by %2 %</source>
@@ -9987,16 +10263,40 @@ und %1 weitere</translation>
         <translation>dieselbe Bewertung</translation>
     </message>
     <message>
+        <source>Gates based on the experts&apos; range are not scored: %1.</source>
+        <translation>Kriterien, die auf dem Bereich der Experten beruhen, werden nicht ausgewertet: %1.</translation>
+    </message>
+    <message>
+        <source>A simulated expert performs the task. Nothing is stored. Press Esc to stop.</source>
+        <translation>Ein simulierter Experte führt die Aufgabe durch. Es wird nichts gespeichert. Drücken Sie Esc, um zu beenden.</translation>
+    </message>
+    <message>
+        <source>Show an expert&apos;s instruments</source>
+        <translation>Instrumente eines Experten zeigen</translation>
+    </message>
+    <message>
+        <source>Translucent instruments show an expert&apos;s next movement and wait for you. The scene is the one in which the expert was simulated.</source>
+        <translation>Durchscheinende Instrumente zeigen die nächste Bewegung eines Experten und warten auf Sie. Die Szene ist die, in der der Experte simuliert wurde.</translation>
+    </message>
+    <message>
+        <source>This task is %1. Until then, you can only practise it.</source>
+        <translation>Diese Aufgabe ist %1. Bis dahin können Sie sie nur üben.</translation>
+    </message>
+    <message>
+        <source>Time limit %1 · Outcome: %2</source>
+        <translation>Zeitlimit %1 · Ergebnis: %2</translation>
+    </message>
+    <message>
+        <source>The effect of the simulation&apos;s level of detail on the score has not been measured for this task.</source>
+        <translation>Die Wirkung der Genauigkeit der Simulation auf die Bewertung ist für diese Aufgabe nicht gemessen.</translation>
+    </message>
+    <message>
         <source>Effect of the simulation&apos;s level of detail on the score, compared with the level &quot;%1&quot;: %2.</source>
         <translation>Wirkung der Genauigkeit der Simulation auf die Bewertung, verglichen mit der Stufe „%1“: %2.</translation>
     </message>
     <message>
         <source>This site uses its own tissue values (version %1); its cutting parameters differ from those of the scene.</source>
         <translation>Dieser Standort benutzt eigene Gewebewerte (Version %1); seine Schnittparameter weichen von denen der Szene ab.</translation>
-    </message>
-    <message>
-        <source>Gates based on the experts&apos; range are not scored: %1.</source>
-        <translation>Kriterien, die auf dem Bereich der Experten beruhen, werden nicht ausgewertet: %1.</translation>
     </message>
 </context>
 <context>
@@ -10159,20 +10459,9 @@ und %1 weitere</translation>
         <source>There is no cohort yet. A director creates cohorts on the page &quot;Assign cohorts&quot;.</source>
         <translation>Es gibt noch keine Gruppe. Die Programmleitung legt Gruppen auf der Seite „Gruppen zuteilen“ an.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
     <message>
         <source> · synthetic left out: %1</source>
         <translation> · synthetische ausgelassen: %1</translation>
-    </message>
-    <message>
-        <source> · Only attempts that count. Types of device are not combined.</source>
-        <translation> · Nur Versuche, die zählen. Arten von Geräten werden nicht zusammengefasst.</translation>
     </message>
     <message>
         <source>Needs attention (%1)</source>
@@ -10190,6 +10479,17 @@ und %1 weitere</translation>
         <source>Hide versions of limits and metrics</source>
         <translation>Versionen der Grenzwerte und Kennzahlen verbergen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> · Only attempts that count. Types of device are not combined.</source>
+        <translation> · Nur Versuche, die zählen. Arten von Geräten werden nicht zusammengefasst.</translation>
+    </message>
     <message>
         <source>Benchmark sets: %1
 Metrics: %2</source>
@@ -10202,10 +10502,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Assign cohorts</source>
         <translation>Gruppen zuteilen</translation>
-    </message>
-    <message>
-        <source>Name of the new cohort</source>
-        <translation>Name der neuen Gruppe</translation>
     </message>
     <message>
         <source>Add cohort</source>
@@ -10230,6 +10526,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Saved.</source>
         <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>Name of the new cohort</source>
+        <translation>Name der neuen Gruppe</translation>
     </message>
     <message>
         <source>Save cohort</source>
@@ -10263,10 +10563,6 @@ Kennzahlen: %2</translation>
         <translation>Kommentare (%1)</translation>
     </message>
     <message>
-        <source>No comments yet.</source>
-        <translation>Noch keine Kommentare.</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -10285,6 +10581,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>No comments yet.</source>
+        <translation>Noch keine Kommentare.</translation>
     </message>
 </context>
 <context>
@@ -10307,7 +10607,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Reading the attempts of the cohort …</source>
-        <translation>Die Versuche der Gruppe werden gelesen …</translation>
+        <translation>Die Versuche der Kohorte werden gelesen …</translation>
     </message>
     <message>
         <source>Expert of the benchmark (simulated)</source>
@@ -10354,14 +10654,6 @@ Kennzahlen: %2</translation>
         <translation>Abschnitt des Versuchs</translation>
     </message>
     <message>
-        <source>Start part here</source>
-        <translation>Abschnitt hier beginnen</translation>
-    </message>
-    <message>
-        <source>End part here</source>
-        <translation>Abschnitt hier beenden</translation>
-    </message>
-    <message>
         <source>Whole attempt</source>
         <translation>Ganzer Versuch</translation>
     </message>
@@ -10372,10 +10664,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>Hold Shift and drag to choose a part.</source>
-        <translation>Mit gedrückter Umschalttaste ziehen, um einen Abschnitt zu wählen.</translation>
     </message>
     <message>
         <source>left hand</source>
@@ -10414,10 +10702,6 @@ Kennzahlen: %2</translation>
         <translation>Es gibt nichts, womit dieser Versuch verglichen werden kann.</translation>
     </message>
     <message>
-        <source>Other attempt: %1</source>
-        <translation>Anderer Versuch: %1</translation>
-    </message>
-    <message>
         <source>Force of the left hand (N)</source>
         <translation>Kraft der linken Hand (N)</translation>
     </message>
@@ -10451,11 +10735,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>cohort</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>other attempt</source>
-        <translation>anderer Versuch</translation>
+        <translation>Kohorte</translation>
     </message>
     <message>
         <source>this attempt</source>
@@ -10474,12 +10754,32 @@ Kennzahlen: %2</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>; other attempt %1 to %2</source>
-        <translation>; anderer Versuch %1 bis %2</translation>
-    </message>
-    <message>
         <source>; metrics of this attempt alone</source>
         <translation>; nur Kennzahlen dieses Versuchs</translation>
+    </message>
+    <message>
+        <source>Start part here</source>
+        <translation>Abschnitt hier beginnen</translation>
+    </message>
+    <message>
+        <source>End part here</source>
+        <translation>Abschnitt hier beenden</translation>
+    </message>
+    <message>
+        <source>Hold Shift and drag to choose a part.</source>
+        <translation>Mit gedrückter Umschalttaste ziehen, um einen Abschnitt zu wählen.</translation>
+    </message>
+    <message>
+        <source>Other attempt: %1</source>
+        <translation>Anderer Versuch: %1</translation>
+    </message>
+    <message>
+        <source>other attempt</source>
+        <translation>anderer Versuch</translation>
+    </message>
+    <message>
+        <source>; other attempt %1 to %2</source>
+        <translation>; anderer Versuch %1 bis %2</translation>
     </message>
     <message>
         <source>; other attempt %1 / %2</source>
@@ -10513,10 +10813,6 @@ Kennzahlen: %2</translation>
         <translation>Dieser Versuch</translation>
     </message>
     <message>
-        <source>Other attempt</source>
-        <translation>Anderer Versuch</translation>
-    </message>
-    <message>
         <source>Difference</source>
         <translation>Unterschied</translation>
     </message>
@@ -10546,54 +10842,34 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Cohort: median (middle half)</source>
-        <translation>Gruppe: Median (mittlere Hälfte)</translation>
+        <translation>Kohorte: Median (mittlere Hälfte)</translation>
+    </message>
+    <message>
+        <source>Other attempt</source>
+        <translation>Anderer Versuch</translation>
     </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparisonTexts</name>
-    <message>
-        <source>Best attempt: %1</source>
-        <translation>Bester Versuch: %1</translation>
-    </message>
-    <message>
-        <source>Latest attempt: %1</source>
-        <translation>Letzter Versuch: %1</translation>
-    </message>
     <message>
         <source>An expert of the benchmark (simulated)</source>
         <translation>Ein Experte des Benchmarks (simuliert)</translation>
     </message>
     <message>
         <source>Cohort %1 as a band</source>
-        <translation>Gruppe %1 als Band</translation>
+        <translation>Kohorte %1 als Band</translation>
     </message>
     <message>
         <source>Nothing was recorded.</source>
         <translation>Nichts wurde aufgezeichnet.</translation>
     </message>
     <message>
-        <source>Different variants: %1 and %2. The scenes differ; the attempts are aligned by steps.</source>
-        <translation>Verschiedene Varianten: %1 und %2. Die Szenen sind verschieden; die Versuche sind nach Schritten ausgerichtet.</translation>
-    </message>
-    <message>
         <source>Different versions of the task: %1 and %2.</source>
         <translation>Verschiedene Versionen der Aufgabe: %1 und %2.</translation>
     </message>
     <message>
-        <source>Different devices: %1 and %2. Their values cannot be compared directly.</source>
-        <translation>Verschiedene Geräte: %1 und %2. Ihre Werte sind nicht direkt vergleichbar.</translation>
-    </message>
-    <message>
         <source>This attempt: %1</source>
         <translation>Dieser Versuch: %1</translation>
-    </message>
-    <message>
-        <source>Other attempt: %1</source>
-        <translation>Anderer Versuch: %1</translation>
-    </message>
-    <message>
-        <source>No step was completed in both attempts, so they are aligned at the first movement.</source>
-        <translation>Kein Schritt wurde in beiden Versuchen abgeschlossen; darum sind sie an der ersten Bewegung ausgerichtet.</translation>
     </message>
     <message numerus="yes">
         <source>Aligned by the %n steps that were completed in both.</source>
@@ -10616,6 +10892,30 @@ Kennzahlen: %2</translation>
             <numerusform>%1: der letzte zählende Versuch von %n anderen Personen. Linie: Median; Band: die mittlere Hälfte.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Best attempt: %1</source>
+        <translation>Bester Versuch: %1</translation>
+    </message>
+    <message>
+        <source>Latest attempt: %1</source>
+        <translation>Letzter Versuch: %1</translation>
+    </message>
+    <message>
+        <source>Different variants: %1 and %2. The scenes differ; the attempts are aligned by steps.</source>
+        <translation>Verschiedene Varianten: %1 und %2. Die Szenen sind verschieden; die Versuche sind nach Schritten ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>Different devices: %1 and %2. Their values cannot be compared directly.</source>
+        <translation>Verschiedene Geräte: %1 und %2. Ihre Werte sind nicht direkt vergleichbar.</translation>
+    </message>
+    <message>
+        <source>Other attempt: %1</source>
+        <translation>Anderer Versuch: %1</translation>
+    </message>
+    <message>
+        <source>No step was completed in both attempts, so they are aligned at the first movement.</source>
+        <translation>Kein Schritt wurde in beiden Versuchen abgeschlossen; darum sind sie an der ersten Bewegung ausgerichtet.</translation>
+    </message>
     <message numerus="yes">
         <source>The recording of %n of them was not kept here: only their metrics are compared.</source>
         <translation>
@@ -10627,12 +10927,12 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::Context</name>
     <message>
-        <source>Interrupted attempts could not be scored. Fulcrum tries again at the next sign-in: %1</source>
-        <translation>Unterbrochene Versuche konnten nicht ausgewertet werden. Fulcrum versucht es bei der nächsten Anmeldung erneut: %1</translation>
-    </message>
-    <message>
         <source>External: %1</source>
         <translation>Extern: %1</translation>
+    </message>
+    <message>
+        <source>Interrupted attempts could not be scored. Fulcrum tries again at the next sign-in: %1</source>
+        <translation>Unterbrochene Versuche konnten nicht ausgewertet werden. Fulcrum versucht es bei der nächsten Anmeldung erneut: %1</translation>
     </message>
 </context>
 <context>
@@ -10662,10 +10962,6 @@ Kennzahlen: %2</translation>
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Reason (kept in the audit log)</source>
-        <translation>Grund (steht im Protokoll)</translation>
-    </message>
-    <message>
         <source>Move</source>
         <translation>Umstellen</translation>
     </message>
@@ -10676,10 +10972,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Moved to %1 by %2 on %3: %4</source>
         <translation>Umgestellt auf %1 von %2 am %3: %4</translation>
-    </message>
-    <message>
-        <source>There is a newer version, %1. Each person stays on their version until an educator moves them.</source>
-        <translation>Es gibt eine neuere Version, %1. Jede Person bleibt auf ihrer Version, bis ein Ausbilder sie umstellt.</translation>
     </message>
     <message>
         <source>version %1</source>
@@ -10696,6 +10988,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Moved to %1. What was passed or declared proficient stays.</source>
         <translation>Umgestellt auf %1. Was bestanden oder für sicher beherrscht erklärt wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
+    <message>
+        <source>There is a newer version, %1. Each person stays on their version until an educator moves them.</source>
+        <translation>Es gibt eine neuere Version, %1. Jede Person bleibt auf ihrer Version, bis ein Ausbilder sie umstellt.</translation>
     </message>
 </context>
 <context>
@@ -10747,10 +11047,6 @@ Kennzahlen: %2</translation>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
-    <message>
-        <source>Calculated for trainees who pass each attempt with the same probability. Learning, and the days, variants and ratings that a rule can also require, are not included; they make proficiency later.</source>
-        <translation>Berechnet für Lernende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen sowie die Tage, Varianten und Beurteilungen, die eine Regel außerdem verlangen kann, sind nicht berücksichtigt; sie verzögern es.</translation>
-    </message>
     <message numerus="yes">
         <source>%n ratings with the form %1, mean at least %2</source>
         <translation>
@@ -10799,10 +11095,6 @@ Kennzahlen: %2</translation>
         <translation>Bewertungen</translation>
     </message>
     <message>
-        <source>The pass rule of a task decides when a trainee is proficient in it. Choose a task, change its rule, and see the effect. Nothing changes for trainees until you publish.</source>
-        <translation>Die Bestehensregel einer Aufgabe entscheidet, wann sie sicher beherrscht wird. Wählen Sie eine Aufgabe, ändern Sie die Regel und sehen Sie die Wirkung. Für Lernende ändert sich nichts, bevor Sie veröffentlichen.</translation>
-    </message>
-    <message>
         <source>▲ Up</source>
         <translation>▲ Auf</translation>
     </message>
@@ -10833,10 +11125,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Publish</source>
         <translation>Veröffentlichen</translation>
-    </message>
-    <message>
-        <source>Trainees who have begun keep their version until an educator moves them. Trainees who begin later follow the new version. Your name and reason are kept in the audit log.</source>
-        <translation>Lernende, die begonnen haben, behalten ihre Version, bis ein Ausbilder sie umstellt. Lernende, die später beginnen, folgen der neuen. Ihr Name und Ihre Begründung stehen im Protokoll.</translation>
     </message>
     <message>
         <source>Reason for the new version</source>
@@ -10875,11 +11163,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>An educator publishes, at a station.</source>
-        <translation>Ein Ausbilder veröffentlicht, an einer Station.</translation>
-    </message>
-    <message>
-        <source>Change the draft first; it is the same as the version in force.</source>
-        <translation>Ändern Sie zuerst den Entwurf; er gleicht der geltenden Version.</translation>
+        <translation>Eine Lehrperson veröffentlicht, an einer Station.</translation>
     </message>
     <message>
         <source>Solve the problems marked with ✕ first.</source>
@@ -10904,6 +11188,26 @@ Kennzahlen: %2</translation>
     <message>
         <source>Version %1 is in force. People who have begun stay on theirs until you move them.</source>
         <translation>Version %1 gilt. Wer begonnen hat, bleibt bei seiner, bis Sie die Person umstellen.</translation>
+    </message>
+    <message>
+        <source>Remedies</source>
+        <translation>Abhilfen</translation>
+    </message>
+    <message>
+        <source>The pass rule of a task decides when a trainee is proficient in it. Choose a task, change its rule, and see the effect. Nothing changes for trainees until you publish.</source>
+        <translation>Die Bestehensregel einer Aufgabe entscheidet, wann sie sicher beherrscht wird. Wählen Sie eine Aufgabe, ändern Sie die Regel und sehen Sie die Wirkung. Für Lernende ändert sich nichts, bevor Sie veröffentlichen.</translation>
+    </message>
+    <message>
+        <source>Calculated for trainees who pass each attempt with the same probability. Learning, and the days, variants and ratings that a rule can also require, are not included; they make proficiency later.</source>
+        <translation>Berechnet für Lernende, die jeden Versuch mit derselben Wahrscheinlichkeit bestehen. Lernen sowie die Tage, Varianten und Beurteilungen, die eine Regel außerdem verlangen kann, sind nicht berücksichtigt; sie verzögern es.</translation>
+    </message>
+    <message>
+        <source>Trainees who have begun keep their version until an educator moves them. Trainees who begin later follow the new version. Your name and reason are kept in the audit log.</source>
+        <translation>Lernende, die begonnen haben, behalten ihre Version, bis ein Ausbilder sie umstellt. Lernende, die später beginnen, folgen der neuen. Ihr Name und Ihre Begründung stehen im Protokoll.</translation>
+    </message>
+    <message>
+        <source>Change the draft first; it is the same as the version in force.</source>
+        <translation>Ändern Sie zuerst den Entwurf; er gleicht der geltenden Version.</translation>
     </message>
 </context>
 <context>
@@ -10969,24 +11273,12 @@ Kennzahlen: %2</translation>
         <translation>In der Vorführung durchgeführt, unter dem Konto einer synthetischen Person.</translation>
     </message>
     <message>
-        <source>Practice from step %1 of a demonstration: never scored.</source>
-        <translation>Übung ab Schritt %1 einer Vorführung: nie ausgewertet.</translation>
-    </message>
-    <message>
-        <source>Practice from the moment %1 of an attempt: never scored.</source>
-        <translation>Übung ab dem Zeitpunkt %1 eines Versuchs: nie ausgewertet.</translation>
-    </message>
-    <message>
         <source>Not scored: %1</source>
         <translation>Nicht ausgewertet: %1</translation>
     </message>
     <message>
         <source>the attempt has no score</source>
         <translation>der Versuch hat keine Bewertung</translation>
-    </message>
-    <message>
-        <source>The limits are provisional: they come from simulated experts, not from surgeons. With them a task can be passed, but nobody becomes proficient.</source>
-        <translation>Die Grenzwerte sind vorläufig: Sie stammen von simulierten Experten, nicht von Chirurgen. Mit ihnen ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
     </message>
     <message>
         <source>, %1</source>
@@ -11013,12 +11305,24 @@ Kennzahlen: %2</translation>
         <translation>Blind zu beurteilen: Name, Bewertung und die Beurteilungen anderer bleiben verborgen, bis Sie Ihre Beurteilung abgegeben haben.</translation>
     </message>
     <message>
-        <source>Show name and score (my rating is then not blind)</source>
-        <translation>Name und Bewertung zeigen (meine Beurteilung ist dann nicht blind)</translation>
-    </message>
-    <message>
         <source>Compare with another attempt</source>
         <translation>Mit einem anderen Versuch vergleichen</translation>
+    </message>
+    <message>
+        <source>Practice from step %1 of a demonstration: never scored.</source>
+        <translation>Übung ab Schritt %1 einer Vorführung: nie ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Practice from the moment %1 of an attempt: never scored.</source>
+        <translation>Übung ab dem Zeitpunkt %1 eines Versuchs: nie ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The limits are provisional: they come from simulated experts, not from surgeons. With them a task can be passed, but nobody becomes proficient.</source>
+        <translation>Die Grenzwerte sind vorläufig: Sie stammen von simulierten Experten, nicht von Chirurgen. Mit ihnen ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
+    </message>
+    <message>
+        <source>Show name and score (my rating is then not blind)</source>
+        <translation>Name und Bewertung zeigen (meine Beurteilung ist dann nicht blind)</translation>
     </message>
 </context>
 <context>
@@ -11086,10 +11390,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>mouse and keyboard</source>
         <translation>Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>How far the instrument moves for the same movement of the mouse, from the next attempt. At 100 %, about 3 pixels move the handle by 1 mm.</source>
-        <translation>Wie weit sich das Instrument bei derselben Bewegung der Maus bewegt, ab dem nächsten Versuch. Bei 100 % bewegen etwa 3 Pixel den Griff um 1 mm.</translation>
     </message>
     <message>
         <source>Speed for the same push of a stick, from the next attempt on; 100 %: at most 12 cm/s of the handle.</source>
@@ -11163,6 +11463,10 @@ Kennzahlen: %2</translation>
         <source>The button of one device is the pedal for both hands. The key of the pedal works with every choice; give it to a foot switch that types a key under Mouse and keys for the hands.</source>
         <translation>Die Taste eines Geräts ist das Pedal für beide Hände. Die Taste der Tastatur für das Pedal wirkt bei jeder Wahl; einem Fußschalter, der eine Taste sendet, geben Sie sie unter „Maus und Tasten für die Hände“.</translation>
     </message>
+    <message>
+        <source>How far the instrument moves for the same movement of the mouse, from the next attempt. At 100 %, about 3 pixels move the handle by 1 mm.</source>
+        <translation>Wie weit sich das Instrument bei derselben Bewegung der Maus bewegt, ab dem nächsten Versuch. Bei 100 % bewegen etwa 3 Pixel den Griff um 1 mm.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DevicesCard</name>
@@ -11197,10 +11501,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Devices for the hands</source>
         <translation>Geräte für die Hände</translation>
-    </message>
-    <message>
-        <source>Search for devices again</source>
-        <translation>Geräte erneut suchen</translation>
     </message>
     <message>
         <source>Force given to the hand</source>
@@ -11247,10 +11547,6 @@ Kennzahlen: %2</translation>
         <translation>In Gebrauch: %1. Ab dem nächsten Versuch bewegt es die Hände.</translation>
     </message>
     <message>
-        <source>In use: %1. This device was set when Fulcrum was started (environment variable FULCRUM_DEVICE). Start Fulcrum without it to choose a device here.</source>
-        <translation>In Gebrauch: %1. Das Gerät wurde beim Start von Fulcrum festgelegt (Umgebungsvariable FULCRUM_DEVICE). Starten Sie Fulcrum ohne sie, um hier ein Gerät zu wählen.</translation>
-    </message>
-    <message>
         <source>%1 readings per second, at most %2 ms late</source>
         <translation>%1 Messungen pro Sekunde, höchstens %2 ms verspätet</translation>
     </message>
@@ -11273,6 +11569,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Use %1 for the hands</source>
         <translation>%1 für die Hände verwenden</translation>
+    </message>
+    <message>
+        <source>Search for devices again</source>
+        <translation>Geräte erneut suchen</translation>
+    </message>
+    <message>
+        <source>In use: %1. This device was set when Fulcrum was started (environment variable FULCRUM_DEVICE). Start Fulcrum without it to choose a device here.</source>
+        <translation>In Gebrauch: %1. Das Gerät wurde beim Start von Fulcrum festgelegt (Umgebungsvariable FULCRUM_DEVICE). Starten Sie Fulcrum ohne sie, um hier ein Gerät zu wählen.</translation>
     </message>
 </context>
 <context>
@@ -11321,10 +11625,6 @@ Kennzahlen: %2</translation>
         <translation>Programm anlegen</translation>
     </message>
     <message>
-        <source>For a department or a training centre. You become its first administrator and then add people, roles and cohorts.</source>
-        <translation>Für eine Abteilung oder ein Ausbildungszentrum. Sie werden der erste Administrator und fügen dann Personen, Rollen und Gruppen hinzu.</translation>
-    </message>
-    <message>
         <source>Look around</source>
         <translation>Umsehen</translation>
     </message>
@@ -11345,10 +11645,6 @@ Kennzahlen: %2</translation>
         <translation>Ihr Anmeldename</translation>
     </message>
     <message>
-        <source>Letters, digits and . _ - @</source>
-        <translation>Buchstaben, Ziffern und . _ - @</translation>
-    </message>
-    <message>
         <source>Password</source>
         <translation>Passwort</translation>
     </message>
@@ -11367,10 +11663,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Your recovery code</source>
         <translation>Ihr Wiederherstellungscode</translation>
-    </message>
-    <message>
-        <source>This code is shown only once. Write it down and lock it away: without it, the last administrator cannot set a new password.</source>
-        <translation>Dieser Code wird nur einmal gezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Ohne ihn kann der letzte Administrator kein neues Passwort setzen.</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -11397,12 +11689,24 @@ Kennzahlen: %2</translation>
         <translation>Programm wird angelegt …</translation>
     </message>
     <message>
+        <source>Unpacking the demonstration programme …</source>
+        <translation>Das Vorführprogramm wird entpackt …</translation>
+    </message>
+    <message>
+        <source>For a department or a training centre. You become its first administrator and then add people, roles and cohorts.</source>
+        <translation>Für eine Abteilung oder ein Ausbildungszentrum. Sie werden der erste Administrator und fügen dann Personen, Rollen und Gruppen hinzu.</translation>
+    </message>
+    <message>
         <source>A demonstration programme: 24 simulated trainees after 12 weeks of training. The people are not real; their attempts were simulated in full. You can practise, and every screen has content.</source>
         <translation>Ein Vorführprogramm: 24 simulierte Lernende nach 12 Wochen Ausbildung. Die Personen sind nicht echt; ihre Versuche wurden vollständig simuliert. Sie können üben, und jede Seite hat Inhalt.</translation>
     </message>
     <message>
-        <source>Unpacking the demonstration programme …</source>
-        <translation>Das Vorführprogramm wird entpackt …</translation>
+        <source>Letters, digits and . _ - @</source>
+        <translation>Buchstaben, Ziffern und . _ - @</translation>
+    </message>
+    <message>
+        <source>This code is shown only once. Write it down and lock it away: without it, the last administrator cannot set a new password.</source>
+        <translation>Dieser Code wird nur einmal gezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Ohne ihn kann der letzte Administrator kein neues Passwort setzen.</translation>
     </message>
 </context>
 <context>
@@ -11479,10 +11783,6 @@ Kennzahlen: %2</translation>
         <translation>Quelle des Grenzwerts</translation>
     </message>
     <message>
-        <source>A gate is a pass criterion: every gate must be met. z: standard deviations from the experts&apos; mean. Select a row to go to the moment that decided it, or Explain to read what is measured.</source>
-        <translation>Jedes Kriterium muss erfüllt sein. z: Standardabweichungen vom Mittelwert der Experten. Wählen Sie eine Zeile, um zum entscheidenden Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -11513,6 +11813,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>%1 (limit provisional)</source>
         <translation>%1 (Grenzwert vorläufig)</translation>
+    </message>
+    <message>
+        <source>A gate is a pass criterion: every gate must be met. z: standard deviations from the experts&apos; mean. Select a row to go to the moment that decided it, or Explain to read what is measured.</source>
+        <translation>Jedes Kriterium muss erfüllt sein. z: Standardabweichungen vom Mittelwert der Experten. Wählen Sie eine Zeile, um zum entscheidenden Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11578,16 +11882,8 @@ Kennzahlen: %2</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Set a goal for yourself: a number of attempts a week, or a value of a metric by a date. Only you and your educators see it.</source>
-        <translation>Setzen Sie sich ein eigenes Ziel: eine Anzahl von Versuchen pro Woche oder den Wert einer Kennzahl bis zu einem Datum. Nur Sie und Ihre Ausbilder sehen es.</translation>
-    </message>
-    <message>
         <source>Change</source>
         <translation>Ändern</translation>
-    </message>
-    <message>
-        <source>Remove goal</source>
-        <translation>Ziel entfernen</translation>
     </message>
     <message>
         <source>Any task</source>
@@ -11600,6 +11896,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>You have no completed attempt with this metric yet.</source>
         <translation>Sie haben noch keinen abgeschlossenen Versuch mit dieser Kennzahl.</translation>
+    </message>
+    <message>
+        <source>Set a goal for yourself: a number of attempts a week, or a value of a metric by a date. Only you and your educators see it.</source>
+        <translation>Setzen Sie sich ein eigenes Ziel: eine Anzahl von Versuchen pro Woche oder den Wert einer Kennzahl bis zu einem Datum. Nur Sie und Ihre Ausbilder sehen es.</translation>
+    </message>
+    <message>
+        <source>Remove goal</source>
+        <translation>Ziel entfernen</translation>
     </message>
 </context>
 <context>
@@ -11664,16 +11968,8 @@ Kennzahlen: %2</translation>
         <translation>Guten Tag, %1</translation>
     </message>
     <message>
-        <source>Recommended next</source>
-        <translation>Als Nächstes empfohlen</translation>
-    </message>
-    <message>
         <source>Open the briefing</source>
         <translation>Einweisung öffnen</translation>
-    </message>
-    <message>
-        <source>Attempts interrupted before you signed in: %1</source>
-        <translation>Versuche, die vor Ihrer Anmeldung unterbrochen wurden: %1</translation>
     </message>
     <message>
         <source>%1, %2, %3 recorded: </source>
@@ -11707,13 +12003,6 @@ Kennzahlen: %2</translation>
         <source>best %1</source>
         <translation>Bestwert %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n do not count</source>
-        <translation>
-            <numerusform>%n zählt nicht</numerusform>
-            <numerusform>%n zählen nicht</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Briefing</source>
         <translation>Einweisung</translation>
@@ -11721,6 +12010,29 @@ Kennzahlen: %2</translation>
     <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Watch an expert do it</source>
+        <translation>Einem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>Open the replay</source>
+        <translation>Wiedergabe öffnen</translation>
+    </message>
+    <message>
+        <source>Recommended next</source>
+        <translation>Als Nächstes empfohlen</translation>
+    </message>
+    <message>
+        <source>Attempts interrupted before you signed in: %1</source>
+        <translation>Versuche, die vor Ihrer Anmeldung unterbrochen wurden: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n do not count</source>
+        <translation>
+            <numerusform>%n zählt nicht</numerusform>
+            <numerusform>%n zählen nicht</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11913,10 +12225,6 @@ Kennzahlen: %2</translation>
         <translation>erhält eine Rolle</translation>
     </message>
     <message>
-        <source>exists already</source>
-        <translation>ist schon vorhanden</translation>
-    </message>
-    <message>
         <source>not imported: the account is deactivated</source>
         <translation>nicht importiert: Das Konto ist deaktiviert</translation>
     </message>
@@ -11935,14 +12243,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Import</source>
         <translation>Importieren</translation>
-    </message>
-    <message>
-        <source>Import people from a list</source>
-        <translation>Personen aus einer Liste importieren</translation>
-    </message>
-    <message>
-        <source>Choose a folder with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. The import only adds accounts and roles; it renames, deactivates and removes nobody.</source>
-        <translation>Wählen Sie einen Ordner mit OneRoster-CSV-Dateien oder eine CSV-Datei mit den Spalten login, name, role und cohort. Der Import fügt nur Konten und Rollen hinzu; niemand wird umbenannt, deaktiviert oder entfernt.</translation>
     </message>
     <message>
         <source>One-time passwords</source>
@@ -11965,16 +12265,8 @@ Kennzahlen: %2</translation>
         <translation>Ordner …</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
         <source>List of people</source>
         <translation>Liste von Personen</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
     </message>
     <message>
         <source>left out: %1</source>
@@ -12027,6 +12319,26 @@ Kennzahlen: %2</translation>
         <source>Their one-time passwords are in %1, valid for 24 hours. Hand them over and delete the file.</source>
         <translation>Ihre Einmalpasswörter stehen in %1 und gelten 24 Stunden. Geben Sie sie weiter und löschen Sie die Datei.</translation>
     </message>
+    <message>
+        <source>CSV or ZIP (*.csv *.zip)</source>
+        <translation>CSV oder ZIP (*.csv *.zip)</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>ist schon vorhanden</translation>
+    </message>
+    <message>
+        <source>Import people from a list</source>
+        <translation>Personen aus einer Liste importieren</translation>
+    </message>
+    <message>
+        <source>Choose a folder or ZIP archive with OneRoster CSV files, or one CSV file with the columns login, name, role and cohort. The import only adds accounts and roles; it renames, deactivates and removes nobody.</source>
+        <translation>Einen Ordner oder ein ZIP-Archiv mit OneRoster-CSV-Dateien wählen, oder eine CSV-Datei mit den Spalten login, name, role und cohort. Der Import fügt nur Konten und Rollen hinzu; er benennt niemanden um, deaktiviert und entfernt niemanden.</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ItemChoice</name>
@@ -12077,10 +12389,6 @@ Kennzahlen: %2</translation>
         <translation>Als Liste zeigen</translation>
     </message>
     <message>
-        <source>Line: the limit. Green: values that meet it. Box: experts (mean ± one standard deviation). Diamond: your last value with this device. * Provisional limit.</source>
-        <translation>Strich: der Grenzwert. Grün: Werte, die ihn erfüllen. Kasten: Experten (Mittelwert ± eine Standardabweichung). Raute: Ihr letzter Wert mit diesem Gerät. * Vorläufiger Grenzwert.</translation>
-    </message>
-    <message>
         <source>Show as bars</source>
         <translation>Als Balken zeigen</translation>
     </message>
@@ -12107,6 +12415,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Explain: %1</source>
         <translation>Erklären: %1</translation>
+    </message>
+    <message>
+        <source>Line: the limit. Green: values that meet it. Box: experts (mean ± one standard deviation). Diamond: your last value with this device. * Provisional limit.</source>
+        <translation>Strich: der Grenzwert. Grün: Werte, die ihn erfüllen. Kasten: Experten (Mittelwert ± eine Standardabweichung). Raute: Ihr letzter Wert mit diesem Gerät. * Vorläufiger Grenzwert.</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -12136,14 +12448,6 @@ Kennzahlen: %2</translation>
         <translation>Maus in der linken Hand</translation>
     </message>
     <message>
-        <source>With the mouse in the left hand, its two buttons are swapped, and the keys of the mouse&apos;s hand move to the right side of the keyboard. This choice resets all keys.</source>
-        <translation>Mit der Maus in der linken Hand sind ihre beiden Tasten vertauscht, und die Tasten der Maushand liegen rechts auf der Tastatur. Diese Wahl setzt alle Tasten zurück.</translation>
-    </message>
-    <message>
-        <source>Reset all keys</source>
-        <translation>Alle Tasten zurücksetzen</translation>
-    </message>
-    <message>
         <source>%1, %2: %3</source>
         <translation>%1, %2: %3</translation>
     </message>
@@ -12162,6 +12466,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Saved for you on this computer. A change applies from the next attempt. The keys are shown when an attempt begins, and when you press F1.</source>
         <translation>Für Sie auf diesem Rechner gespeichert. Eine Änderung gilt ab dem nächsten Versuch. Die Tasten werden am Beginn eines Versuchs und mit F1 gezeigt.</translation>
+    </message>
+    <message>
+        <source>With the mouse in the left hand, its two buttons are swapped, and the keys of the mouse&apos;s hand move to the right side of the keyboard. This choice resets all keys.</source>
+        <translation>Mit der Maus in der linken Hand sind ihre beiden Tasten vertauscht, und die Tasten der Maushand liegen rechts auf der Tastatur. Diese Wahl setzt alle Tasten zurück.</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>Alle Tasten zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -12228,18 +12540,6 @@ Kennzahlen: %2</translation>
         <translation>Grenzwerte</translation>
     </message>
     <message>
-        <source>The limits that attempts are compared with, and how many people would pass with other limits. This page changes nothing.</source>
-        <translation>Die Grenzwerte, mit denen Versuche verglichen werden, und wie viele Personen mit anderen bestehen würden. Diese Seite ändert nichts.</translation>
-    </message>
-    <message>
-        <source>Limits of each benchmark set</source>
-        <translation>Grenzwerte jedes Satzes</translation>
-    </message>
-    <message>
-        <source>Who would pass with each set</source>
-        <translation>Wer mit welchem Satz bestehen würde</translation>
-    </message>
-    <message>
         <source>Set</source>
         <translation>Satz</translation>
     </message>
@@ -12280,20 +12580,12 @@ Kennzahlen: %2</translation>
         <translation>Datei eines Vergleichssatzes</translation>
     </message>
     <message>
-        <source>A file made by the command &quot;fulcrum benchmark build&quot;</source>
-        <translation>Eine Datei, die der Befehl „fulcrum benchmark build“ erstellt hat</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Pass mark between two groups</source>
         <translation>Bestehensgrenze zwischen zwei Gruppen</translation>
-    </message>
-    <message>
-        <source>The contrasting-groups method: the value at which an attempt is equally likely to come from the set&apos;s experts and from the attempts stored here, if both are normally distributed.</source>
-        <translation>Das Verfahren der kontrastierenden Gruppen: der Wert, bei dem ein Versuch ebenso wahrscheinlich von den Experten des Satzes stammt wie von den hier gespeicherten Versuchen, wenn beide normalverteilt sind.</translation>
     </message>
     <message>
         <source>Metric</source>
@@ -12310,10 +12602,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>No attempt stored here counts under these limits yet.</source>
         <translation>Noch zählt kein hier gespeicherter Versuch unter diesen Grenzwerten.</translation>
-    </message>
-    <message>
-        <source>Each dot is an attempt that counts. Attempts: %1, people: %2; at most the newest %3 attempts.</source>
-        <translation>Jeder Punkt ist ein Versuch, der zählt. Versuche: %1, Personen: %2; höchstens die neuesten %3 Versuche.</translation>
     </message>
     <message>
         <source>, not judged: %1</source>
@@ -12338,6 +12626,30 @@ Kennzahlen: %2</translation>
     <message>
         <source>No pass mark: the groups overlap.</source>
         <translation>Keine Bestehensgrenze: Die Gruppen überdecken sich.</translation>
+    </message>
+    <message>
+        <source>The limits that attempts are compared with, and how many people would pass with other limits. This page changes nothing.</source>
+        <translation>Die Grenzwerte, mit denen Versuche verglichen werden, und wie viele Personen mit anderen bestehen würden. Diese Seite ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Limits of each benchmark set</source>
+        <translation>Grenzwerte jedes Satzes</translation>
+    </message>
+    <message>
+        <source>Who would pass with each set</source>
+        <translation>Wer mit welchem Satz bestehen würde</translation>
+    </message>
+    <message>
+        <source>A file made by the command &quot;fulcrum benchmark build&quot;</source>
+        <translation>Eine Datei, die der Befehl „fulcrum benchmark build“ erstellt hat</translation>
+    </message>
+    <message>
+        <source>The contrasting-groups method: the value at which an attempt is equally likely to come from the set&apos;s experts and from the attempts stored here, if both are normally distributed.</source>
+        <translation>Das Verfahren der kontrastierenden Gruppen: der Wert, bei dem ein Versuch ebenso wahrscheinlich von den Experten des Satzes stammt wie von den hier gespeicherten Versuchen, wenn beide normalverteilt sind.</translation>
+    </message>
+    <message>
+        <source>Each dot is an attempt that counts. Attempts: %1, people: %2; at most the newest %3 attempts.</source>
+        <translation>Jeder Punkt ist ein Versuch, der zählt. Versuche: %1, Personen: %2; höchstens die neuesten %3 Versuche.</translation>
     </message>
     <message>
         <source>Pass mark: %1. With it, %2 % of the attempts here would pass and %3 % of the experts&apos; attempts would fail. The limit in force is %4.</source>
@@ -12382,10 +12694,6 @@ Kennzahlen: %2</translation>
         <translation>Fulcrum</translation>
     </message>
     <message>
-        <source>Demonstration: the people and their attempts are simulated.</source>
-        <translation>Vorführung: Die Personen und ihre Versuche sind simuliert.</translation>
-    </message>
-    <message>
         <source>Acting role</source>
         <translation>Aktive Rolle</translation>
     </message>
@@ -12421,13 +12729,13 @@ Kennzahlen: %2</translation>
         <source>Programme server, read only: attempts, ratings and decisions are made at the stations.</source>
         <translation>Programmserver, nur lesen: Versuche, Bewertungen und Entscheidungen geschehen an den Stationen.</translation>
     </message>
+    <message>
+        <source>Demonstration: the people and their attempts are simulated.</source>
+        <translation>Vorführung: Die Personen und ihre Versuche sind simuliert.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MergeCard</name>
-    <message>
-        <source>Does this person have two accounts?</source>
-        <translation>Hat diese Person zwei Konten?</translation>
-    </message>
     <message>
         <source>Account that stays</source>
         <translation>Konto, das bleibt</translation>
@@ -12453,20 +12761,12 @@ Kennzahlen: %2</translation>
         <translation>niemand gewählt</translation>
     </message>
     <message>
-        <source>This account was merged into that of %1. It can no longer be used to sign in.</source>
-        <translation>Dieses Konto wurde mit dem von %1 zusammengeführt. Mit ihm kann man sich nicht mehr anmelden.</translation>
-    </message>
-    <message>
-        <source>Merge this account into the other account of the same person. This login can then no longer be used to sign in.</source>
-        <translation>Führen Sie dieses Konto mit dem anderen derselben Person zusammen. Mit diesem Anmeldenamen kann man sich danach nicht mehr anmelden.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>cohort: %1</source>
-        <translation>Gruppe: %1</translation>
+        <translation>Kohorte: %1</translation>
     </message>
     <message>
         <source>Nothing follows to %1.</source>
@@ -12484,6 +12784,18 @@ Kennzahlen: %2</translation>
         <source>The merge was undone.</source>
         <translation>Das Zusammenführen wurde rückgängig gemacht.</translation>
     </message>
+    <message>
+        <source>Does this person have two accounts?</source>
+        <translation>Hat diese Person zwei Konten?</translation>
+    </message>
+    <message>
+        <source>This account was merged into that of %1. It can no longer be used to sign in.</source>
+        <translation>Dieses Konto wurde mit dem von %1 zusammengeführt. Mit ihm kann man sich nicht mehr anmelden.</translation>
+    </message>
+    <message>
+        <source>Merge this account into the other account of the same person. This login can then no longer be used to sign in.</source>
+        <translation>Führen Sie dieses Konto mit dem anderen derselben Person zusammen. Mit diesem Anmeldenamen kann man sich danach nicht mehr anmelden.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MetricsPage</name>
@@ -12496,32 +12808,12 @@ Kennzahlen: %2</translation>
         <translation>höher ist besser</translation>
     </message>
     <message>
-        <source>for information only</source>
-        <translation>nur zur Einordnung</translation>
-    </message>
-    <message>
-        <source>strong (several studies separate experts from novices with it)</source>
-        <translation>stark (mehrere Studien unterscheiden damit Experten von Anfängern)</translation>
-    </message>
-    <message>
-        <source>moderate (one study, or several with small groups)</source>
-        <translation>mittel (eine Studie oder mehrere mit kleinen Fallzahlen)</translation>
-    </message>
-    <message>
-        <source>expert opinion (no published study separates experts from novices with it)</source>
-        <translation>Expertenmeinung (keine veröffentlichte Studie unterscheidet damit Experten von Anfängern)</translation>
-    </message>
-    <message>
         <source>← Back to the attempt</source>
         <translation>← Zurück zum Versuch</translation>
     </message>
     <message>
         <source>Metrics</source>
         <translation>Kennzahlen</translation>
-    </message>
-    <message>
-        <source>What the simulator measures. A gate is a pass criterion of a task; to pass, every gate of the task must be met.</source>
-        <translation>Was der Simulator misst. Ein Kriterium entscheidet über das Bestehen einer Aufgabe; zum Bestehen muss jedes Kriterium der Aufgabe erfüllt sein.</translation>
     </message>
     <message>
         <source>Search</source>
@@ -12534,10 +12826,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Metric</source>
         <translation>Kennzahl</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -12567,6 +12855,30 @@ Kennzahlen: %2</translation>
         <source>Name in exports: %1, version %2</source>
         <translation>Name in Exporten: %1, Version %2</translation>
     </message>
+    <message>
+        <source>for information only</source>
+        <translation>nur zur Einordnung</translation>
+    </message>
+    <message>
+        <source>strong (several studies separate experts from novices with it)</source>
+        <translation>stark (mehrere Studien unterscheiden damit Experten von Anfängern)</translation>
+    </message>
+    <message>
+        <source>moderate (one study, or several with small groups)</source>
+        <translation>mittel (eine Studie oder mehrere mit kleinen Fallzahlen)</translation>
+    </message>
+    <message>
+        <source>expert opinion (no published study separates experts from novices with it)</source>
+        <translation>Expertenmeinung (keine veröffentlichte Studie unterscheidet damit Experten von Anfängern)</translation>
+    </message>
+    <message>
+        <source>What the simulator measures. A gate is a pass criterion of a task; to pass, every gate of the task must be met.</source>
+        <translation>Was der Simulator misst. Ein Kriterium entscheidet über das Bestehen einer Aufgabe; zum Bestehen muss jedes Kriterium der Aufgabe erfüllt sein.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MetricsTable</name>
@@ -12583,10 +12895,6 @@ Kennzahlen: %2</translation>
         <translation>%1 erklären</translation>
     </message>
     <message>
-        <source>Select a row to go to its moment, or Explain to read what is measured.</source>
-        <translation>Wählen Sie eine Zeile, um zu ihrem Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>Kennzahl</translation>
     </message>
@@ -12601,10 +12909,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Value</source>
         <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
     </message>
     <message>
         <source>Why absent</source>
@@ -12637,6 +12941,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>context</source>
         <translation>Einordnung</translation>
+    </message>
+    <message>
+        <source>Select a row to go to its moment, or Explain to read what is measured.</source>
+        <translation>Wählen Sie eine Zeile, um zu ihrem Zeitpunkt zu springen, oder „Erklären“, um zu lesen, was gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
     </message>
 </context>
 <context>
@@ -12805,10 +13117,6 @@ Kennzahlen: %2</translation>
         <translation>%1 von %2 (%3 %, %4 bis %5 %)</translation>
     </message>
     <message>
-        <source>fewer than half so far</source>
-        <translation>bisher weniger als die Hälfte</translation>
-    </message>
-    <message>
         <source>%1 days (%2 to %3)</source>
         <translation>%1 Tage (%2 bis %3)</translation>
     </message>
@@ -12835,6 +13143,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Proficient after</source>
         <translation>Sicher beherrscht nach</translation>
+    </message>
+    <message>
+        <source>fewer than half so far</source>
+        <translation>bisher weniger als die Hälfte</translation>
     </message>
     <message>
         <source>Passed: people who passed at least once, of those who tried (95 % interval). Days: from a person&apos;s first attempt that counts; median over people by the Kaplan-Meier method (95 % interval). With provisional limits a task can be passed, but nobody becomes proficient.</source>
@@ -12922,16 +13234,16 @@ Kennzahlen: %2</translation>
         <translation>%1 Versuche</translation>
     </message>
     <message>
-        <source>Half are proficient after</source>
-        <translation>Hälfte beherrscht sie nach</translation>
-    </message>
-    <message>
         <source>Dashed, and in brackets: the rule in force, %1.</source>
         <translation>Gestrichelt und in Klammern: die geltende Regel, %1.</translation>
     </message>
     <message>
         <source>This is the rule in force.</source>
         <translation>Das ist die geltende Regel.</translation>
+    </message>
+    <message>
+        <source>Half are proficient after</source>
+        <translation>Hälfte beherrscht sie nach</translation>
     </message>
     <message>
         <source>LC-CUSUM is a running sum: a pass raises it, a failure lowers it by more, never below 0. A trainee whose sum reaches the limit is proficient.</source>
@@ -13106,19 +13418,7 @@ Kennzahlen: %2</translation>
         <translation>Letzte Anmeldung</translation>
     </message>
     <message>
-        <source>On the sign-in screen, list the people who signed in here in the last 30 days</source>
-        <translation>Auf der Anmeldeseite die Personen zeigen, die sich hier in den letzten 30 Tagen angemeldet haben</translation>
-    </message>
-    <message>
         <source>Add a person</source>
-        <translation>Person hinzufügen</translation>
-    </message>
-    <message>
-        <source>Letters, digits and . _ - @</source>
-        <translation>Buchstaben, Ziffern und . _ - @</translation>
-    </message>
-    <message>
-        <source>Add person</source>
         <translation>Person hinzufügen</translation>
     </message>
     <message>
@@ -13163,6 +13463,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>merged</source>
         <translation>zusammengeführt</translation>
     </message>
+    <message>
+        <source>On the sign-in screen, list the people who signed in here in the last 30 days</source>
+        <translation>Auf der Anmeldeseite die Personen zeigen, die sich hier in den letzten 30 Tagen angemeldet haben</translation>
+    </message>
+    <message>
+        <source>Letters, digits and . _ - @</source>
+        <translation>Buchstaben, Ziffern und . _ - @</translation>
+    </message>
+    <message>
+        <source>Add person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PictureCard</name>
@@ -13183,20 +13495,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Der Prozessor zeichnet das Bild, weil OpenGL hier keine Grafikkarte anbietet.</translation>
     </message>
     <message>
-        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that drawing takes less than %3 ms. If it takes longer, the resolution is reduced, to %4 % of that at the least, and raised again when there is time.</source>
-        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird sie gesenkt, höchstens auf %4 % davon, und wieder angehoben, wenn Zeit ist.</translation>
-    </message>
-    <message>
-        <source>Resolution: that of the window. If drawing takes longer than %1 ms, it is reduced, to %2 % at the least, and raised again when there is time.</source>
-        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie gesenkt, höchstens auf %2 %, und wieder angehoben, wenn Zeit ist.</translation>
-    </message>
-    <message>
         <source>Anti-aliasing: 4 samples per pixel.</source>
         <translation>Kantenglättung: 4 Abtastpunkte je Bildpunkt.</translation>
     </message>
     <message>
         <source>Anti-aliasing: edges of instruments and targets, after drawing. Several samples per pixel would take too long on a processor.</source>
         <translation>Kantenglättung: Kanten von Instrumenten und Zielen, nach dem Zeichnen. Mehrere Abtastpunkte je Bildpunkt würden auf einem Prozessor zu lange dauern.</translation>
+    </message>
+    <message>
+        <source>Resolution: %1 % of the window&apos;s, %2 % inside the pelvis, so that drawing takes less than %3 ms. If it takes longer, the resolution is reduced, to %4 % of that at the least, and raised again when there is time.</source>
+        <translation>Auflösung: %1 % der Auflösung des Fensters, im Becken %2 %, damit ein Bild weniger als %3 ms braucht. Braucht es länger, wird sie gesenkt, höchstens auf %4 % davon, und wieder angehoben, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Resolution: that of the window. If drawing takes longer than %1 ms, it is reduced, to %2 % at the least, and raised again when there is time.</source>
+        <translation>Auflösung: die des Fensters. Braucht ein Bild länger als %1 ms, wird sie gesenkt, höchstens auf %2 %, und wieder angehoben, wenn Zeit ist.</translation>
     </message>
 </context>
 <context>
@@ -13221,6 +13533,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>kein Versuch</translation>
     </message>
     <message>
+        <source>Days of practice</source>
+        <translation>Übungstage</translation>
+    </message>
+    <message>
         <source>1 attempt</source>
         <translation>1 Versuch</translation>
     </message>
@@ -13231,10 +13547,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>4 attempts or more</source>
         <translation>4 oder mehr Versuche</translation>
-    </message>
-    <message>
-        <source>Days of practice</source>
-        <translation>Übungstage</translation>
     </message>
 </context>
 <context>
@@ -13258,10 +13570,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Explain</source>
         <translation>Erklären</translation>
-    </message>
-    <message>
-        <source>● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % interval). Select a point to open the attempt.</source>
-        <translation>● bestanden   ✕ nicht bestanden   ○ nicht ausgewertet   Klein: zählt nicht. Jede Art von Gerät hat ihre eigene Linie. Dicke Linie: angepasste Lernkurve. Band: der Wert, dem sie sich nähert (95-%-Intervall). Wählen Sie einen Punkt, um den Versuch zu öffnen.</translation>
     </message>
     <message>
         <source>No.</source>
@@ -13308,16 +13616,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Versuch %1, %2: %3, %4</translation>
     </message>
     <message>
-        <source>%1 · %3 of %2 counting attempts passed</source>
-        <translation>%1 · %3 von %2 zählenden Versuchen bestanden</translation>
-    </message>
-    <message>
         <source>limit</source>
         <translation>Grenze</translation>
     </message>
     <message>
         <source>experts (mean ± one standard deviation)</source>
         <translation>Experten (Mittelwert ± eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % interval). Select a point to open the attempt.</source>
+        <translation>● bestanden   ✕ nicht bestanden   ○ nicht ausgewertet   Klein: zählt nicht. Jede Art von Gerät hat ihre eigene Linie. Dicke Linie: angepasste Lernkurve. Band: der Wert, dem sie sich nähert (95-%-Intervall). Wählen Sie einen Punkt, um den Versuch zu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 · %3 of %2 counting attempts passed</source>
+        <translation>%1 · %3 von %2 zählenden Versuchen bestanden</translation>
     </message>
 </context>
 <context>
@@ -13339,10 +13651,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Entwurf verwerfen</translation>
     </message>
     <message>
-        <source>The draft is saved. After you hand in a rating, it cannot be changed.</source>
-        <translation>Der Entwurf ist gespeichert. Nach der Abgabe kann eine Beurteilung nicht mehr geändert werden.</translation>
-    </message>
-    <message>
         <source>Total: %1</source>
         <translation>Summe: %1</translation>
     </message>
@@ -13353,6 +13661,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Not rated yet: %1.</source>
         <translation>Noch nicht beurteilt: %1.</translation>
+    </message>
+    <message>
+        <source>The draft is saved. After you hand in a rating, it cannot be changed.</source>
+        <translation>Der Entwurf ist gespeichert. Nach der Abgabe kann eine Beurteilung nicht mehr geändert werden.</translation>
     </message>
 </context>
 <context>
@@ -13382,10 +13694,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Beurteilungen (%1)</translation>
     </message>
     <message>
-        <source>Ratings by others: %1. You will see them when you have handed in yours.</source>
-        <translation>Beurteilungen anderer: %1. Sie sehen sie, sobald Sie Ihre abgegeben haben.</translation>
-    </message>
-    <message>
         <source>Ratings that are not shown to you: %1.</source>
         <translation>Beurteilungen, die Ihnen nicht gezeigt werden: %1.</translation>
     </message>
@@ -13404,6 +13712,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Ratings that the trainee sees from now on: %1.</source>
         <translation>Neu freigegebene Beurteilungen: %1.</translation>
+    </message>
+    <message>
+        <source>Ratings by others: %1. You will see them when you have handed in yours.</source>
+        <translation>Beurteilungen anderer: %1. Sie sehen sie, sobald Sie Ihre abgegeben haben.</translation>
     </message>
 </context>
 <context>
@@ -13435,6 +13747,97 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>The timer is stopped. Esc: abandon the attempt.</source>
         <translation>Die Uhr ist angehalten. Esc: Versuch abbrechen.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RemediesForm</name>
+    <message>
+        <source>%1 (not installed)</source>
+        <translation>%1 (nicht installiert)</translation>
+    </message>
+    <message>
+        <source>Recommended to a trainee whose curve levels off below the pass mark: the remedy whose metric is furthest beyond its bound, in the median of the latest five attempts.</source>
+        <translation>Empfohlen, wenn die Lernkurve unter der Bestehensgrenze ein Plateau erreicht: die Abhilfe, deren Kennzahl im Median der letzten fünf Versuche am weitesten jenseits ihrer Grenze liegt.</translation>
+    </message>
+    <message>
+        <source>Remedies</source>
+        <translation>Abhilfen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>above the bound</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
+        <source>below the bound</source>
+        <translation>unter der Grenze</translation>
+    </message>
+    <message>
+        <source>When it is</source>
+        <translation>Wenn sie liegt</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>practise a part</source>
+        <translation>einen Teil üben</translation>
+    </message>
+    <message>
+        <source>another task</source>
+        <translation>andere Aufgabe</translation>
+    </message>
+    <message>
+        <source>another variant</source>
+        <translation>andere Variante</translation>
+    </message>
+    <message>
+        <source>practise with a ghost</source>
+        <translation>mit einem Schattenbild üben</translation>
+    </message>
+    <message>
+        <source>watch an expert</source>
+        <translation>einem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>look at the replay</source>
+        <translation>die Wiedergabe ansehen</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Goal or task</source>
+        <translation>Ziel oder Aufgabe</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Add a remedy</source>
+        <translation>Abhilfe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>▲ Up</source>
+        <translation>▲ Auf</translation>
+    </message>
+    <message>
+        <source>▼ Down</source>
+        <translation>▼ Ab</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
     </message>
 </context>
 <context>
@@ -14026,6 +14429,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>%1: %2, attempts %3</source>
         <translation>%1: %2, Versuche %3</translation>
     </message>
+    <message>
+        <source>attempt signed by key %1</source>
+        <translation>Versuch signiert mit Schlüssel %1</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ScenePicture</name>
@@ -14072,16 +14479,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Geplante Berichte</translation>
     </message>
     <message>
-        <source>This station writes a report of a cohort to a folder every day or week (UTC). It does so while a director is signed in, or when the command &quot;fulcrum schedule run&quot; is run.</source>
-        <translation>Diese Station schreibt jeden Tag oder jede Woche (UTC) einen Bericht über eine Gruppe in einen Ordner. Sie tut es, während eine Leitung angemeldet ist, oder durch den Befehl „fulcrum schedule run“.</translation>
-    </message>
-    <message>
-        <source>No report is scheduled yet. Add one below.</source>
-        <translation>Noch ist kein Bericht geplant. Fügen Sie unten einen hinzu.</translation>
-    </message>
-    <message>
         <source>Cohort</source>
-        <translation>Gruppe</translation>
+        <translation>Kohorte</translation>
     </message>
     <message>
         <source>File</source>
@@ -14104,22 +14503,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Write reports that are due</source>
-        <translation>Fällige Berichte schreiben</translation>
-    </message>
-    <message>
-        <source>Write selected report now</source>
-        <translation>Gewählten Bericht jetzt schreiben</translation>
-    </message>
-    <message>
-        <source>Remove schedule</source>
-        <translation>Planung entfernen</translation>
-    </message>
-    <message>
-        <source>Add a scheduled report</source>
-        <translation>Einen geplanten Bericht hinzufügen</translation>
-    </message>
-    <message>
         <source>Folder of the reports</source>
         <translation>Ordner der Berichte</translation>
     </message>
@@ -14136,24 +14519,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Dateien für die Forschung</translation>
     </message>
     <message>
-        <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a person&apos;s attempts well might still recognise that person, so give the files to researchers only and do not publish them.</source>
-        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Gruppen von weniger als 5 Personen fehlen. Wer die Versuche einer Person gut kennt, könnte sie trotzdem erkennen: Geben Sie die Dateien nur an Forschende, und veröffentlichen Sie sie nicht.</translation>
-    </message>
-    <message>
         <source>Folder of the files for research</source>
         <translation>Ordner der Dateien für die Forschung</translation>
-    </message>
-    <message>
-        <source>Folder that exists</source>
-        <translation>Ein vorhandener Ordner</translation>
-    </message>
-    <message>
-        <source>Write files</source>
-        <translation>Dateien schreiben</translation>
-    </message>
-    <message>
-        <source>(cohort no longer exists)</source>
-        <translation>(die Gruppe gibt es nicht mehr)</translation>
     </message>
     <message>
         <source>never</source>
@@ -14173,15 +14540,11 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Make a cohort first, on the page Assign cohorts.</source>
-        <translation>Legen Sie zuerst eine Gruppe an, auf der Seite „Gruppen zuteilen“.</translation>
+        <translation>Legen Sie zuerst eine Kohorte an, auf der Seite Kohorten zuordnen.</translation>
     </message>
     <message>
         <source>Scheduled.</source>
         <translation>Geplant.</translation>
-    </message>
-    <message>
-        <source>Another program is already writing the reports that are due.</source>
-        <translation>Ein anderes Programm schreibt die fälligen Berichte bereits.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -14211,8 +14574,52 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Dateien werden geschrieben …</translation>
     </message>
     <message>
+        <source>This station writes a report of a cohort to a folder every day or week (UTC). It does so while a director is signed in, or when the command &quot;fulcrum schedule run&quot; is run.</source>
+        <translation>Diese Station schreibt jeden Tag oder jede Woche (UTC) einen Bericht über eine Gruppe in einen Ordner. Sie tut es, während eine Leitung angemeldet ist, oder durch den Befehl „fulcrum schedule run“.</translation>
+    </message>
+    <message>
+        <source>No report is scheduled yet. Add one below.</source>
+        <translation>Noch ist kein Bericht geplant. Fügen Sie unten einen hinzu.</translation>
+    </message>
+    <message>
+        <source>Write reports that are due</source>
+        <translation>Fällige Berichte schreiben</translation>
+    </message>
+    <message>
+        <source>Write selected report now</source>
+        <translation>Gewählten Bericht jetzt schreiben</translation>
+    </message>
+    <message>
+        <source>Remove schedule</source>
+        <translation>Planung entfernen</translation>
+    </message>
+    <message>
+        <source>Add a scheduled report</source>
+        <translation>Einen geplanten Bericht hinzufügen</translation>
+    </message>
+    <message>
         <source>Add report</source>
         <translation>Bericht hinzufügen</translation>
+    </message>
+    <message>
+        <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a person&apos;s attempts well might still recognise that person, so give the files to researchers only and do not publish them.</source>
+        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Gruppen von weniger als 5 Personen fehlen. Wer die Versuche einer Person gut kennt, könnte sie trotzdem erkennen: Geben Sie die Dateien nur an Forschende, und veröffentlichen Sie sie nicht.</translation>
+    </message>
+    <message>
+        <source>Folder that exists</source>
+        <translation>Ein vorhandener Ordner</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>(cohort no longer exists)</source>
+        <translation>(die Gruppe gibt es nicht mehr)</translation>
+    </message>
+    <message>
+        <source>Another program is already writing the reports that are due.</source>
+        <translation>Ein anderes Programm schreibt die fälligen Berichte bereits.</translation>
     </message>
 </context>
 <context>
@@ -14238,16 +14645,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Umgebungsvariable FULCRUM_OPENIGTLINK nennt beim Start von Fulcrum die Adresse.</translation>
     </message>
     <message>
-        <source>For example to 3D Slicer: positions of the instruments and the camera, and forces, 60 times a second. No names are sent.</source>
-        <translation>Zum Beispiel an 3D Slicer: Lagen der Instrumente und der Kamera sowie Kräfte, 60-mal pro Sekunde. Namen werden nicht gesendet.</translation>
-    </message>
-    <message>
         <source>Programs on other computers can connect, without a password.</source>
         <translation>Programme auf anderen Computern können sich verbinden, ohne Passwort.</translation>
     </message>
     <message>
         <source>Only programs on this computer can connect.</source>
         <translation>Nur Programme auf diesem Computer können sich verbinden.</translation>
+    </message>
+    <message>
+        <source>For example to 3D Slicer: positions of the instruments and the camera, and forces, 60 times a second. No names are sent.</source>
+        <translation>Zum Beispiel an 3D Slicer: Lagen der Instrumente und der Kamera sowie Kräfte, 60-mal pro Sekunde. Namen werden nicht gesendet.</translation>
     </message>
 </context>
 <context>
@@ -14273,10 +14680,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>During an attempt, the text over the picture grows only as far as there is room.</source>
-        <translation>Während eines Versuchs wächst die Schrift über dem Bild nur, soweit dort Platz ist.</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -14287,6 +14690,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Settings are saved on this computer. All except the keys apply to everyone who uses this account of the operating system.</source>
         <translation>Die Einstellungen werden auf diesem Rechner gespeichert. Alle außer den Tasten gelten für jeden, der dieses Konto des Betriebssystems benutzt.</translation>
+    </message>
+    <message>
+        <source>During an attempt, the text over the picture grows only as far as there is room.</source>
+        <translation>Während eines Versuchs wächst die Schrift über dem Bild nur, soweit dort Platz ist.</translation>
     </message>
 </context>
 <context>
@@ -14347,20 +14754,9 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Demonstration programme</source>
         <translation>Vorführprogramm</translation>
     </message>
-    <message numerus="yes">
-        <source>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</source>
-        <translation>
-            <numerusform>%n Versuch lief noch, als das Programm zuletzt endete. Er ist als unterbrochen aufgeführt; alles bis dahin Aufgezeichnete bleibt erhalten.</numerusform>
-            <numerusform>%n Versuche liefen noch, als das Programm zuletzt endete. Sie sind als unterbrochen aufgeführt; alles bis dahin Aufgezeichnete bleibt erhalten.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 — %2</source>
         <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>Enter your login and your password.</source>
-        <translation>Geben Sie Ihren Anmeldenamen und Ihr Passwort ein.</translation>
     </message>
     <message>
         <source>Signing in …</source>
@@ -14380,6 +14776,17 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
             <numerusform>Ausbilder und Leitung sehen %n weitere lernende Person.</numerusform>
             <numerusform>Ausbilder und Leitung sehen %n weitere Lernende.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</source>
+        <translation>
+            <numerusform>%n Versuch lief noch, als das Programm zuletzt endete. Er ist als unterbrochen aufgeführt; alles bis dahin Aufgezeichnete bleibt erhalten.</numerusform>
+            <numerusform>%n Versuche liefen noch, als das Programm zuletzt endete. Sie sind als unterbrochen aufgeführt; alles bis dahin Aufgezeichnete bleibt erhalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Enter your login and your password.</source>
+        <translation>Geben Sie Ihren Anmeldenamen und Ihr Passwort ein.</translation>
     </message>
 </context>
 <context>
@@ -14477,10 +14884,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Reason (kept in the audit log)</source>
-        <translation>Grund (steht im Protokoll)</translation>
-    </message>
-    <message>
         <source>Decide</source>
         <translation>Entscheiden</translation>
     </message>
@@ -14512,28 +14915,24 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Declared proficient.</source>
         <translation>Für sicher beherrscht erklärt.</translation>
     </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::StationPage</name>
     <message>
         <source>Station</source>
-        <translation>Station</translation>
+        <translation>Arbeitsplatz</translation>
     </message>
     <message>
         <source>Back up</source>
         <translation>Sichern</translation>
     </message>
     <message>
-        <source>Copies the whole store into one file; you can continue to work. Keep the file on another disk. It is as confidential as the store itself.</source>
-        <translation>Kopiert den ganzen Datenbestand in eine einzige Datei; Sie können weiterarbeiten. Bewahren Sie die Datei auf einem anderen Datenträger auf. Sie ist so vertraulich wie der Datenbestand selbst.</translation>
-    </message>
-    <message>
         <source>Back up …</source>
         <translation>Sichern …</translation>
-    </message>
-    <message>
-        <source>Reads the whole store (file pages, references, audit log, recordings and scores) and lists any damage. Nothing is changed.</source>
-        <translation>Liest den ganzen Datenbestand (Seiten der Datei, Verweise, Protokoll, Aufzeichnungen und Bewertungen) und führt jeden Schaden auf. Nichts wird geändert.</translation>
     </message>
     <message>
         <source>Check the store</source>
@@ -14546,10 +14945,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Number checked</source>
-        <translation>Geprüfte Anzahl</translation>
     </message>
     <message>
         <source>What is wrong</source>
@@ -14600,10 +14995,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Schlüssel</translation>
     </message>
     <message>
-        <source>The station signs its audit log with this key, and every report names the key. Change it if the key&apos;s file may have been copied, or when a person with access to the file leaves. The old key signs the change, and everything it signed before stays valid.</source>
-        <translation>Die Station signiert ihr Protokoll mit diesem Schlüssel, und jeder Bericht nennt ihn. Wechseln Sie ihn, wenn seine Datei kopiert worden sein kann oder wenn eine Person mit Zugang zu der Datei geht. Der alte Schlüssel signiert den Wechsel; was er vorher signiert hat, bleibt gültig.</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Von</translation>
     </message>
@@ -14612,20 +15003,48 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Bis</translation>
     </message>
     <message>
-        <source>Origin</source>
-        <translation>Herkunft</translation>
-    </message>
-    <message>
-        <source>Reason for the change</source>
-        <translation>Grund des Wechsels</translation>
-    </message>
-    <message>
         <source>Change the key</source>
         <translation>Schlüssel wechseln</translation>
     </message>
     <message>
         <source>in use</source>
         <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
+        <translation>Der Arbeitsplatz unterschreibt von jetzt an mit dem Schlüssel %1. Bewahren Sie eine Kopie seiner Datei auf.</translation>
+    </message>
+    <message>
+        <source>Copies the whole store into one file; you can continue to work. Keep the file on another disk. It is as confidential as the store itself.</source>
+        <translation>Kopiert den ganzen Datenbestand in eine einzige Datei; Sie können weiterarbeiten. Bewahren Sie die Datei auf einem anderen Datenträger auf. Sie ist so vertraulich wie der Datenbestand selbst.</translation>
+    </message>
+    <message>
+        <source>Check for damage</source>
+        <translation>Auf Schäden prüfen</translation>
+    </message>
+    <message>
+        <source>Reads the whole store (file pages, references, audit log, recordings and scores) and lists any damage. Nothing is changed.</source>
+        <translation>Liest den ganzen Datenbestand (Seiten der Datei, Verweise, Protokoll, Aufzeichnungen und Bewertungen) und führt jeden Schaden auf. Nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Number checked</source>
+        <translation>Geprüfte Anzahl</translation>
+    </message>
+    <message>
+        <source>Signing key</source>
+        <translation>Signaturschlüssel</translation>
+    </message>
+    <message>
+        <source>The station signs its audit log with this key, and every report names the key. Change it if the key&apos;s file may have been copied, or when a person with access to the file leaves. The old key signs the change, and everything it signed before stays valid.</source>
+        <translation>Die Station signiert ihr Protokoll mit diesem Schlüssel, und jeder Bericht nennt ihn. Wechseln Sie ihn, wenn seine Datei kopiert worden sein kann oder wenn eine Person mit Zugang zu der Datei geht. Der alte Schlüssel signiert den Wechsel; was er vorher signiert hat, bleibt gültig.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>Grund des Wechsels</translation>
     </message>
     <message>
         <source>first key</source>
@@ -14638,18 +15057,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>✕ not signed by the previous key</source>
         <translation>✕ vom vorigen Schlüssel nicht unterschrieben</translation>
-    </message>
-    <message>
-        <source>The station signs with the key %1 from now on. Keep a copy of its file.</source>
-        <translation>Die Station signiert von jetzt an mit dem Schlüssel %1. Bewahren Sie eine Kopie seiner Datei auf.</translation>
-    </message>
-    <message>
-        <source>Check for damage</source>
-        <translation>Auf Schäden prüfen</translation>
-    </message>
-    <message>
-        <source>Signing key</source>
-        <translation>Signaturschlüssel</translation>
     </message>
 </context>
 <context>
@@ -14811,14 +15218,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Diesen Versuch abbrechen?</translation>
     </message>
     <message>
-        <source>This attempt is assessed and has begun. If you abandon it, it counts as failed. Everything recorded so far is kept.</source>
-        <translation>Dieser Versuch wird bewertet und hat begonnen. Wenn Sie ihn abbrechen, gilt er als nicht bestanden. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
-    </message>
-    <message>
-        <source>This attempt is stored as abandoned and does not count.</source>
-        <translation>Dieser Versuch wird als abgebrochen gespeichert und zählt nicht.</translation>
-    </message>
-    <message>
         <source>Storing the attempt …</source>
         <translation>Versuch wird gespeichert …</translation>
     </message>
@@ -14870,6 +15269,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>&lt;b&gt;F1&lt;/b&gt;&amp;nbsp;all keys</source>
         <translation>&lt;b&gt;F1&lt;/b&gt;&amp;nbsp;alle Tasten</translation>
     </message>
+    <message>
+        <source>This attempt is assessed and has begun. If you abandon it, it counts as failed. Everything recorded so far is kept.</source>
+        <translation>Dieser Versuch wird bewertet und hat begonnen. Wenn Sie ihn abbrechen, gilt er als nicht bestanden. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>This attempt is stored as abandoned and does not count.</source>
+        <translation>Dieser Versuch wird als abgebrochen gespeichert und zählt nicht.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TheatreView</name>
@@ -14916,16 +15323,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Gewebe</translation>
     </message>
     <message>
-        <source>The force at which a blade cuts into and through a tissue. A change applies to attempts that begin afterwards; earlier attempts keep the values with which they were performed.</source>
-        <translation>Die Kraft, bei der eine Klinge in ein Gewebe einschneidet und es durchtrennt. Eine Änderung gilt für Versuche, die danach beginnen; frühere behalten die Werte, mit denen sie durchgeführt wurden.</translation>
-    </message>
-    <message>
         <source>Tasks</source>
         <translation>Aufgaben</translation>
-    </message>
-    <message>
-        <source>No task of this programme has tissue that can be cut.</source>
-        <translation>Keine Aufgabe dieses Programms hat Gewebe, das geschnitten werden kann.</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -14944,16 +15343,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Erlaubt</translation>
     </message>
     <message>
-        <source>Reason (kept in the audit log)</source>
-        <translation>Grund (steht im Protokoll)</translation>
-    </message>
-    <message>
         <source>Reason</source>
         <translation>Grund</translation>
-    </message>
-    <message>
-        <source>Save values</source>
-        <translation>Werte speichern</translation>
     </message>
     <message>
         <source>Reset to the scene&apos;s values</source>
@@ -15004,6 +15395,22 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Es gelten wieder die Werte der Szene.</translation>
     </message>
     <message>
+        <source>The force at which a blade cuts into and through a tissue. A change applies to attempts that begin afterwards; earlier attempts keep the values with which they were performed.</source>
+        <translation>Die Kraft, bei der eine Klinge in ein Gewebe einschneidet und es durchtrennt. Eine Änderung gilt für Versuche, die danach beginnen; frühere behalten die Werte, mit denen sie durchgeführt wurden.</translation>
+    </message>
+    <message>
+        <source>No task of this programme has tissue that can be cut.</source>
+        <translation>Keine Aufgabe dieses Programms hat Gewebe, das geschnitten werden kann.</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the audit log)</source>
+        <translation>Grund (steht im Protokoll)</translation>
+    </message>
+    <message>
+        <source>Save values</source>
+        <translation>Werte speichern</translation>
+    </message>
+    <message>
         <source>No values have been set at this site yet: those of the scene apply.</source>
         <translation>An diesem Standort sind noch keine Werte festgelegt: Es gelten die der Szene.</translation>
     </message>
@@ -15013,10 +15420,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Rate attempts</source>
         <translation>Versuche beurteilen</translation>
-    </message>
-    <message>
-        <source>Include attempts that I have rated</source>
-        <translation>Auch Versuche, die ich beurteilt habe</translation>
     </message>
     <message>
         <source>Task</source>
@@ -15039,16 +15442,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Beurteilungen</translation>
     </message>
     <message>
-        <source>Yours</source>
-        <translation>Ihre</translation>
-    </message>
-    <message>
         <source>Blind</source>
         <translation>Blind</translation>
-    </message>
-    <message>
-        <source>Rate this attempt</source>
-        <translation>Diesen Versuch beurteilen</translation>
     </message>
     <message>
         <source>draft</source>
@@ -15062,28 +15457,40 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>no</source>
         <translation>nein</translation>
     </message>
-    <message numerus="yes">
-        <source>%n attempts</source>
-        <translation>
-            <numerusform>%n Versuch</numerusform>
-            <numerusform>%n Versuche</numerusform>
-        </translation>
+    <message>
+        <source>● yes</source>
+        <translation>● ja</translation>
     </message>
     <message>
         <source>Names and scores are hidden here. Your rating is blind if you have not opened the attempt&apos;s name and score. Attempts that the curriculum needs ratings of come first.</source>
         <translation>Namen und Bewertungen sind hier verborgen. Ihre Beurteilung ist blind, wenn Sie Name und Bewertung des Versuchs nicht geöffnet haben. Versuche, deren Beurteilung das Curriculum braucht, stehen zuerst.</translation>
     </message>
     <message>
+        <source>Include attempts that I have rated</source>
+        <translation>Auch Versuche, die ich beurteilt habe</translation>
+    </message>
+    <message>
         <source>Needed</source>
         <translation>Gebraucht</translation>
     </message>
     <message>
-        <source>● yes</source>
-        <translation>● ja</translation>
+        <source>Yours</source>
+        <translation>Ihre</translation>
+    </message>
+    <message>
+        <source>Rate this attempt</source>
+        <translation>Diesen Versuch beurteilen</translation>
     </message>
     <message>
         <source>The curriculum needs ratings of this attempt.</source>
         <translation>Das Curriculum braucht Beurteilungen dieses Versuchs.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n attempts, %1 awaiting rating</source>
@@ -15124,18 +15531,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Einheit in der Datei</translation>
     </message>
     <message>
-        <source>Import a recording from another system</source>
-        <translation>Aufzeichnung aus einem anderen System importieren</translation>
-    </message>
-    <message>
-        <source>A recording from a box trainer, a robot or another simulator. It is measured and marked as external. It is not compared with limits and does not count in the curriculum.</source>
-        <translation>Eine Aufzeichnung eines Boxtrainers, eines Roboters oder eines anderen Simulators. Sie wird gemessen und als extern gekennzeichnet. Sie wird nicht mit Grenzwerten verglichen und zählt nicht im Curriculum.</translation>
-    </message>
-    <message>
-        <source>File of the recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
         <source>Format of the file</source>
         <translation>Format der Datei</translation>
     </message>
@@ -15166,10 +15561,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Another mapping file …</source>
         <translation>Andere Zuordnungsdatei …</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.txt *.tsv *.xml)</source>
-        <translation>Aufzeichnungen (*.csv *.txt *.tsv *.xml)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -15243,6 +15634,22 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Give the time at which it was performed as 2026-11-20 14:05.</source>
         <translation>Geben Sie den Zeitpunkt der Durchführung als 2026-11-20 14:05 an.</translation>
     </message>
+    <message>
+        <source>Import a recording from another system</source>
+        <translation>Aufzeichnung aus einem anderen System importieren</translation>
+    </message>
+    <message>
+        <source>A recording from a box trainer, a robot or another simulator. It is measured and marked as external. It is not compared with limits and does not count in the curriculum.</source>
+        <translation>Eine Aufzeichnung eines Boxtrainers, eines Roboters oder eines anderen Simulators. Sie wird gemessen und als extern gekennzeichnet. Sie wird nicht mit Grenzwerten verglichen und zählt nicht im Curriculum.</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.txt *.tsv *.xml)</source>
+        <translation>Aufzeichnungen (*.csv *.txt *.tsv *.xml)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TracePanel</name>
@@ -15275,16 +15682,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Was geschah</translation>
     </message>
     <message>
-        <source>Penalties only</source>
-        <translation>Nur Fehler</translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation>nichts</translation>
     </message>
     <message>
         <source>limit, %1</source>
         <translation>Grenze, %1</translation>
+    </message>
+    <message>
+        <source>Penalties only</source>
+        <translation>Nur Fehler</translation>
     </message>
 </context>
 <context>
@@ -15567,11 +15974,11 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>New key of the station announced</source>
-        <translation>Neuer Schlüssel der Station angekündigt</translation>
+        <translation>Neuer Schlüssel des Arbeitsplatzes angekündigt</translation>
     </message>
     <message>
         <source>Keys of the station: all</source>
-        <translation>Schlüssel der Station: alle</translation>
+        <translation>Schlüssel des Arbeitsplatzes: alle</translation>
     </message>
 </context>
 <context>
@@ -15892,7 +16299,7 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>change the station&apos;s key</source>
-        <translation>den Schlüssel der Station wechseln</translation>
+        <translation>den Schlüssel des Arbeitsplatzes wechseln</translation>
     </message>
     <message>
         <source>erase this person</source>
@@ -15979,14 +16386,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Kurve erreicht ein Plateau bei %1 (95-%-Intervall %2 bis %3).</translation>
     </message>
     <message>
-        <source>At this level it does not meet the limit of %1. Discuss with your educator what to change.</source>
-        <translation>Damit erfüllt sie den Grenzwert %1 nicht. Besprechen Sie mit Ihrem Ausbilder, was Sie ändern sollten.</translation>
-    </message>
-    <message>
-        <source>It has met the limit of %1 since attempt %2.</source>
-        <translation>Sie erfüllt den Grenzwert %1 seit Versuch %2.</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
@@ -16001,6 +16400,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>A learning curve is shown from %1 completed attempts on.</source>
         <translation>Eine Lernkurve wird ab %1 abgeschlossenen Versuchen gezeigt.</translation>
+    </message>
+    <message>
+        <source>At this level it does not meet the limit of %1. Discuss with your educator what to change.</source>
+        <translation>Damit erfüllt sie den Grenzwert %1 nicht. Besprechen Sie mit Ihrem Ausbilder, was Sie ändern sollten.</translation>
+    </message>
+    <message>
+        <source>It has met the limit of %1 since attempt %2.</source>
+        <translation>Sie erfüllt den Grenzwert %1 seit Versuch %2.</translation>
     </message>
 </context>
 <context>
@@ -16022,16 +16429,20 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Keine Aufgabe des Curriculums ist freigegeben.</translation>
     </message>
     <message>
+        <source>You have not tried this task of the stage %1 yet.</source>
+        <translation>Diese Aufgabe der Stufe %1 haben Sie noch nicht versucht.</translation>
+    </message>
+    <message>
+        <source>Your curve in %1 levels off below the pass mark, and %2 is %3 (median of your latest attempts: %4): %5.</source>
+        <translation>Ihre Kurve in %1 erreicht ein Plateau unter der Bestehensgrenze, und %2 liegt %3 (Median Ihrer letzten Versuche: %4): %5.</translation>
+    </message>
+    <message>
         <source>You are proficient in this task. A retention check has been due since %1.</source>
         <translation>Sie beherrschen diese Aufgabe sicher. Eine Kontrolle ist seit %1 fällig.</translation>
     </message>
     <message>
         <source>Your results have fallen below proficiency. Three passes in four attempts restore it.</source>
         <translation>Ihre Ergebnisse reichen nicht mehr für „sicher beherrscht“. Drei bestandene von vier Versuchen stellen es wieder her.</translation>
-    </message>
-    <message>
-        <source>You have not tried this task of the stage %1 yet.</source>
-        <translation>Diese Aufgabe der Stufe %1 haben Sie noch nicht versucht.</translation>
     </message>
     <message>
         <source>Of the tasks left in the stage %1, you practised this one least recently (%2).</source>
@@ -16042,12 +16453,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die übrigen Aufgaben können mit Maus und Tastatur nicht bewertet werden, aber diese können Sie üben.</translation>
     </message>
     <message>
-        <source>You have completed every task. You performed this one least recently (%1).</source>
-        <translation>Alle Aufgaben sind erledigt; bei dieser liegt Ihr letzter Versuch am längsten zurück (%1).</translation>
-    </message>
-    <message>
         <source>The remaining tasks await ratings by your educators. Until then you can practise this one.</source>
         <translation>Für die übrigen Aufgaben fehlen Beurteilungen durch Ihre Ausbilder. Bis dahin können Sie diese üben.</translation>
+    </message>
+    <message>
+        <source>You have completed every task. You performed this one least recently (%1).</source>
+        <translation>Alle Aufgaben sind erledigt; bei dieser liegt Ihr letzter Versuch am längsten zurück (%1).</translation>
     </message>
 </context>
 <context>
@@ -16086,7 +16497,7 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Station</source>
-        <translation>Station</translation>
+        <translation>Arbeitsplatz</translation>
     </message>
     <message>
         <source>Audit log</source>
@@ -16181,6 +16592,49 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::remedies</name>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>practise it from the goal “%1” on</source>
+        <translation>üben Sie ab dem Ziel „%1“</translation>
+    </message>
+    <message>
+        <source>practise %1</source>
+        <translation>üben Sie %1</translation>
+    </message>
+    <message>
+        <source>practise %1 in the variant “%2”</source>
+        <translation>üben Sie %1 in der Variante „%2“</translation>
+    </message>
+    <message>
+        <source>practise it in the variant “%1”</source>
+        <translation>üben Sie in der Variante „%1“</translation>
+    </message>
+    <message>
+        <source>practise it with the ghost of an expert</source>
+        <translation>üben Sie mit dem Schattenbild eines Experten</translation>
+    </message>
+    <message>
+        <source>watch an expert do it</source>
+        <translation>sehen Sie einem Experten zu</translation>
+    </message>
+    <message>
+        <source>look at the replay of the latest attempt</source>
+        <translation>sehen Sie sich die Wiedergabe des letzten Versuchs an</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::report_export</name>
     <message>
         <source>Saved %1</source>
@@ -16246,18 +16700,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Nächste Kontrolle am %1.</translation>
     </message>
     <message>
-        <source>Pass twice on one day to complete the check.</source>
-        <translation>Bestehen Sie zweimal an einem Tag, um die Kontrolle abzuschließen.</translation>
-    </message>
-    <message>
-        <source>Three passes in four attempts restore proficiency.</source>
-        <translation>Drei bestandene von vier Versuchen stellen „sicher beherrscht“ wieder her.</translation>
-    </message>
-    <message>
-        <source>You have enough passes, but the limits are provisional: later tasks are unlocked, and proficiency is not declared.</source>
-        <translation>Genug Versuche sind bestanden, aber die Grenzwerte sind vorläufig: Spätere Aufgaben sind freigegeben, „sicher beherrscht“ wird nicht festgestellt.</translation>
-    </message>
-    <message>
         <source>Pass once more on another day.</source>
         <translation>Bestehen Sie noch einmal an einem anderen Tag.</translation>
     </message>
@@ -16274,10 +16716,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%n Versuche, noch nicht sicher beherrscht: Fragen Sie Ihren Ausbilder.</translation>
     </message>
     <message>
-        <source>%1 % of the way to proficiency</source>
-        <translation>%1 % des Weges bis „sicher beherrscht“</translation>
-    </message>
-    <message>
         <source>passed, awaiting rating</source>
         <translation>bestanden, Beurteilung steht aus</translation>
     </message>
@@ -16292,6 +16730,22 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>The check cannot be completed while the limits of this task are provisional. An educator can decide.</source>
         <translation>Solange die Grenzwerte dieser Aufgabe vorläufig sind, kann die Kontrolle nicht abgeschlossen werden. Ein Ausbilder kann entscheiden.</translation>
+    </message>
+    <message>
+        <source>Pass twice on one day to complete the check.</source>
+        <translation>Bestehen Sie zweimal an einem Tag, um die Kontrolle abzuschließen.</translation>
+    </message>
+    <message>
+        <source>Three passes in four attempts restore proficiency.</source>
+        <translation>Drei bestandene von vier Versuchen stellen „sicher beherrscht“ wieder her.</translation>
+    </message>
+    <message>
+        <source>You have enough passes, but the limits are provisional: later tasks are unlocked, and proficiency is not declared.</source>
+        <translation>Genug Versuche sind bestanden, aber die Grenzwerte sind vorläufig: Spätere Aufgaben sind freigegeben, „sicher beherrscht“ wird nicht festgestellt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the way to proficiency</source>
+        <translation>%1 % des Weges bis „sicher beherrscht“</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,43 @@
 <!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <TS version="2.1" language="en_GB" sourcelanguage="en">
 <context>
+    <name>fulcrum::ui::AttemptsPage</name>
+    <message numerus="yes">
+        <source>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</source>
+        <translation>
+            <numerusform>%n score was computed with older metrics or limits. Recomputing adds a second score to the attempt; the score in force does not change.</numerusform>
+            <numerusform>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::AuditPage</name>
+    <message numerus="yes">
+        <source>%n entries shown</source>
+        <translation>
+            <numerusform>%n entry shown</numerusform>
+            <numerusform>%n entries shown</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::CohortPage</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::ComparisonTexts</name>
     <message numerus="yes">
         <source>Aligned by the %n steps that were completed in both.</source>
@@ -54,6 +91,16 @@
         <translation>
             <numerusform>✕ %n problem</numerusform>
             <numerusform>✕ %n problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::HomePage</name>
+    <message numerus="yes">
+        <source>%n do not count</source>
+        <translation>
+            <numerusform>%n does not count</numerusform>
+            <numerusform>%n do not count</numerusform>
         </translation>
     </message>
 </context>
@@ -128,17 +175,17 @@
 <context>
     <name>fulcrum::ui::SignInPage</name>
     <message numerus="yes">
-        <source>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</source>
-        <translation>
-            <numerusform>%n attempt was running when the program last ended. It is listed as interrupted; everything recorded until then is kept.</numerusform>
-            <numerusform>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Educators and the director see %n more trainee(s).</source>
         <translation>
             <numerusform>Educators and the director see %n more trainee.</numerusform>
             <numerusform>Educators and the director see %n more trainees.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</source>
+        <translation>
+            <numerusform>%n attempt was running when the program last ended. It is listed as interrupted; everything recorded until then is kept.</numerusform>
+            <numerusform>%n attempts were running when the program last ended. They are listed as interrupted; everything recorded until then is kept.</numerusform>
         </translation>
     </message>
 </context>
@@ -149,6 +196,23 @@
         <translation>
             <numerusform>Installed: %n variant</numerusform>
             <numerusform>Installed: %n variants</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ToRatePage</name>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts, %1 awaiting rating</source>
+        <translation>
+            <numerusform>%n attempt, %1 awaiting rating</numerusform>
+            <numerusform>%n attempts, %1 awaiting rating</numerusform>
         </translation>
     </message>
 </context>
@@ -197,70 +261,6 @@
         <translation>
             <numerusform>%n attempt a week</numerusform>
             <numerusform>%n attempts a week</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::AuditPage</name>
-    <message numerus="yes">
-        <source>%n entries shown</source>
-        <translation>
-            <numerusform>%n entry shown</numerusform>
-            <numerusform>%n entries shown</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::AttemptsPage</name>
-    <message numerus="yes">
-        <source>%n attempts</source>
-        <translation>
-            <numerusform>%n attempt</numerusform>
-            <numerusform>%n attempts</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</source>
-        <translation>
-            <numerusform>%n score was computed with older metrics or limits. Recomputing adds a second score to the attempt; the score in force does not change.</numerusform>
-            <numerusform>%n scores were computed with older metrics or limits. Recomputing adds a second score to each attempt; the score in force does not change.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::ToRatePage</name>
-    <message numerus="yes">
-        <source>%n attempts</source>
-        <translation>
-            <numerusform>%n attempt</numerusform>
-            <numerusform>%n attempts</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n attempts, %1 awaiting rating</source>
-        <translation>
-            <numerusform>%n attempt, %1 awaiting rating</numerusform>
-            <numerusform>%n attempts, %1 awaiting rating</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::CohortPage</name>
-    <message numerus="yes">
-        <source>%n people</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::HomePage</name>
-    <message numerus="yes">
-        <source>%n do not count</source>
-        <translation>
-            <numerusform>%n does not count</numerusform>
-            <numerusform>%n do not count</numerusform>
         </translation>
     </message>
 </context>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/devices/vendor_drivers.h"
+#include "sim_core/devices/maker_library.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -12,8 +12,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "sim_core/devices/device_table.h"
 #include "sim_core/devices/packets.h"
-#include "sim_core/numerics/name_table.h"
 
 namespace fulcrum {
 namespace {
@@ -21,49 +21,6 @@ namespace {
 constexpr int look_limit_ms = 3000;
 
 }  // namespace
-
-const std::vector<VendorDriver>& vendor_drivers() {
-    // USB numbers: the makers' udev rules.
-    static const std::vector<VendorDriver> drivers = {
-        {"touch",
-         QT_TRANSLATE_NOOP("errors", "3D Systems Touch"),
-         "FULCRUM_LIBHD",
-         {{"2988", ""}, {"0301", "2988"}},
-         QT_TRANSLATE_NOOP("errors",
-                           "install OpenHaptics for Linux and the Touch driver of 3D Systems, then run "
-                           "`sudo ldconfig`"),
-         QT_TRANSLATE_NOOP("errors",
-                           "install that library: libPhantomIOLib42.so comes with the Touch driver, "
-                           "libncurses.so.5 and libtinfo.so.5 with the packages libncurses5 and libtinfo5"),
-         QT_TRANSLATE_NOOP(
-             "errors",
-             "write the line SUBSYSTEMS==\"usb\", ATTRS{idVendor}==\"2988\", MODE=\"0660\", TAG+=\"uaccess\" "
-             "to /etc/udev/rules.d/70-fulcrum-touch.rules, then unplug the device and connect it again")},
-        {"force-dimension",
-         QT_TRANSLATE_NOOP("errors", "Force Dimension, Novint Falcon"),
-         "FULCRUM_LIBDRD",
-         {{"1451", ""}, {"0403", "cb48"}},
-         QT_TRANSLATE_NOOP("errors",
-                           "install the Force Dimension SDK and name its folder in FDSDK, or copy its "
-                           "libdrd.so to /usr/local/lib and run `sudo ldconfig`"),
-         QT_TRANSLATE_NOOP("errors",
-                           "install that library: libusb-1.0.so.0 comes with the package libusb-1.0-0"),
-         QT_TRANSLATE_NOOP(
-             "errors",
-             "write the lines SUBSYSTEMS==\"usb\", ATTRS{idVendor}==\"1451\", MODE=\"0660\", "
-             "TAG+=\"uaccess\" and SUBSYSTEMS==\"usb\", ATTRS{idVendor}==\"0403\", "
-             "ATTRS{idProduct}==\"cb48\", MODE=\"0660\", TAG+=\"uaccess\" to "
-             "/etc/udev/rules.d/70-fulcrum-force-dimension.rules, then unplug the device and connect it "
-             "again")},
-    };
-    return drivers;
-}
-
-const VendorDriver* vendor_driver(const std::string& kind) {
-    for (const VendorDriver& driver : vendor_drivers())
-        if (kind == driver.kind) return &driver;
-    return nullptr;
-}
 
 const char* problem_of(LibraryState state) {
     switch (state) {
@@ -81,26 +38,19 @@ const char* problem_of(LibraryState state) {
     return "";
 }
 
-const char* hint_of(const VendorDriver& driver, LibraryState state) {
+const char* hint_of(const DeviceRow& device, LibraryState state) {
     switch (state) {
         case LibraryState::ready:
             return "";
         case LibraryState::missing:
-            return driver.install;
+            return device.library.install;
         case LibraryState::incomplete:
-            return driver.needs;
+            return device.library.needs;
         case LibraryState::outdated:
         case LibraryState::unusable:
             return QT_TRANSLATE_NOOP("errors", "install the newest version of the maker's driver");
     }
     return "";
-}
-
-bool is_of(const VendorDriver& driver, const UsbDevice& device) {
-    return std::any_of(driver.numbers.begin(), driver.numbers.end(), [&device](const UsbNumber& number) {
-        return device.vendor == number.vendor &&
-               (*number.product == '\0' || device.product == number.product);
-    });
 }
 
 LibraryLook look_at_library(const std::string& program, const std::string& kind) {
