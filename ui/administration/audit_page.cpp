@@ -185,7 +185,7 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
                                  role_text(entry.role),   audit_operation_text(entry.operation),
                                  text(entry.person_name), audit_details_text(entry.operation, entry.payload)};
         for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));
-        table_->item(row, 1)->setToolTip(beside({cells[1], cells[2]}));
+        table_->item(row, 1)->setToolTip(join_with_dots({cells[1], cells[2]}));
         table_->item(row, 5)->setToolTip(cells[5] + QLatin1Char('\n') +
                                          tr("Row %1, object %2, hash %3")
                                              .arg(entry.sequence)
