@@ -58,6 +58,7 @@ AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
         make_table({tr("Time"), tr("Person"), tr("Role"), tr("Operation"), tr("Concerning"), tr("Details")},
                    "audit_table");
     table_->setMinimumHeight(380);
+    table_->setWordWrap(false);  // a line each
     layout->addWidget(table_, 1);
     older_ = make_button(tr("Show older entries"), "audit_older");
     connect(older_, &QPushButton::clicked, this, &AuditPage::load_older);
@@ -184,13 +185,21 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
                                  role_text(entry.role),   audit_operation_text(entry.operation),
                                  text(entry.person_name), audit_details_text(entry.operation, entry.payload)};
         for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));
-        table_->item(row, 5)->setToolTip(tr("Row %1, object %2, hash %3")
+        table_->item(row, 1)->setToolTip(join_with_dots({cells[1], cells[2]}));
+        table_->item(row, 5)->setToolTip(cells[5] + QLatin1Char('\n') +
+                                         tr("Row %1, object %2, hash %3")
                                              .arg(entry.sequence)
                                              .arg(text(entry.object_id), text(entry.hash)));
         oldest_ = entry.sequence;
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_, {0, 1, 3});
+    fit_columns(table_, {0});
+}
+
+// In a narrow window the details need the room more than the role, which the tool tip of the person has.
+void AuditPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    table_->setColumnHidden(2, width() < 130 * fontMetrics().averageCharWidth());
 }
 
 void AuditPage::verify() {

@@ -27,6 +27,9 @@ class AuditPage : public Page {
     /// Rows asked for at a time.
     static constexpr int at_once = 200;
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QWidget* build_filters();
     void fill_filters();

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
+#include <QScrollBar>
 #include <QSignalBlocker>
 
 #include "ui/language/language.h"
@@ -78,7 +79,6 @@ QWidget* TissuesPage::build_editor() {
                    "tissue_table");
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     card_layout(card)->addWidget(table_);
     note_ = make_label({});
     note_->setObjectName(QStringLiteral("tissue_limits"));
@@ -192,7 +192,9 @@ void TissuesPage::show_values() {
     }
     fit_columns(table_);
     table_->setColumnWidth(site_column, with_text(110));
-    int height = table_->horizontalHeader()->sizeHint().height() + 8;
+    // With large text the table scrolls sideways.
+    int height = table_->horizontalHeader()->sizeHint().height() + 8 +
+                 (text_percent() > 100 ? table_->horizontalScrollBar()->sizeHint().height() : 0);
     for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
     table_->setFixedHeight(height);
 }

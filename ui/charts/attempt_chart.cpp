@@ -139,7 +139,11 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
                          Qt::AlignRight | Qt::AlignVCenter, figure(y));
     }
     const int last = static_cast<int>(frame.x_high - 0.5);
-    const int step = std::max(1, last / 12);
+    // So many numbers as have room next to each other.
+    const double wide =
+        QFontMetricsF(painter.font(), painter.device()).horizontalAdvance(QStringLiteral("000"));
+    const int most = std::clamp(static_cast<int>(frame.plot.width() / wide), 1, 12);
+    const int step = std::max(1, (last + most - 1) / most);
     for (int number = 1; number <= last; number += step) {
         const QPointF foot = frame.at(number, frame.y_low);
         painter.drawText(QRectF(foot.x() - 30 * unit, foot.y() + 4 * unit, 60 * unit, line_height),

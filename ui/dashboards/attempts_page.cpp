@@ -80,6 +80,7 @@ void AttemptsPage::enter() {
     cohort_->setVisible(!own);
     person_->setVisible(!own);
     table_->setColumnHidden(0, own);  // a trainee sees their own
+    hide_columns();
     fill_requests();
     fill_cut_off();
     load();
@@ -228,11 +229,18 @@ void AttemptsPage::fill_filters() {
     refill(task_, tr("All tasks"), tasks);
 }
 
-// In a narrow window the figures that decide stay: the debrief has the others.
 void AttemptsPage::resizeEvent(QResizeEvent* event) {
     Page::resizeEvent(event);
-    const bool narrow = width() < 130 * fontMetrics().averageCharWidth();
+    hide_columns();
+}
+
+// In a narrow window the figures that decide stay: the debrief has the others. How an attempt ended is seen
+// in its result as well, where the names of people need the room.
+void AttemptsPage::hide_columns() {
+    const bool people = !table_->isColumnHidden(0);
+    const bool narrow = width() < (people ? 165 : 130) * fontMetrics().averageCharWidth();
     for (const int column : {4, 6}) table_->setColumnHidden(column, narrow);
+    table_->setColumnHidden(5, narrow && people);
 }
 
 void AttemptsPage::fill_requests() {

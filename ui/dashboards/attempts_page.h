@@ -38,6 +38,7 @@ class AttemptsPage : public Page {
     void count_stale();
     void recompute();
     void fill_filters();
+    void hide_columns();
     void fill_requests();
     void fill_cut_off();
     void load();

@@ -4,11 +4,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QStandardPaths>
 
 #include "ui/reports/report_export.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/palette.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
@@ -47,22 +48,22 @@ bool has_ending(const QString& path) {
 
 ExportRow::ExportRow(const char* save_name, QWidget* parent)
     : QWidget(parent), format_(new QComboBox), path_(new QLineEdit) {
-    auto* row = new QHBoxLayout(this);
+    auto* row = new FlowRow(this);
     row->setContentsMargins(0, 0, 0, 0);
     QLabel* label = make_label(tr("Report"));
     label->setWordWrap(false);
-    row->addWidget(label);
+    row->add(label);
     format_->setObjectName(QStringLiteral("export_format"));
     format_->setAccessibleName(tr("Format of the report"));
     for (const char* ending : endings) format_->addItem(QString::fromLatin1(ending + 1).toUpper());
-    row->addWidget(format_);
+    row->add(format_);
     path_->setObjectName(QStringLiteral("export_path"));
     path_->setAccessibleName(tr("File of the report"));
-    row->addWidget(path_, 1);
+    row->add(path_, 1, with_text(180));
     QPushButton* other = make_button(tr("Choose …"), "export_choose");
-    row->addWidget(other);
+    row->add(other);
     save_ = make_button(tr("Save report"), save_name, "primary");
-    row->addWidget(save_);
+    row->add(save_);
     connect(format_, QOverload<int>::of(&QComboBox::activated), this, &ExportRow::format_chosen);
     connect(path_, &QLineEdit::textChanged, this, &ExportRow::look);
     connect(path_, &QLineEdit::returnPressed, save_, &QPushButton::click);

@@ -315,7 +315,7 @@ void MainWindow::show_session() {
                                                    : text(context_.store().programme_name()));
     person_->setText(text(session.display_name()));
     // A usual name is whole; the programme, which is the same on every screen, gives way.
-    person_->setMinimumWidth(std::min(person_->sizeHint().width(), text_percent() > 150 ? 120 : 240));
+    person_->setMinimumWidth(std::min(person_->sizeHint().width(), text_percent() > 150 ? 200 : 240));
     role_->clear();
     for (const database::Role held : session.roles()) {
         role_->addItem(tr("Acting as %1").arg(role_text(database::role_name(held))), static_cast<int>(held));

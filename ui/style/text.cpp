@@ -143,8 +143,8 @@ QString clock_text(double seconds) {
 QString minutes_text(double seconds) {
     const auto whole = std::llround(std::max(0.0, seconds));
     return whole % 60 == 0
-               ? QStringLiteral("%1 min").arg(whole / 60)
-               : QStringLiteral("%1:%2 min").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+               ? QStringLiteral("%1\u00a0min").arg(whole / 60)
+               : QStringLiteral("%1:%2\u00a0min").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
 QString local_time(std::int64_t utc_ms) {

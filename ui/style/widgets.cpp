@@ -292,6 +292,7 @@ class ColumnFitter : public QObject {
 
     /// Rows become as high as the words of these columns need, up to three lines.
     void wrap(const std::vector<int>& columns) {
+        const bool wraps = table_->wordWrap();  // without: a line each, whole in its tool tip
         const int usual = table_->verticalHeader()->defaultSectionSize();
         const int most = std::max(usual, 3 * table_->fontMetrics().lineSpacing() + 16);
         for (int row = 0; row < table_->rowCount(); ++row) {
@@ -300,8 +301,9 @@ class ColumnFitter : public QObject {
                 QTableWidgetItem* cell = table_->item(row, column);
                 if (cell == nullptr) continue;
                 if (cell->toolTip().isEmpty()) cell->setToolTip(cell->text());
-                height = std::max(
-                    height, height_of(cell, table_->horizontalHeader()->sectionSize(column), table_->font()));
+                if (wraps)
+                    height = std::max(height, height_of(cell, table_->horizontalHeader()->sectionSize(column),
+                                                        table_->font()));
             }
             if (!columns.empty() || wrapped_) table_->setRowHeight(row, std::min(height, most));
         }

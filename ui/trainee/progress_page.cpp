@@ -41,41 +41,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->setSpacing(12);
     title_ = make_label(tr("Progress"), "title");
     layout->addWidget(title_);
-    auto* row = new FlowRow;
-    const auto combo = [&](const QString& label, const char* name) {
-        auto* box = new QComboBox;
-        box->setObjectName(QString::fromLatin1(name));
-        box->setAccessibleName(label);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(20);
-        auto* named = new QWidget;
-        auto* in_named = new QVBoxLayout(named);
-        in_named->setContentsMargins(0, 0, 0, 0);
-        in_named->setSpacing(2);
-        QLabel* name_of = make_label(label, "muted");
-        name_of->setBuddy(box);
-        in_named->addWidget(name_of);
-        in_named->addWidget(box);
-        row->add(named, 1, with_text(230));
-        connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
-            if (box == metric_) {
-                draw();
-            } else {
-                load();
-            }
-        });
-        return box;
-    };
-    person_ = combo(tr("Person"), "progress_person");
-    task_ = combo(tr("Task"), "progress_task");
-    metric_ = combo(tr("Metric"), "progress_metric");
-    explain_ = make_button(tr("Explain"), "explain_progress", "link");
-    row->add(explain_);
-    connect(explain_, &QPushButton::clicked, this, [this] {
-        const QString id = metric_->currentData().toString().section(QLatin1Char('/'), 0, 0);
-        emit this->context().metric_wanted(id, {}, -1);
-    });
-    layout->addLayout(row);
+    layout->addLayout(make_choices());
     export_ = new ExportRow("export_person");
     connect(export_, &ExportRow::save_wanted, this,
             [this](const QString& path) { export_to(path, report_format_of(path)); });
@@ -124,6 +90,45 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1100));
+}
+
+/// Whose progress in which task, and what of it the chart shows.
+QLayout* ProgressPage::make_choices() {
+    auto* row = new FlowRow;
+    const auto combo = [&](const QString& label, const char* name) {
+        auto* box = new QComboBox;
+        box->setObjectName(QString::fromLatin1(name));
+        box->setAccessibleName(label);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(20);
+        auto* named = new QWidget;
+        auto* in_named = new QVBoxLayout(named);
+        in_named->setContentsMargins(0, 0, 0, 0);
+        in_named->setSpacing(2);
+        QLabel* name_of = make_label(label, "muted");
+        name_of->setBuddy(box);
+        in_named->addWidget(name_of);
+        in_named->addWidget(box);
+        row->add(named, 1, with_text(230));
+        connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
+            if (box == metric_) {
+                draw();
+            } else {
+                load();
+            }
+        });
+        return box;
+    };
+    person_ = combo(tr("Person"), "progress_person");
+    task_ = combo(tr("Task"), "progress_task");
+    metric_ = combo(tr("Metric"), "progress_metric");
+    explain_ = make_button(tr("Explain"), "explain_progress", "link");
+    row->add(explain_);
+    connect(explain_, &QPushButton::clicked, this, [this] {
+        const QString id = metric_->currentData().toString().section(QLatin1Char('/'), 0, 0);
+        emit this->context().metric_wanted(id, {}, -1);
+    });
+    return row;
 }
 
 void ProgressPage::show_person(const std::string& person_id, const std::string& task_id) {

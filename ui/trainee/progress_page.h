@@ -41,6 +41,7 @@ class ProgressPage : public Page {
     void exported(const QString& path);
 
   private:
+    QLayout* make_choices();
     void fill_choices();
     /// Of the person's newest attempt; "": none, or the session may not read attempts.
     std::string newest_task() const;

@@ -53,7 +53,7 @@ TEST_F(WindowAccess, AdministratorsChangeTheStationsKey) {
     ASSERT_EQ(table->rowCount(), 2);
     EXPECT_NE(table->item(0, 0)->text(), before);
     EXPECT_EQ(table->item(0, 2)->text(), "in use");
-    EXPECT_TRUE(table->item(0, 3)->text().contains("announced"));
+    EXPECT_TRUE(table->item(0, 3)->text().contains("signed by the previous key"));
     EXPECT_EQ(table->item(1, 0)->text(), before);
     EXPECT_TRUE(find<QLineEdit>(*window, "key_reason")->text().isEmpty());
     EXPECT_TRUE(complaint().contains(table->item(0, 0)->text())) << "a message, not a complaint";

@@ -28,9 +28,9 @@ TEST(ShownText, PointsOfAColumnHaveOneDecimalInEveryLanguage) {
 }
 
 TEST(ShownText, LimitsOfTimeHaveNoTenths) {
-    EXPECT_EQ(minutes_text(300), "5 min");
-    EXPECT_EQ(minutes_text(450), "7:30 min");
-    EXPECT_EQ(minutes_text(65), "1:05 min");
+    EXPECT_EQ(minutes_text(300), "5\u00a0min");
+    EXPECT_EQ(minutes_text(450), "7:30\u00a0min");
+    EXPECT_EQ(minutes_text(65), "1:05\u00a0min");
 }
 
 TEST(ShownText, SourcesOfLimitsNameNoSeeds) {

@@ -10679,7 +10679,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metrics</source>
-        <translation>Messgrößen</translation>
+        <translation>Kennzahlen</translation>
     </message>
     <message>
         <source>Stopped. Choose again what to compare with.</source>
@@ -10755,7 +10755,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>; metrics of this attempt alone</source>
-        <translation>; nur Messgrößen dieses Versuchs</translation>
+        <translation>; nur Kennzahlen dieses Versuchs</translation>
     </message>
     <message>
         <source>Start part here</source>
@@ -10802,7 +10802,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation>Messgröße</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>Hand</source>
@@ -10822,7 +10822,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Differences of the metrics</source>
-        <translation>Unterschiede der Messgrößen</translation>
+        <translation>Unterschiede der Kennzahlen</translation>
     </message>
     <message>
         <source>left</source>
@@ -12589,7 +12589,7 @@ Kennzahlen: %2</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation>Messgröße</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>%1 holds the set %2; this page compares sets of %3. Choose its task and devices above first.</source>
@@ -15071,11 +15071,11 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>Open the briefing</source>
-        <translation>Zur Einweisung</translation>
+        <translation>Einweisung öffnen</translation>
     </message>
     <message>
         <source>Open the briefing with this variant</source>
-        <translation>Zur Einweisung mit dieser Variante</translation>
+        <translation>Einweisung mit dieser Variante öffnen</translation>
     </message>
     <message>
         <source>Outcome: %1 · Time limit %2</source>
