@@ -164,15 +164,16 @@ constexpr StatementRow statements[] = {
     {StatementId::gates_met, "advice.gates_met",
      QT_TRANSLATE_NOOP("fulcrum::statements", "All gates are met. Repeat the task to make it a habit.")},
     {StatementId::gates_met_narrowly, "advice.gates_met_narrowly",
-     QT_TRANSLATE_NOOP(
-         "fulcrum::statements",
-         "All gates are met. Closest to its limit: {metric}{of_hand} ({value}, limit {limit}). To improve: {remedy}.")},
+     QT_TRANSLATE_NOOP("fulcrum::statements",
+                       "All gates are met. Closest to its limit: {metric}{of_hand} ({value}, limit {limit}). "
+                       "To improve: {remedy}.")},
     {StatementId::time_ran_out, "advice.time_ran_out",
      QT_TRANSLATE_NOOP("fulcrum::statements",
                        "The time ran out before the last step was completed. To improve: {remedy}.")},
     {StatementId::attempt_abandoned, "advice.attempt_abandoned",
      QT_TRANSLATE_NOOP("fulcrum::statements",
-                       "The attempt was abandoned before the last step was completed. Carry the next one through to the end.")},
+                       "The attempt was abandoned before the last step was completed. Carry the next one "
+                       "through to the end.")},
     {StatementId::gate_without_value, "advice.gate_without_value",
      QT_TRANSLATE_NOOP("fulcrum::statements", "{where}{metric} has no value because {because}; {remedy}.")},
     {StatementId::not_scored, "advice.not_scored",

@@ -67,7 +67,8 @@ TEST_F(TakeOver, BeginsWhereTheReplayIsAndReplaysFromItsOwnRecord) {
     EXPECT_FALSE(database::Attempts(*services.store()).score(window.context().session(), taken.meta.id));
     EXPECT_LT(taken.duration_s, 60);
     EXPECT_GT(taken.duration_s, 1);
-    EXPECT_TRUE(shown("debrief_notes").contains("Practice from the moment")) << shown("debrief_notes").toStdString();
+    EXPECT_TRUE(shown("debrief_notes").contains("Practice from the moment"))
+        << shown("debrief_notes").toStdString();
     expect_replays(taken.meta.id);
 
     // Its own replay, and practice from there: a chain.
