@@ -274,8 +274,8 @@ void CapsuleBodies::begin_sweeps(const std::vector<BodyState>& bodies, const Bod
 }
 
 // A contact waits for the velocities that the one before it gave the same body. Contacts of other bodies in
-// between keep the processor busy while it waits. Each body's contacts stay in the order in which they were found,
-// so that the result is the same to the bit.
+// between keep the processor busy. Each body's contacts stay in the order in which they were found, so that
+// the result is the same to the bit.
 void CapsuleBodies::order_contacts(std::int32_t bodies) noexcept {
     std::array<std::int32_t, most_bodies> next;  // contact of each body, count_ at its end
     const auto after = [&](std::int32_t body, std::int32_t contact) {
