@@ -294,7 +294,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     bring(*find<QWidget>(window, "action_reason"));
     type(window, "action_reason", "started by mistake");
     click(window, "void_attempt");
-    ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "voided"; }, 60000));
+    ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "Voided"; }, 60000));
     wait_for_debrief();
     page.step("educator-void", "The educator voids the abandoned attempt, with a reason");
     switch_user();

@@ -112,7 +112,7 @@ TEST_F(TakeOver, PartTaskPracticeBeginsAtTheGoalThatTheBriefingNames) {
     EXPECT_TRUE(part.meta.origin->source_id.empty());
     EXPECT_EQ(part.meta.origin->goal, 1);
     EXPECT_FALSE(part.points);
-    EXPECT_TRUE(shown("debrief_notes").contains("goal 2 of a demonstration"));
+    EXPECT_TRUE(shown("debrief_notes").contains("step 2 of a demonstration"));
     expect_replays(part.meta.id);
 }
 

@@ -98,7 +98,7 @@ TEST_F(WindowAccess, VoidReassignAndRequestWorkWhereTheyAreOffered) {
     right->setCurrentIndex(right->findData(QString::fromStdString(programme.id("ben"))));
     click(*window, "reassign_confirm");
     ASSERT_TRUE(wait_for(
-        [&] { return sees(*window, "verdict") && find<QLabel>(*window, "verdict")->text() == "voided"; }));
+        [&] { return sees(*window, "verdict") && find<QLabel>(*window, "verdict")->text() == "Voided"; }));
     EXPECT_FALSE(sees(*window, "void_attempt")) << "an attempt is voided only once";
 }
 
