@@ -3,6 +3,7 @@
 // files in assets/curricula, schema assets/schemas/curriculum.schema.json.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,10 @@ struct Curriculum {
 
     /// "rectal@1", as attempts record it.
     std::string name() const { return id + "@" + std::to_string(version); }
+    /// Of the version that a site publishes itself after this one. Numbers from first_own_version on are the
+    /// site's: a later delivery of the program has none of them.
+    int next_own_version() const { return std::max(version + 1, first_own_version); }
+    static constexpr int first_own_version = 1001;
     /// Itself or an earlier version by its name(); null where it is not installed.
     const Curriculum* version_named(const std::string& name) const;
     /// Null for a task that does not belong to it.

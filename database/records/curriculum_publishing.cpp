@@ -38,7 +38,7 @@ std::string publish_curriculum(const Store& store, const Session& educator, cons
     check_ratings(next, place.forms);
     check_remedies(next, place.tasks);
     const Curriculum newest = load_versions(place.folder, id, tasks);
-    if (next.id != id || next.version != newest.version + 1) published_already(newest.name());
+    if (next.id != id || next.version != newest.next_own_version()) published_already(newest.name());
     const std::string path = (std::filesystem::path(place.folder) / file_of(next)).string();
     try {
         // The file first, under another name: a folder that cannot be written is found before anything else.

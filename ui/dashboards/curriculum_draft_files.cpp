@@ -35,7 +35,7 @@ void CurriculumPage::read_draft(const QString& path) {
         }))
         return;
     draft_ = std::move(opened);
-    draft_.version = in_force().version + 1;  // a version in use is never edited
+    draft_.version = in_force().next_own_version();  // a version in use is never edited
     path_->setText(QDir::toNativeSeparators(path));
     fill(0);
 }

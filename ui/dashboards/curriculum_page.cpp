@@ -273,7 +273,7 @@ void CurriculumPage::enter() {
 void CurriculumPage::start_over() {
     draft_ = in_force();
     draft_.older.clear();
-    draft_.version = in_force().version + 1;
+    draft_.version = in_force().next_own_version();
     based_on_ = in_force().name();
     title_->setText(tr("%1, version %2").arg(asset_text(in_force().title)).arg(in_force().version));
     reason_->clear();

@@ -333,17 +333,17 @@ TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
     type(window, "curriculum_reason", "Three of five are enough");
     const std::string before = services.curriculum().name();
     click(window, "curriculum_publish");
-    EXPECT_EQ(services.curriculum().name(), "rectal@4");
+    EXPECT_EQ(services.curriculum().name(), "rectal@1001");
     EXPECT_EQ(pass_rule_text(services.curriculum().find("C4")->rule), "of:3,5");
     ASSERT_NE(services.curriculum().version_named(before), nullptr)
         << "the one before is there for its people";
     EXPECT_EQ(pass_rule_text(services.curriculum().version_named(before)->find("C4")->rule), "of:4,5");
     const auto accepted = database::AcceptedAssets(*services.store()).list();
     ASSERT_EQ(accepted.size(), 1U);
-    EXPECT_EQ(accepted[0].file.name, "curricula/rectal-4.json");
+    EXPECT_EQ(accepted[0].file.name, "curricula/rectal-1001.json");
     EXPECT_EQ(accepted[0].reason, "Three of five are enough");
     EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 4 is in force."));
-    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 5");
+    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 1002");
     EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
     EXPECT_FALSE(tasks->item(6)->text().contains("tried"));
 }
@@ -353,17 +353,17 @@ TEST_F(CurriculumView, WritesTheFileOfANewVersion) {
     choose("C4");
     step("rule_passes", 1, Qt::Key_Left);
     auto* path = find<QLineEdit>(window, "curriculum_path");
-    EXPECT_TRUE(path->text().endsWith("rectal-4.json")) << path->text().toStdString();
-    path->setText(folder.filePath("rectal-4.json"));
+    EXPECT_TRUE(path->text().endsWith("rectal-1001.json")) << path->text().toStdString();
+    path->setText(folder.filePath("rectal-1001.json"));
     click(window, "curriculum_save");
-    ASSERT_TRUE(wait_for([&] { return QFileInfo::exists(folder.filePath("rectal-4.json")); }));
-    const Curriculum written = load_curriculum(folder.filePath("rectal-4.json").toStdString(), task_ids());
-    EXPECT_EQ(written.version, services.curriculum().version + 1);
+    ASSERT_TRUE(wait_for([&] { return QFileInfo::exists(folder.filePath("rectal-1001.json")); }));
+    const Curriculum written = load_curriculum(folder.filePath("rectal-1001.json").toStdString(), task_ids());
+    EXPECT_EQ(written.version, services.curriculum().next_own_version());
     EXPECT_EQ(pass_rule_text(written.find("C4")->rule), "of:3,5");
     EXPECT_EQ(pass_rule_text(written.find("A2")->rule), pass_rule_text(rule_of("A2")));
     EXPECT_EQ(find<QAbstractButton>(window, "curriculum_save")->text(), "Replace");
 
-    path->setText(folder.filePath("nowhere/rectal-4.json"));
+    path->setText(folder.filePath("nowhere/rectal-1001.json"));
     click(window, "curriculum_save");
     EXPECT_FALSE(QFileInfo::exists(folder.filePath("nowhere")));
     EXPECT_TRUE(find<QLabel>(window, "message_text")->text().contains("nowhere"))
