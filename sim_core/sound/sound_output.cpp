@@ -165,7 +165,10 @@ void SoundOutput::run(const std::shared_ptr<Shared>& shared) {
     shared->changed.notify_all();
 }
 
-SoundOutput::SoundOutput() : shared_(std::make_shared<Shared>()) {
+SoundOutput::SoundOutput(const SoundState& before) : shared_(std::make_shared<Shared>()) {
+    float unheard[sound_channels];
+    shared_->maker.fill(before, unheard, 1);
+    shared_->played.state = before;
     const LibraryLook look = shared_->sdl.load();
     if (look.state != LibraryState::ready) {
         shared_->ended = true;

@@ -15,8 +15,8 @@ inline constexpr int sound_block_frames = 256;  ///< asked for at a time: 5.3 ms
 
 class SoundOutput {
   public:
-    /// Returns at once; the device is opened afterwards.
-    SoundOutput();
+    /// Returns at once; the device is opened afterwards. What `before` counts is not heard.
+    explicit SoundOutput(const SoundState& before = {});
     ~SoundOutput();
     SoundOutput(const SoundOutput&) = delete;
     SoundOutput& operator=(const SoundOutput&) = delete;

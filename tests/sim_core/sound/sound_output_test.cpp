@@ -99,6 +99,30 @@ TEST_F(SoundOutputs, WhatLastsEndsByItselfWhenNobodySaysMore) {
     })) << "a window that hangs does not hum on";
 }
 
+TEST_F(SoundOutputs, TheFirstStateOfARestingDeviceIsHeardButNothingOfBefore) {
+    SoundState before;
+    before.contacts[0] = 3;
+    before.tests = 2;
+    SoundOutput output(before);
+    ASSERT_TRUE(until([&] { return output.plays(); }));
+    EXPECT_EQ(sound().plays, 0U) << "at rest until there is something to play";
+    before.volume = 1;
+    state = before;
+    ASSERT_TRUE(begin(output));
+    EXPECT_EQ(sound().played, 0U);
+    ++state.tests;
+    output.play(state);
+    EXPECT_TRUE(until([&] { return sound().played > 0U; }));
+}
+
+TEST_F(SoundOutputs, ATestThatWakesTheDeviceIsHeard) {
+    SoundOutput output;
+    ASSERT_TRUE(until([&] { return output.plays(); }));
+    ++state.tests;
+    output.play(state);
+    EXPECT_TRUE(until([&] { return sound().played > 0U; }));
+}
+
 TEST_F(SoundOutputs, NoDeviceIsOneReasonAndTheFirstOneThatIsConnectedPlays) {
     sound().init_fails = 1;
     {
