@@ -19,6 +19,7 @@
 #include "app/services/expert_attempt.h"
 #include "app/services/replay_source.h"
 #include "app/services/sending.h"
+#include "app/services/sounds.h"
 #include "assessment/assets/assets.h"
 #include "assessment/attempt/engine.h"
 #include "assessment/metrics/version.h"
@@ -227,6 +228,11 @@ class Services : public ui::ApplicationServices {
     std::shared_ptr<GameController> game_controller() override { return devices_.game_controller(); }
     bool rumble_wanted() const override { return Devices::rumble_wanted(); }
     void set_rumble_wanted(bool wanted) override { Devices::set_rumble_wanted(wanted); }
+    ui::SoundChoice sound_choice() const override { return Sounds::choice(); }
+    void choose_sound(const ui::SoundChoice& choice) override { sounds_.choose(choice); }
+    void play_sound(const SoundState& state) override { sounds_.play(state); }
+    void test_sound() override { sounds_.test(); }
+    Sentence sound_trouble() override { return sounds_.trouble(); }
     void open_device() override { devices_.open_now(); }
     void choose_device(const std::string& kind) override { devices_.choose(kind); }
     bool device_can_be_chosen() const override { return device_from_environment().empty(); }
@@ -372,6 +378,7 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
     Sending sending_;
+    Sounds sounds_;
     Devices devices_{device_from_environment().empty() ? Devices::chosen() : device_from_environment()};
 };
 

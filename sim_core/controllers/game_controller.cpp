@@ -28,11 +28,18 @@ constexpr std::uint32_t rumble_ms = 60;  // a little longer than rumble_every
 constexpr std::uint32_t parts_used = sdl_init_joystick | sdl_init_controller;
 constexpr int opening_ms = 3000;
 
-void start_sdl(const SdlLibrary& sdl) {
+bool start_sdl(const SdlLibrary& sdl) {
+    const std::lock_guard lock(sdl_start());
     sdl.set_hint("SDL_NO_SIGNAL_HANDLERS", "1");
     sdl.set_hint("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1");
     // Buttons by their place, whatever is printed on them.
     sdl.set_hint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
+    return sdl.init(parts_used) == 0;
+}
+
+void end_sdl(const SdlLibrary& sdl) {
+    const std::lock_guard lock(sdl_start());
+    sdl.quit(parts_used);
 }
 
 std::string text_of(const char* words) {
@@ -261,8 +268,7 @@ class GameController::Reader {
 };
 
 void GameController::run(const std::shared_ptr<Shared>& shared) {
-    start_sdl(shared->sdl);
-    const bool started = shared->sdl.init(parts_used) == 0;
+    const bool started = start_sdl(shared->sdl);
     if (started) {
         shared->sdl.joystick_events(sdl_ignore);
         Reader reader(*shared);
@@ -277,7 +283,7 @@ void GameController::run(const std::shared_ptr<Shared>& shared) {
         }
     }
     const std::string why = started ? std::string() : text_of(shared->sdl.error());
-    if (started) shared->sdl.quit(parts_used);
+    if (started) end_sdl(shared->sdl);
     const std::lock_guard lock(shared->mutex);
     if (!started) shared->failure = why;
     shared->looked = shared->ended = true;
@@ -398,20 +404,23 @@ ControllerLook GameController::look() {
     look.library = sdl.load();
     if (look.library.state != LibraryState::ready) return look;
     const std::lock_guard alone(sdl_use);
-    if (const std::shared_ptr<Shared> reading = reading_.lock()) {
-        const std::lock_guard lock(reading->mutex);
+    const std::shared_ptr<Shared> reading = reading_.lock();
+    std::unique_lock<std::mutex> lock;
+    if (reading != nullptr) lock = std::unique_lock(reading->mutex);
+    // One that has ended knows nothing of now.
+    if (reading != nullptr && !reading->ended) {
         look.failure = reading->failure;
         look.connected = reading->connected;
         return look;
     }
-    start_sdl(sdl);
-    if (sdl.init(parts_used) != 0) {
+    if (lock.owns_lock()) lock.unlock();
+    if (!start_sdl(sdl)) {
         look.failure = text_of(sdl.error());
         return look;
     }
     sdl.update();
     look.connected = connected_now(sdl);
-    sdl.quit(parts_used);
+    end_sdl(sdl);
     return look;
 }
 

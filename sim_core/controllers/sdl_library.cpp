@@ -18,6 +18,11 @@ LibraryLook SdlLibrary::load() {
          symbol("SDL_GameControllerGetButton", button), symbol("SDL_GameControllerRumble", rumble)});
 }
 
+std::mutex& sdl_start() {
+    static std::mutex one;
+    return one;
+}
+
 const char* sdl_problem(LibraryState state) {
     switch (state) {
         case LibraryState::ready:

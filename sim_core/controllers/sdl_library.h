@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 
 #include "sim_core/devices/run_time_library.h"
 
@@ -56,6 +57,10 @@ struct SdlLibrary {
     /// FULCRUM_LIBSDL2 names another file.
     LibraryLook load();
 };
+
+/// Held while a part of SDL is started or ended: its controllers and its sound have threads of their own
+/// here, and SDL counts its parts without a lock.
+std::mutex& sdl_start();
 
 /// What is wrong with the library and what to do, for a list of devices; texts of the context "errors".
 const char* sdl_problem(LibraryState state);

@@ -180,10 +180,14 @@ TEST_F(ControllerWindow, OneThatCannotBeOpenedSaysWhyAndNothingBegins) {
     abandon();
 }
 
-TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
+TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactIsFeltAndHeard) {
+    services.hears = true;
     create_programme_and_trainee();
     for (const char* task : {"A2", "B1"}) {
+        fulcrum::test::FakeSound& sound = page->sound;
         start(task, false);
+        ASSERT_TRUE(wait_for([&] { return sound.plays == 1U; }));
+        sound.heard_at = 0;
         const auto mind = make_operator(OperatorLevel::expert, theatre().session()->task(),
                                         theatre().session()->scene(), 7);
         FakePad face(pad());
@@ -194,7 +198,8 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
             begun = std::min(begun,
                              monotonic_ns() - std::int64_t{1'000'000} * theatre().session()->health().ticks);
             if (rumbled == 0 && pad().slow > 0U) rumbled = pad().rumble_time;
-            return rumbled != 0 && (!a2 || theatre().session()->display().goal_progress > 0.05);
+            return rumbled != 0 && sound.heard_at != 0 &&
+                   (!a2 || theatre().session()->display().goal_progress > 0.05);
         };
         ASSERT_TRUE(hand.work_until(done, 240000)) << task;
         EXPECT_GT(hand.events(), 50);
@@ -219,8 +224,17 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactRumbles) {
         const double delay = 1e-6 * static_cast<double>(rumbled - begun) - contact->tick;
         std::cout << task << ": the motor runs " << delay << " ms after the first contact\n";
         EXPECT_LT(delay, 1000);
+        const std::int64_t heard = sound.heard_at + 1'000'000'000LL * sound.heard_in / 48000;
+        const double silent = 1e-6 * static_cast<double>(heard - begun) - contact->tick;
+        std::cout << task << ": the first sample is heard " << silent
+                  << " ms after the first contact, blocks of " << sound.frames << "\n";
+        EXPECT_GT(silent, 0) << "nothing is heard before it is touched";
+        EXPECT_LT(silent, 1000);
+        EXPECT_EQ(sound.outside, 0U);
         home();
     }
+    services.choose_sound({false, 0.5});
+    EXPECT_EQ(page->sound.open, 0U) << "off: the device is closed at once";
 }
 
 }  // namespace

@@ -62,6 +62,13 @@ class ForwardingServices : public ui::ApplicationServices {
     void stop_force_test() override { own_->stop_force_test(); }
     ui::ForceTestState force_test() override { return own_->force_test(); }
     std::shared_ptr<GameController> game_controller() override { return own_->game_controller(); }
+    ui::SoundChoice sound_choice() const override { return own_->sound_choice(); }
+    void choose_sound(const ui::SoundChoice& choice) override { own_->choose_sound(choice); }
+    void play_sound(const SoundState& state) override {
+        if (hears) own_->play_sound(state);
+    }
+    void test_sound() override { own_->test_sound(); }
+    Sentence sound_trouble() override { return hears ? own_->sound_trouble() : Sentence(); }
     bool rumble_wanted() const override { return own_->rumble_wanted(); }
     void set_rumble_wanted(bool wanted) override { own_->set_rumble_wanted(wanted); }
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
@@ -124,6 +131,7 @@ class ForwardingServices : public ui::ApplicationServices {
 
     /// Gets the real device, returns the device that the attempt reads instead.
     std::function<std::shared_ptr<Rig>(std::shared_ptr<Rig>)> between;
+    bool hears = false;  ///< sound is played
 
   private:
     std::unique_ptr<ui::ApplicationServices> own_;

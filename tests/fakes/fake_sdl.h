@@ -21,8 +21,23 @@ struct FakeSdlController {
     std::atomic<std::int64_t> rumble_time{0};  ///< ns, of the newest
 };
 
+/// A sound device that plays into nothing, in real time.
+struct FakeSound {
+    // Scripted.
+    std::atomic<std::uint32_t> init_fails{0}, opens{1}, lost{0}, hang{0};
+    // Seen.
+    std::atomic<std::uint32_t> started{0}, ended{0}, open{0}, closed{0}, plays{0}, frames{0};
+    std::atomic<std::uint64_t> blocks{0};
+    std::atomic<std::uint64_t> played{0};  ///< samples that are not 0
+    std::atomic<std::int64_t> heard_at{
+        0};  ///< ns, when the first block with one was asked for; set to 0 to arm
+    std::atomic<std::int32_t> heard_in{0};  ///< its first frame in that block
+    std::atomic<std::uint32_t> outside{0};  ///< samples that are no number within -1 to 1
+};
+
 struct FakeSdlPage {
     FakeSdlController controller[2];
+    FakeSound sound;
     std::atomic<std::uint32_t> init_fails{0}, hang{0};
     std::atomic<std::uint32_t> started{0}, ended{0};
     std::atomic<std::uint64_t> updates{0};

@@ -108,6 +108,11 @@ class FakeServices : public ApplicationServices {
     void set_slot_choice(const std::string&, const SlotChoice& choice) override { parts = choice; }
     bool rumble_wanted() const override { return rumbles; }
     void set_rumble_wanted(bool wanted) override { rumbles = wanted; }
+    SoundChoice sound_choice() const override { return sound; }
+    void choose_sound(const SoundChoice& choice) override { sound = choice; }
+    void play_sound(const SoundState& state) override { heard = state; }
+    void test_sound() override { ++heard.tests; }
+    Sentence sound_trouble() override { return sound.wanted ? no_sound : Sentence(); }
     bool start_force_test() override {
         tested.runs = true;
         return true;
@@ -128,6 +133,9 @@ class FakeServices : public ApplicationServices {
     std::string chosen;
     bool can_choose = false, rumbles = true;
     SlotChoice parts;
+    SoundChoice sound;
+    SoundState heard;   ///< newest
+    Sentence no_sound;  ///< why there is none
     ForceTestState tested;
     AttemptControl control;
     mutable std::atomic<int> worlds_built{0};  ///< calls of world_at_start()

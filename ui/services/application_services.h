@@ -23,6 +23,7 @@
 #include "ui/services/attempt_session.h"
 #include "ui/services/device_service.h"
 #include "ui/services/replay_source.h"
+#include "ui/services/sound_service.h"
 
 namespace fulcrum::database {
 struct Trace;
@@ -179,7 +180,8 @@ class ApplicationServices : public StoreService,
                             public ScoringService,
                             public ReplayService,
                             public TissueService,
-                            public DeviceService {
+                            public DeviceService,
+                            public SoundService {
   public:
     /// For the about box and for reports.
     virtual std::string program_version() const = 0;

@@ -9,6 +9,7 @@
 #include "ui/shell/keys_card.h"
 #include "ui/shell/picture_card.h"
 #include "ui/shell/sending_card.h"
+#include "ui/shell/sound_card.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -50,6 +51,7 @@ SettingsPage::SettingsPage(Context& context)
     layout->addWidget(new PictureCard);
     layout->addWidget(new KeysCard(context));
     layout->addWidget(new DevicesCard(context));
+    layout->addWidget(new SoundCard(context));
     layout->addWidget(new SendingCard(context));
     layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);

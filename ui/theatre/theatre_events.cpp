@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
-#include <algorithm>
 
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
@@ -142,7 +141,6 @@ void TheatrePage::read_controller() {
         if (!motion.connected) input_->hold_jaws();
         input_->set_connected(motion.connected);
     }
-    rumble();
     if (!motion.connected || !view_->window()->isActiveWindow()) return;
     if (motion.used) context().note_input();
     if (motion.starts % 2 == 1 && demonstrated_.isEmpty()) {
@@ -158,26 +156,16 @@ void TheatrePage::read_controller() {
     if (takes_hands()) input_->move_by_controller(motion);
 }
 
-/// Contact on the slow motor, too much force on the fast one: an intensity, no force.
-void TheatrePage::rumble() {
-    double slow = 0, fast = 0;
-    if (session_->phase() == AttemptPhase::running && shown_ == Panel::none &&
-        context().services().rumble_wanted()) {
-        const TaskDisplay& display = session_->display();
-        for (int h = 0; h < hand_count; ++h) {
-            const RumbleStrength one = rumble_of(display.force[h], display.force_limit[h]);
-            slow = std::max(slow, one.slow);
-            fast = std::max(fast, one.fast);
-        }
-    }
-    pad_->rumble(slow, fast);
-}
-
-RumbleStrength rumble_of(double force, double limit) {
-    constexpr double felt_from = 0.05, usual_limit = 5;  // N
-    if (!(force > felt_from)) return {};
-    const double share = force / (limit > 0 ? limit : usual_limit);
-    return {0.1 + 0.4 * std::min(1.0, share), limit > 0 && share > 1 ? 1.0 : 0.0};
+/// Rumble, an intensity and no force, and sound: of a task that runs and is shown, also of a demonstration.
+void TheatrePage::give_feedback() {
+    const bool runs =
+        session_ != nullptr && session_->phase() == AttemptPhase::running && shown_ == Panel::none;
+    feedback_.follow(runs ? &session_->display() : nullptr, runs ? &session_->snapshot() : nullptr);
+    ApplicationServices& services = context().services();
+    services.play_sound(feedback_.sound());
+    if (pad_ == nullptr) return;
+    const RumbleStrength felt = services.rumble_wanted() ? feedback_.rumble() : RumbleStrength();
+    pad_->rumble(felt.slow, felt.fast);
 }
 
 void TheatrePage::keep_pointer(const QPoint& now) {

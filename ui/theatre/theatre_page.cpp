@@ -204,7 +204,7 @@ void TheatrePage::end_session() {
     session_.reset();
     input_.reset();
     mice_.reset();
-    if (pad_ != nullptr) pad_->rumble(0, 0);
+    give_feedback();
     pad_.reset();
     ghost_.reset();
     aligning_ = false;
@@ -352,6 +352,7 @@ void TheatrePage::tick() {
     if (session_->phase() == AttemptPhase::running || aligning_) input_->advance(dt);
     world_is_new_ = session_->update() || world_is_new_;
     follow_phase();
+    give_feedback();
     if (session_ == nullptr) {
         strip_->hide();
         return;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "ui/page/context.h"
+#include "ui/theatre/feedback.h"
 
 class QFrame;
 class QLabel;
@@ -19,12 +20,6 @@ namespace fulcrum::ui {
 class MouseKeyboardInput;
 class TwoMice;
 class TheatreView;
-
-/// Strengths of a controller's motors, 0 to 1, for the force at a tip (N) and its limit (0: none).
-struct RumbleStrength {
-    double slow = 0, fast = 0;
-};
-RumbleStrength rumble_of(double force, double limit);
 
 class TheatrePage : public Page {
     Q_OBJECT
@@ -87,7 +82,7 @@ class TheatrePage : public Page {
     void mouse_move(QMouseEvent* event);
     void read_mice();
     void read_controller();
-    void rumble();
+    void give_feedback();
     void keep_pointer(const QPoint& now);
 
     std::unique_ptr<AttemptSession> session_;
@@ -95,6 +90,7 @@ class TheatrePage : public Page {
     std::unique_ptr<TwoMice> mice_;        ///< null: one mouse and the keyboard
     std::shared_ptr<GameController> pad_;  ///< null: no game controller
     std::optional<GhostPace> ghost_;
+    Feedback feedback_;
     TheatreView* view_;
     QFrame *panel_, *bar_, *strip_;
     QLabel *panel_heading_, *panel_text_, *strip_text_;

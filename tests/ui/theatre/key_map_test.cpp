@@ -10,7 +10,6 @@
 #include "tests/support/support.h"
 #include "ui/language/language.h"
 #include "ui/theatre/mouse_keyboard_input.h"
-#include "ui/theatre/theatre_page.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -183,21 +182,6 @@ TEST_F(Keys, AControllerMovesOneHandWhileTheOtherHoldsAndNeverLeavesTheWorkspace
     input.hold_jaws();
     input.advance(0);
     EXPECT_EQ(input.targets().hand[1].jaw, 0) << "held when the controller is lost";
-}
-
-TEST_F(Keys, RumbleGrowsWithTheForceAndIsStrongBeyondTheLimit) {
-    EXPECT_EQ(rumble_of(0, 3).slow, 0);
-    EXPECT_EQ(rumble_of(std::nan(""), 3).slow, 0);
-    double before = 0;
-    for (double force = 0.06; force <= 3; force += 0.1) {
-        const RumbleStrength now = rumble_of(force, 3);
-        EXPECT_GT(now.slow, before);
-        EXPECT_LE(now.slow, 0.5);
-        EXPECT_EQ(now.fast, 0) << force;
-        before = now.slow;
-    }
-    EXPECT_EQ(rumble_of(3.1, 3).fast, 1);
-    EXPECT_EQ(rumble_of(100, 0).fast, 0) << "no limit, nothing to exceed";
 }
 
 }  // namespace

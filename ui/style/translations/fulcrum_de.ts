@@ -7393,6 +7393,18 @@
         <source>press the reset button of its board</source>
         <translation>drücken Sie die Reset-Taste seiner Platine</translation>
     </message>
+    <message>
+        <source>No sound: the sound device is gone. Connect it again, or another one.</source>
+        <translation>Kein Ton: Das Tongerät ist nicht mehr da. Schließen Sie es wieder an oder ein anderes.</translation>
+    </message>
+    <message>
+        <source>No sound: no sound device can be used (%1). Connect one, or choose one in the settings of the operating system.</source>
+        <translation>Kein Ton: Es ist kein Tongerät nutzbar (%1). Schließen Sie eines an oder wählen Sie eines in den Einstellungen des Betriebssystems.</translation>
+    </message>
+    <message>
+        <source>No sound: %1 (%2). To hear it, %3.</source>
+        <translation>Kein Ton: %1 (%2). Um ihn zu hören: %3.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -14806,6 +14818,33 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>from the patient&apos;s left</source>
         <translation>von der linken Seite des Patienten</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::SoundCard</name>
+    <message>
+        <source>Sound during tasks</source>
+        <translation>Ton während der Aufgaben</translation>
+    </message>
+    <message>
+        <source>Play the sounds</source>
+        <translation>Töne abspielen</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>A click for each contact, a tone that rises with force beyond a tissue&apos;s limit, a hum while energy is on, and two tones once a second while tissue bleeds faster than 10 mL/min. The left hand is louder on the left.</source>
+        <translation>Ein Klick bei jeder Berührung, ein Ton, der mit der Kraft über der Grenze eines Gewebes steigt, ein Brummen, solange Energie an ist, und einmal pro Sekunde zwei Töne, solange Gewebe schneller als 10 mL/min blutet. Die linke Hand ist links lauter.</translation>
     </message>
 </context>
 <context>
