@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim_core/instrument/mouse_mapping.h"
 
@@ -97,17 +98,40 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) n
     sample = driven.last;
 }
 
+void DeviceRig::add_keys(Driven& driven, bool is_scope, const DeviceSample& keys,
+                         DeviceSample& sample) noexcept {
+    if (!driven.keys_begun) {
+        driven.keys_begun = true;
+        driven.keys_roll = keys.roll;
+        driven.keys_head = keys.jaw;
+    }
+    const auto add = [](std::int32_t& to, std::int32_t from, std::int32_t begun) {
+        constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+        to = static_cast<std::int32_t>(std::clamp(std::int64_t{to} + from - begun, -most, most));
+    };
+    add(sample.roll, keys.roll, driven.keys_roll);
+    if (is_scope) {
+        add(sample.jaw, keys.jaw, driven.keys_head);
+        return;
+    }
+    sample.buttons = static_cast<std::uint16_t>(
+        sample.buttons | (keys.buttons & unsigned{button_energy | button_exchange | button_primary}));
+    if ((keys.buttons & button_primary) == 0 || sample.faulty != 0) return;
+    sample.jaw = 0;
+    sample.grip = static_cast<std::int32_t>(std::lround(driven.grip / device_force_unit));
+}
+
 void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
     others_->read(tick, sample);
     sample.tick = tick;
     DeviceSample* const samples[device_slots] = {&sample.hand[0], &sample.hand[1], &sample.camera};
     for (int i = 0; i < device_slots; ++i) {
         if (driven_[i].slot < 0 || !driven_[i].exists) continue;
-        // The keys of the pedal and of the exchange work with every device.
-        const unsigned keys = samples[i]->buttons & unsigned{button_energy | button_exchange};
+        const DeviceSample keys = *samples[i];
         read_slot(driven_[i], i == scope_slot, *samples[i]);
         const unsigned own = samples[i]->buttons & (pedal_ == -2 ? ~0U : ~unsigned{button_energy});
-        samples[i]->buttons = static_cast<std::uint16_t>(own | keys);
+        samples[i]->buttons = static_cast<std::uint16_t>(own);
+        add_keys(driven_[i], i == scope_slot, keys, *samples[i]);
     }
     if (has_pedal_) read_pedal(sample);
 }

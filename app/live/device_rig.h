@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hands of a live attempt where fulcrum-hapticd drives their device: reads the newest pose from shared
 // memory and writes the newest force there. What the device does not have (a scope, one of the hands) another
-// rig moves.
+// rig moves; its turning, closed jaws and buttons are added to those of the device.
 //
 // Mapping: where the device is when it is read first is where the instrument begins; from there the handle
 // follows the device, 1:1 unless a person chose another scale. Seen by the person the device's frame is that
@@ -59,8 +59,13 @@ class DeviceRig : public Rig {
         DevicePose newest;
         int same = 0;  // ticks since a new reading
         DeviceSample last;
+        bool keys_begun = false;
+        std::int32_t keys_roll = 0, keys_head = 0;  ///< of the other rig at its first tick
     };
     void read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept;
+    /// The keys of turning, jaws, pedal and exchange work with every device: for what it cannot do.
+    static void add_keys(Driven& driven, bool is_scope, const DeviceSample& keys,
+                         DeviceSample& sample) noexcept;
 
     std::shared_ptr<const void> owner_;
     const StatePage& state_;

@@ -162,8 +162,10 @@ std::optional<ui::DeviceReadings> Devices::readings() {
     if (counted_at_ >= 0 && count >= counted_ && at > counted_at_)
         now.rate = static_cast<double>(count - counted_) / (1e-9 * static_cast<double>(at - counted_at_));
     LoopReport loop;
-    if (client_->state().loop.read(loop) && loop.ticks > 0)
+    if (client_->state().loop.read(loop) && loop.ticks > 0) {
         now.worst_delay = 1e-9 * static_cast<double>(loop.worst_late);
+        now.jitter = loop.jitter;
+    }
     FaultReport fault;
     now.needs_calibration = client_->state().fault.read(fault) &&
                             fault.fault == static_cast<std::uint64_t>(DeviceFault::needs_calibration);
@@ -195,6 +197,11 @@ ui::DeviceInUse Devices::in_use() const {
                           : row != nullptr   ? row->device_class
                                              : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
+    if (client_ == nullptr) return device;
+    const ui::SlotChoice use = slot_choice(device.kind);
+    const int slots[device_slots] = {use.left, use.right, use.scope};
+    for (int i = 0; i < device_slots; ++i)
+        device.drives[i] = slots[i] >= 0 && slots[i] < device_slots && client_->facts().slot[slots[i]];
     return device;
 }
 

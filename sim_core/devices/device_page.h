@@ -77,6 +77,7 @@ struct LoopReport {
     std::int64_t worst_late = 0;    ///< ns
     std::int64_t period = 1000000;  ///< ns
     std::uint64_t real_time = 0;    ///< 1: with real-time priority
+    double jitter = 0;              ///< s, see Jitter
 };
 
 struct StatePage {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim_core/devices/force_guard.h"
+#include "sim_core/devices/jitter.h"
 #include "sim_core/devices/sentence_packet.h"
 #include "sim_core/hapticd/rights.h"
 #include "sim_core/numerics/input_error.h"
@@ -86,6 +87,7 @@ bool run_loop(Backend& backend, StatePage& state, const CommandPage& command, pi
     loop.period = static_cast<std::int64_t>(1e9 / backend.facts().rate);
     loop.real_time = real_time ? 1 : 0;
     DevicePose poses[device_slots];
+    Jitter jitter(loop.period);
     std::int64_t deadline = monotonic_ns() + loop.period;
     while (state.stopping.load(std::memory_order_relaxed) == 0) {
         sleep_until(deadline);
@@ -93,6 +95,8 @@ bool run_loop(Backend& backend, StatePage& state, const CommandPage& command, pi
         ++loop.ticks;
         if (late >= loop.period) ++loop.late;
         loop.worst_late = std::max(loop.worst_late, late);
+        jitter.came(now);
+        loop.jitter = jitter.seconds();
         if (late >= catch_up * loop.period) deadline = now;
         deadline += loop.period;
         backend.read(now, poses);

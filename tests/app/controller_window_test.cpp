@@ -81,7 +81,8 @@ TEST_F(ControllerWindow, EachStickMovesItsHandAndAnUnpluggedControllerPausesTheA
     pad().buttons = 0;
 
     pad().axis[axis_right_x] = -20000;
-    ASSERT_TRUE(wait_for([&] { return theatre().input()->tried().test(0); })) << "both hands moved";
+    const auto did = [&](ui::HandDeed deed) { return theatre().deeds().test(ui::bit_of(deed)); };
+    ASSERT_TRUE(wait_for([&] { return did(ui::HandDeed::moved); })) << "both hands moved";
     pad().axis[axis_right_x] = 0;
     EXPECT_TRUE(sees(window, "theatre_keys")) << "the controller is new to this person";
     keep_picture(window, "59-controller-first-steps");
@@ -93,7 +94,11 @@ TEST_F(ControllerWindow, EachStickMovesItsHandAndAnUnpluggedControllerPausesTheA
     ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw == 0 && targets().hand[1].grip > 7; }));
     press(button_left_stick);
     ASSERT_TRUE(wait_for([&] { return targets().hand[0].jaw == 0; })) << "stays closed";
-    EXPECT_EQ(theatre().input()->tried().count(), 4U);
+    EXPECT_FALSE(did(ui::HandDeed::jaws_closed)) << "a probe has no jaws";
+    EXPECT_EQ(theatre().deeds().count(), 2U);
+    pad().buttons = 1U << button_pad_left;
+    ASSERT_TRUE(wait_for([&] { return did(ui::HandDeed::scope_moved); }));
+    pad().buttons = 0;
     ASSERT_TRUE(wait_for([&] { return !sees(window, "theatre_keys"); })) << "everything was tried";
     EXPECT_EQ(QSettings().allKeys().filter("learnt/").size(), 1);
     QTest::keyClick(theatre().view(), Qt::Key_F1);

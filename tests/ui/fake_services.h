@@ -84,6 +84,9 @@ class FakeServices : public ApplicationServices {
         return [listed = devices] { return listed; };
     }
     DeviceInUse device_in_use() const override { return in_use; }
+    std::shared_ptr<Rig> hands(const Scene&, std::shared_ptr<Rig> others) override {
+        return device_rig != nullptr ? device_rig : others;
+    }
     Sentence device_trouble() override { return trouble; }
     std::optional<DeviceReadings> device_readings() override { return readings; }
     double force_scale(const std::string& kind) const override {
@@ -126,7 +129,8 @@ class FakeServices : public ApplicationServices {
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;
-    Sentence trouble;  ///< of the device in use
+    std::shared_ptr<Rig> device_rig;  ///< moves the hands; null: mouse and keyboard
+    Sentence trouble;                 ///< of the device in use
     std::optional<DeviceReadings> readings;
     std::map<std::string, double> scales, motions;
     std::optional<DeviceReadings> readings_when_open;

@@ -48,6 +48,8 @@ struct DeviceInUse {
     bool virtual_mice = false;  ///< two pointers of the X server, for tests
     bool two_mice = false;      ///< the window reads one mouse for each hand
     std::string kind;           ///< of a device with a driver of its own, "virtual"; else empty
+    /// Left, right, scope: what a device that the daemon reads moves; known once it is open.
+    bool drives[hand_count + 1] = {false, false, false};
 };
 
 /// The newest readings of a device that is open.
@@ -62,6 +64,7 @@ struct DeviceReadings {
     std::vector<Slot> held;
     double rate = 0;           ///< Hz, since the call before
     double worst_delay = -1;   ///< s, longest delay of a reading; -1: not measured
+    double jitter = -1;        ///< s, standard deviation of the time between two; -1: not measured
     bool gives_force = false;  ///< to at least one hand
     bool needs_calibration = false;
     std::optional<ControllerReadings> controller;  ///< of a game controller, which has no slots

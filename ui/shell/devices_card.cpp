@@ -172,6 +172,8 @@ void DevicesCard::show_readings() {
                           ? tr("%1 readings per second, at most %2 ms late")
                                 .arg(decimal(now->rate, 0), decimal(1e3 * now->worst_delay, 1))
                           : tr("%1 readings per second").arg(decimal(now->rate, 0)));
+        if (now->rate > 0 && now->jitter >= 0)
+            lines << tr("Jitter of the readings: %1 ms").arg(decimal(1e3 * now->jitter, 2));
         for (const DeviceReadings::Slot& slot : now->held) lines << slot_words(slot);
         if (!now->held.empty())
             lines << (now->needs_calibration ? tr("Calibration: needed") : tr("Calibration: valid"));

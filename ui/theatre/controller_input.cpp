@@ -13,10 +13,6 @@ void MouseKeyboardInput::move_by_controller(const ControllerMotion& motion) {
         axis.trigger = motion.trigger[h];
         axis.pedal = motion.pedal[h];
         if (motion.latches[h] % 2 == 1) axis.latched = !axis.latched;
-        note_moved(static_cast<Hand>(h), motion.across[h][0] != 0 || motion.across[h][1] != 0);
-        if (motion.along[h] != 0) tried_.set(1);
-        if (axis.trigger >= trigger_closed && !scope_alone_) tried_.set(2);
-        if (motion.latches[h] > 0 && !scope_alone_) tried_.set(3);
         if (!axis.exists || scope_alone_) continue;
         DeviceReading& reading = targets_.hand[h];
         shift_handle(reading, axis.trocar,
@@ -33,8 +29,6 @@ void MouseKeyboardInput::move_by_controller(const ControllerMotion& motion) {
     if (!has_camera_) return;
     DeviceReading& scope = targets_.camera;
     if (scope_alone_) {
-        if (motion.across[1][0] != 0) tried_.set(2);
-        if (motion.scope[0] != 0 || motion.scope[1] != 0) tried_.set(3);
         // The left stick holds the scope, the right one turns the light post and, with its shoulder button,
         // the camera head.
         shift_handle(scope, camera_trocar_,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What mouse, keys and controller do, for the help of the theatre: with the keys of the present map.
+#include "ui/theatre/help_lines.h"
+
 #include <QCoreApplication>
 
 #include "ui/theatre/mouse_keyboard_input.h"
@@ -24,7 +26,13 @@ QString groups(const KeyMap& keys, std::initializer_list<std::initializer_list<K
     return shown.join(QStringLiteral(" · "));
 }
 
-QString look_keys(const KeyMap& keys) {
+}  // namespace
+
+QString mouse_button_words(bool left) {
+    return left ? HelpWords::tr("Left button") : HelpWords::tr("Right button");
+}
+
+QString look_words(const KeyMap& keys) {
     const KeyMap usual = KeyMap::standard(keys.left_handed());
     const std::initializer_list<KeyAction> look = {H::scope_up, H::scope_left, H::scope_down, H::scope_right};
     for (const KeyAction one : look)
@@ -33,19 +41,17 @@ QString look_keys(const KeyMap& keys) {
 }
 
 QStringList scope_lines(const KeyMap& keys) {
-    return {line(look_keys(keys) + QStringLiteral(" · ") + keys.words({H::scope_in, H::scope_out}),
+    return {line(look_words(keys) + QStringLiteral(" · ") + keys.words({H::scope_in, H::scope_out}),
                  HelpWords::tr("scope: look · in, out")),
             line(groups(keys, {{H::post_back, H::post}, {H::head, H::head_back}}),
                  HelpWords::tr("scope: light post · camera head"))};
 }
 
-QString hold_button(const KeyMap& keys) {
-    return keys.left_handed() ? HelpWords::tr("Right button") : HelpWords::tr("Left button");
-}
-
 QString pause_line() {
     return HelpWords::tr("Escape, F1\tpause · this help");
 }
+
+namespace {
 
 QStringList controller_lines(bool scope_alone) {
     const QStringList scope = {HelpWords::tr("Direction pad\tscope: look"),
@@ -97,11 +103,11 @@ QStringList MouseKeyboardInput::help_lines() const {
     if (device_ == Device::controller) return controller_lines(scope_alone_);
     if (device_ == Device::two_mice) return two_mice_lines(keys_);
     if (scope_alone_) return scope_alone_lines(keys_);
-    const QString other = keys_.left_handed() ? HelpWords::tr("Left button") : HelpWords::tr("Right button");
+    const QString other = mouse_button_words(keys_.left_handed());
     const QString hand = HelpWords::tr("%1: handle · in, out · turn · jaws");
     return QStringList{
                HelpWords::tr("Mouse\tmoves the handle of the active hand; the tip goes the other way"),
-               line(hold_button(keys_), HelpWords::tr("closes the jaws while held")),
+               line(mouse_button_words(!keys_.left_handed()), HelpWords::tr("closes the jaws while held")),
                line(other + QStringLiteral(", ") + keys_.words(H::other_hand),
                     HelpWords::tr("the other hand")),
                HelpWords::tr("Wheel\tin and out"),
@@ -121,12 +127,6 @@ QStringList MouseKeyboardInput::help_lines() const {
                line(groups(keys_, {{H::pedal}, {H::exchange}}),
                     HelpWords::tr("pedal of the active hand (energy, suction) · its next instrument"))} +
            scope_lines(keys_) + QStringList{pause_line()};
-}
-
-QStringList MouseKeyboardInput::first_lines() const {
-    const QStringList lines = help_lines();
-    if (device_ == Device::mouse && !scope_alone_) return lines.mid(0, 4) + QStringList{lines[5]};
-    return lines.mid(0, 4);
 }
 
 }  // namespace fulcrum::ui

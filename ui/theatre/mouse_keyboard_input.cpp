@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/theatre/hand_deeds.h"
+
 namespace fulcrum::ui {
 namespace {
 
@@ -72,6 +74,8 @@ MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
         const InstrumentSpec* spec = scene.instrument(static_cast<Hand>(h));
         if (spec == nullptr) continue;
         hand_[h].exists = true;
+        hand_[h].uses_pedal = ui::uses_pedal(scene, spec->hand);
+        hand_[h].uses_exchange = ui::uses_exchange(scene, spec->hand);
         hand_[h].trocar = make_trocar(spec->trocar);
         hand_[h].opening = spec->jaw_opening;
         hand_[h].grip = spec->grip_force;
@@ -108,13 +112,10 @@ void MouseKeyboardInput::move_mouse(const QPointF& pixels, MouseUse use) {
     DeviceReading* reading = held_reading();
     if (reading == nullptr) return;
     if (use == MouseUse::turn) {
-        if (scope_alone_) tried_.set(2);
         reading->roll += pixels.x() * radians_per_pixel;
     } else if (use == MouseUse::turn_head && scope_alone_) {
-        tried_.set(3);
         reading->jaw -= pixels.x() * radians_per_pixel;
     } else if (use == MouseUse::move) {
-        tried_.set(0);
         shift_handle(*reading, held_trocar(),
                      on_screen(sensitivity_ * pixels.x() * metres_per_pixel,
                                -sensitivity_ * pixels.y() * metres_per_pixel));
@@ -123,7 +124,6 @@ void MouseKeyboardInput::move_mouse(const QPointF& pixels, MouseUse use) {
 
 void MouseKeyboardInput::turn_wheel(double notches) {
     DeviceReading* reading = held_reading();
-    tried_.set(scope_alone_ ? 1 : 3);
     if (reading != nullptr) insert_handle(*reading, held_trocar(), notches * metres_per_notch);
 }
 
@@ -139,9 +139,6 @@ void MouseKeyboardInput::move_hand(Hand hand, const QPointF& pixels, double notc
                            -sensitivity_ * pixels.y() * metres_per_pixel));
     insert_handle(reading, trocar, notches * metres_per_notch);
     reading.roll += turned_notches * radians_per_notch;
-    note_moved(hand, !pixels.isNull());
-    if (notches != 0) tried_.set(2);
-    if (turned_notches != 0) tried_.set(3);
 }
 
 void MouseKeyboardInput::push_hand(Hand hand, const QPointF& pixels) {
@@ -154,26 +151,16 @@ void MouseKeyboardInput::push_hand(Hand hand, const QPointF& pixels) {
 void MouseKeyboardInput::set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange) {
     Axis& axis = hand_[static_cast<std::size_t>(hand)];
     axis.jaws = jaws;
-    if (jaws) tried_.set(1);
     axis.pedal = pedal;
     axis.exchange = exchange;
 }
 
-void MouseKeyboardInput::note_moved(Hand hand, bool moved) {
-    if (!moved) return;
-    moved_[static_cast<std::size_t>(hand)] = true;
-    const bool all = (moved_[0] || !hand_[0].exists) && (moved_[1] || !hand_[1].exists);
-    if (scope_alone_ || all) tried_.set(0);
-}
-
 void MouseKeyboardInput::switch_hand() {
     active_ = active_ == Hand::left ? Hand::right : Hand::left;
-    if (device_ == Device::mouse && !scope_alone_) tried_.set(2);
 }
 
 void MouseKeyboardInput::set_primary_button(bool pressed) {
     button_ = pressed;
-    if (pressed) tried_.set(1);
 }
 
 bool MouseKeyboardInput::press_key(int key) {
@@ -190,7 +177,6 @@ bool MouseKeyboardInput::press_key(int key) {
             hand_[1].latched = !hand_[1].latched;
             break;
         case A::jaws:
-            if (device_ == Device::mouse && !scope_alone_) tried_.set(4);
             hand_[static_cast<std::size_t>(active_)].latched =
                 !hand_[static_cast<std::size_t>(active_)].latched;
             break;
@@ -216,6 +202,16 @@ bool MouseKeyboardInput::jaws_closed(Hand hand) const {
     return axis.latched || axis.jaws || axis.trigger >= trigger_closed || (button_ && hand == active_);
 }
 
+/// The key is held, and this hand is the one that it is for.
+bool MouseKeyboardInput::key_is_for(int hand, KeyAction action) const {
+    if (!held_.test(bit(action))) return false;
+    const int active = static_cast<int>(active_), other = 1 - active;
+    const auto used = [&](int by) {
+        return action == A::pedal ? hand_[by].uses_pedal : hand_[by].uses_exchange;
+    };
+    return hand == (device_ == Device::of_daemon && !used(active) && used(other) ? other : active);
+}
+
 void MouseKeyboardInput::advance(double dt) {
     for (const KeyMove& move : key_moves) {
         if (!held_.test(bit(move.action))) continue;
@@ -224,7 +220,6 @@ void MouseKeyboardInput::advance(double dt) {
         DeviceReading& reading = camera ? targets_.camera : targets_.hand[move.hand];
         const Trocar& trocar = camera ? camera_trocar_ : hand_[move.hand].trocar;
         const double reach = (camera ? key_camera_speed : key_handle_speed) * dt;
-        if (device_ == Device::mouse && !camera && dt > 0) tried_.set(move.in != 0 ? 3 : 0);
         if (move.right != 0 || move.up != 0) {
             shift_handle(reading, trocar, on_screen(move.right * reach, move.up * reach));
         }
@@ -235,10 +230,9 @@ void MouseKeyboardInput::advance(double dt) {
     for (int h = 0; h < hand_count; ++h) {
         const bool closed = jaws_closed(static_cast<Hand>(h));
         set_jaw(h);
-        const bool active = h == static_cast<int>(active_);
         unsigned buttons = closed ? button_primary : button_none;
-        if (hand_[h].pedal || (active && held_.test(bit(A::pedal)))) buttons |= button_energy;
-        if (hand_[h].exchange || (active && held_.test(bit(A::exchange)))) buttons |= button_exchange;
+        if (hand_[h].pedal || key_is_for(h, A::pedal)) buttons |= button_energy;
+        if (hand_[h].exchange || key_is_for(h, A::exchange)) buttons |= button_exchange;
         targets_.hand[h].buttons = static_cast<std::uint16_t>(buttons);
     }
     publish();

@@ -85,8 +85,9 @@ class MouseKeyboardInput {
     bool jaws_closed(Hand hand) const;
 
     /// What moves the hands apart from the keys. With two mice or a controller the one mouse of the functions
-    /// above is not used.
-    enum class Device { mouse, two_mice, controller };
+    /// above is not used. With a device that the daemon reads the keys of pedal and exchange are for the hand
+    /// that has a use for them, where the active one has none.
+    enum class Device { mouse, two_mice, controller, of_daemon };
     void set_device(Device device) { device_ = device; }
     /// Before keys are pressed.
     void set_keys(const KeyMap& keys) { keys_ = keys; }
@@ -104,11 +105,6 @@ class MouseKeyboardInput {
     void hold_jaws();
 
     QStringList help_lines() const;
-    /// What is needed first, for the strip that the theatre shows when an attempt begins.
-    static constexpr std::size_t most_first_lines = 5;
-    QStringList first_lines() const;
-    /// Whether each of them was done since the attempt began.
-    std::bitset<most_first_lines> tried() const { return tried_; }
     Device device() const { return device_; }
 
   private:
@@ -116,12 +112,13 @@ class MouseKeyboardInput {
         Trocar trocar;
         double opening = 1.0, grip = 8.0;
         bool exists = false, latched = false;
+        bool uses_pedal = false, uses_exchange = false;
         bool jaws = false, pedal = false, exchange = false;  ///< held on its own mouse or controller
         double trigger = 0;                                  ///< of the controller, 0 to 1
     };
     void publish();
     void set_jaw(int hand);
-    void note_moved(Hand hand, bool moved);
+    bool key_is_for(int hand, KeyAction action) const;
     /// What the mouse moves; null: nothing.
     DeviceReading* held_reading();
     const Trocar& held_trocar() const;
@@ -137,8 +134,6 @@ class MouseKeyboardInput {
     Quaternion view_ = Quaternion::Identity();
     KeyMap keys_ = KeyMap::standard(false);
     std::bitset<key_action_count> held_;
-    std::bitset<most_first_lines> tried_;
-    bool moved_[hand_count] = {false, false};
     std::shared_ptr<MouseKeyboardRig> rig_;
 };
 

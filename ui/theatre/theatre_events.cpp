@@ -84,8 +84,14 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         toggle_help();
         return true;
     }
-    if (aligning_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
-        session_->resume();
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        if (aligning_) {
+            session_->resume();
+        } else if (help_shown_) {
+            teach_again();
+        } else if (learns_ && strip_->isVisible()) {
+            skip_teaching();
+        }
         return true;
     }
     if (mice_ != nullptr && input_->keys().action(event->key()) == KeyAction::other_hand) {

@@ -90,16 +90,14 @@ bool TheatrePage::open(const std::function<void()>& work) {
 
 AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,
                                     const Scene& scene) {
-    const std::shared_ptr<Rig> rig = context().services().hands(scene, input.rig());
+    watch_ = std::make_shared<HandWatch>(scene);
+    const auto rig = std::make_shared<WatchedRig>(context().services().hands(scene, input.rig()), watch_);
     pad_ = context().services().game_controller();
     const DeviceInUse device = context().services().device_in_use();  // known once it is open
     mice_ = device.two_mice ? TwoMice::open(device.virtual_mice) : nullptr;
     input.set_sensitivity(context().services().motion_scale(device.kind));
     input.set_keys(KeyMap::of_person(context().session().person_id()));
-    using Device = MouseKeyboardInput::Device;
-    input.set_device(pad_ != nullptr    ? Device::controller
-                     : mice_ != nullptr ? Device::two_mice
-                                        : Device::mouse);
+    take_up(device, input);
     return {context().session(),
             task_id,
             assessed,
@@ -126,6 +124,9 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, boo
                    const Goal& first = task->goals[static_cast<std::size_t>(goal)];
                    input->take_hand(asked_hand(first).value_or(input->active_hand()));
                }
+               // The mouse is for the hand that the device does not move.
+               if (hands_.drives[0] != hands_.drives[1])
+                   input->take_hand(hands_.drives[0] ? Hand::right : Hand::left);
                asked.goal = goal;
                asked.ghost = ghost;
                asked.variant = variant;
@@ -149,6 +150,7 @@ bool TheatrePage::demonstrate(const std::string& task_id, const std::string& var
     return task != nullptr && open([&] {
                mice_.reset();
                pad_.reset();
+               watch_.reset();
                session_ = context().services().start_demonstration(context().session(), task_id, variant);
                input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
                demonstrated_ = text(task_id);
@@ -200,9 +202,10 @@ void TheatrePage::end_session() {
     timer_.stop();
     strip_->hide();
     since_moved_.invalidate();
-    learns_ = false;
+    learns_ = teaching_begun_ = strip_ended_ = false;
     session_.reset();
     input_.reset();
+    watch_.reset();
     mice_.reset();
     give_feedback();
     pad_.reset();
@@ -333,14 +336,6 @@ void TheatrePage::resizeEvent(QResizeEvent* event) {
     Page::resizeEvent(event);
     place_panel();
     place_strip();
-}
-
-void TheatrePage::toggle_help() {
-    help_shown_ = !help_shown_;
-    view_->set_cover(pad_ != nullptr    ? tr("Game controller")
-                     : mice_ != nullptr ? tr("Two mice and keyboard")
-                                        : tr("Mouse and keyboard"),
-                     help_shown_ ? input_->help_lines() : QStringList());
 }
 
 void TheatrePage::tick() {

@@ -10,6 +10,7 @@
 
 #include "ui/page/context.h"
 #include "ui/theatre/feedback.h"
+#include "ui/theatre/taught_lines.h"
 
 class QFrame;
 class QLabel;
@@ -49,6 +50,8 @@ class TheatrePage : public Page {
     const AttemptSession* session() const { return session_.get(); }
     /// The hands while an attempt runs, else null.
     MouseKeyboardInput* input() const { return input_.get(); }
+    /// What the hands of the attempt did of what its scene needs.
+    HandDeeds deeds() const;
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -71,7 +74,16 @@ class TheatrePage : public Page {
     void show_world();
     void show_panel(Panel panel, const QString& heading, const QString& line);
     void place_panel();
+    void take_up(const DeviceInUse& device, MouseKeyboardInput& input);
     QString learnt_key() const;
+    /// What this person did before with this kind of device.
+    HandDeeds learnt() const;
+    void keep_learnt(const HandDeeds& deeds) const;
+    void begin_teaching();
+    void skip_teaching();
+    void teach_again();
+    HandDeeds needed() const;
+    QString strip_words() const;
     void show_strip();
     void place_strip();
     void resume();
@@ -89,6 +101,10 @@ class TheatrePage : public Page {
     std::unique_ptr<MouseKeyboardInput> input_;
     std::unique_ptr<TwoMice> mice_;        ///< null: one mouse and the keyboard
     std::shared_ptr<GameController> pad_;  ///< null: no game controller
+    std::shared_ptr<HandWatch> watch_;     ///< null: nobody moves the hands here
+    TaughtHands hands_;
+    QString hands_title_;  ///< of a device that the daemon reads
+    HandDeeds known_;      ///< before this attempt
     std::optional<GhostPace> ghost_;
     Feedback feedback_;
     TheatreView* view_;
@@ -102,7 +118,7 @@ class TheatrePage : public Page {
     int active_target_ = -1;
     QPoint last_mouse_;
     bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false,
-         aligning_ = false, learns_ = false;
+         aligning_ = false, learns_ = false, teaching_begun_ = false, strip_ended_ = false;
     QString demonstrated_;  ///< task, while it is a demonstration
 };
 

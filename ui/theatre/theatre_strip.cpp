@@ -1,70 +1,147 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strip of keys at the foot of the theatre. A person who uses a kind of device for the first time
-// practises on it: each line gets a mark when it was done, and the strip stays until all are.
+// The first steps: a strip at the foot of the theatre that says how each thing is done that the scene needs,
+// with the device in use. What a person has not done before with this kind of device is marked when the hands
+// did it; the strip stays until all is, in practice. Enter ends it, F1 and Enter show it again.
 #include <QSettings>
+#include <algorithm>
 
 #include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
 
 namespace fulcrum::ui {
 namespace {
 
 constexpr qint64 needed_ms = 8000, learning_ms = 120000;
+constexpr int most_lines = 5;  // at a time
+
+QString strip_line(const QString& line, bool done) {
+    return QStringLiteral("%1<b>%2</b>&nbsp;%3")
+        .arg(done ? QStringLiteral("✓&nbsp;") : QString(),
+             line.section(QLatin1Char('\t'), 0, 0)
+                 .toHtmlEscaped()
+                 .replace(QLatin1Char(' '), QStringLiteral("&nbsp;")),
+             line.section(QLatin1Char('\t'), 1).toHtmlEscaped());
+}
 
 }  // namespace
 
-QString TheatrePage::learnt_key() const {
-    const std::string& person = context().session().person_id();
-    const char* const devices[] = {"mouse", "two-mice", "controller"};
-    return QStringLiteral("learnt/%1/%2%3")
-        .arg(person.empty() ? QStringLiteral("station") : QString::fromStdString(person),
-             QLatin1String(devices[static_cast<int>(input_->device())]),
-             session_->scene().instruments.empty() ? QStringLiteral("-scope") : QString());
+/// What moves the hands, for the lines.
+void TheatrePage::take_up(const DeviceInUse& device, MouseKeyboardInput& input) {
+    using Device = MouseKeyboardInput::Device;
+    hands_ = {};
+    std::copy(std::begin(device.drives), std::end(device.drives), hands_.drives);
+    const bool of_daemon = std::count(std::begin(device.drives), std::end(device.drives), true) > 0;
+    hands_.kind = pad_ != nullptr    ? "controller"
+                  : mice_ != nullptr ? "two-mice"
+                  : of_daemon        ? device.kind
+                                     : "mouse-keyboard";
+    hands_title_ = of_daemon ? text(device.title) : QString();
+    input.set_device(pad_ != nullptr    ? Device::controller
+                     : mice_ != nullptr ? Device::two_mice
+                     : of_daemon        ? Device::of_daemon
+                                        : Device::mouse);
 }
 
-/// From the beginning until a hand has moved for some seconds; in practice, where the device is new to the
+QString TheatrePage::learnt_key() const {
+    const std::string& person = context().session().person_id();
+    return QStringLiteral("learnt/%1/%2")
+        .arg(person.empty() ? QStringLiteral("station") : QString::fromStdString(person),
+             QString::fromStdString(hands_.kind) +
+                 (session_->scene().instruments.empty() ? QStringLiteral("-scope") : QString()));
+}
+
+HandDeeds TheatrePage::learnt() const {
+    return HandDeeds(QSettings().value(learnt_key(), 0).toUInt());
+}
+
+void TheatrePage::keep_learnt(const HandDeeds& deeds) const {
+    const HandDeeds all = learnt() | deeds;
+    if (all != learnt()) QSettings().setValue(learnt_key(), static_cast<uint>(all.to_ulong()));
+}
+
+HandDeeds TheatrePage::needed() const {
+    const Scene& scene = session_->scene();
+    return needed_deeds(scene, is_one_mouse(scene, hands_));
+}
+
+HandDeeds TheatrePage::deeds() const {
+    if (session_ == nullptr || watch_ == nullptr) return {};
+    return watch_->done(is_one_mouse(session_->scene(), hands_)) & needed();
+}
+
+void TheatrePage::begin_teaching() {
+    teaching_begun_ = true;
+    known_ = learnt();
+    learns_ = !session_->assessed() && (needed() & ~known_).any();
+}
+
+void TheatrePage::skip_teaching() {
+    keep_learnt(needed());
+    learns_ = false;
+    strip_ended_ = true;
+}
+
+void TheatrePage::teach_again() {
+    if (help_shown_) toggle_help();
+    if (watch_ == nullptr || !has_begun()) return;
+    watch_->restart();
+    known_.reset();
+    learns_ = true;
+    strip_ended_ = false;
+    since_moved_.start();
+}
+
+QString TheatrePage::strip_words() const {
+    const HandDeeds done = deeds();
+    QStringList marked, waiting;
+    for (const TaughtLine& one : taught_lines(session_->scene(), hands_, input_->keys())) {
+        const std::size_t deed = bit_of(one.deed);
+        if (learns_ && known_.test(deed)) continue;
+        (done.test(deed) ? marked : waiting) << strip_line(one.line, done.test(deed));
+    }
+    const int all = marked.size() + waiting.size();
+    QStringList parts = marked + waiting;
+    if (all > most_lines) {
+        parts = waiting.mid(0, most_lines);
+        if (learns_ && !marked.isEmpty()) parts.prepend(tr("✓ %1 of %2 done").arg(marked.size()).arg(all));
+    }
+    if (learns_) parts << tr("<b>Enter</b>&nbsp;ends these lines");
+    parts << tr("<b>F1</b>&nbsp;all keys");
+    return parts.join(QStringLiteral(" &nbsp; "));
+}
+
+/// From the beginning until a hand has moved for some seconds; in practice, where something is new to the
 /// person, until each line was done, two minutes at most.
 void TheatrePage::show_strip() {
-    const bool begun = has_begun() && demonstrated_.isEmpty();
-    if (begun && session_->display().moving_seen && !since_moved_.isValid()) {
-        since_moved_.start();
-        learns_ = !session_->assessed() && !QSettings().value(learnt_key(), false).toBool();
-    }
+    const bool begun = has_begun() && demonstrated_.isEmpty() && watch_ != nullptr;
+    if (begun && !teaching_begun_) begin_teaching();
+    if (begun && session_->display().moving_seen && !since_moved_.isValid()) since_moved_.start();
     const bool live =
         begun && shown_ == Panel::none && !help_shown_ && session_->phase() == AttemptPhase::running;
-    const QStringList lines = live ? input_->first_lines() : QStringList();
-    const bool all_tried = live && static_cast<int>(input_->tried().count()) >= lines.size();
-    if (learns_ && all_tried) {
-        QSettings().setValue(learnt_key(), true);
-        learns_ = false;
-        since_moved_.start();
-    }
-    const bool needed =
-        live && !(since_moved_.isValid() && since_moved_.elapsed() > (learns_ ? learning_ms : needed_ms));
-    if (needed) {
-        QStringList parts;
-        for (int i = 0; i < lines.size(); ++i) {
-            const bool tried = input_->tried().test(static_cast<std::size_t>(i));
-            parts << QStringLiteral("%1<b>%2</b>&nbsp;%3")
-                         .arg(tried ? QStringLiteral("✓&nbsp;") : QString(),
-                              lines[i]
-                                  .section(QLatin1Char('\t'), 0, 0)
-                                  .toHtmlEscaped()
-                                  .replace(QLatin1Char(' '), QStringLiteral("&nbsp;")),
-                              lines[i].section(QLatin1Char('\t'), 1).toHtmlEscaped());
+    if (learns_ && live) {
+        const HandDeeds done = deeds();
+        keep_learnt(done);
+        if ((needed() & ~(done | known_)).none()) {
+            learns_ = false;
+            since_moved_.start();
         }
-        parts << tr("<b>F1</b>&nbsp;all keys");
-        const QString shown = parts.join(QStringLiteral(" &nbsp; "));
-        if (shown != strip_text_->text()) {
+    }
+    const bool shown =
+        live && !strip_ended_ &&
+        !(since_moved_.isValid() && since_moved_.elapsed() > (learns_ ? learning_ms : needed_ms));
+    if (shown) {
+        const QString words = strip_words();
+        if (words != strip_text_->text()) {
             strip_text_->setTextFormat(Qt::RichText);
-            strip_text_->setText(shown);
+            strip_text_->setText(words);
             place_strip();
         }
     }
-    if (needed == strip_->isVisible()) return;
-    strip_->setVisible(needed);
-    if (needed) {
+    if (shown == strip_->isVisible()) return;
+    strip_->setVisible(shown);
+    if (shown) {
         place_strip();
         strip_->raise();
     }
@@ -74,6 +151,24 @@ void TheatrePage::place_strip() {
     const int width = this->width() - 40;
     const int height = strip_->layout()->totalHeightForWidth(width);
     strip_->setGeometry(20, bar_->y() - height - 8, width, height);
+}
+
+void TheatrePage::toggle_help() {
+    help_shown_ = !help_shown_;
+    if (!help_shown_) {
+        view_->set_cover({}, {});
+        return;
+    }
+    const bool of_daemon = input_->device() == MouseKeyboardInput::Device::of_daemon;
+    QStringList lines = of_daemon
+                            ? device_help(session_->scene(), hands_, input_->keys(), input_->help_lines())
+                            : input_->help_lines();
+    if (watch_ != nullptr && has_begun()) lines << tr("Enter\tshows the first steps again");
+    view_->set_cover(of_daemon          ? hands_title_
+                     : pad_ != nullptr  ? tr("Game controller")
+                     : mice_ != nullptr ? tr("Two mice and keyboard")
+                                        : tr("Mouse and keyboard"),
+                     lines);
 }
 
 }  // namespace fulcrum::ui

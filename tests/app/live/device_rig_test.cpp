@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "database/scoring/loaded_task.h"
@@ -21,13 +22,16 @@ class RestingRig : public Rig {
         for (DeviceSample& hand : sample.hand) {
             hand.handle[0] = 77;
             hand.buttons = keys;
+            hand.roll = roll;
         }
         sample.camera.handle[0] = 77;
+        sample.camera.jaw = head;
     }
     void write_force(Hand, const Vector3&) override {}
     bool has_force(Hand) const override { return false; }
     double damping(Hand) const override { return -1; }
     std::uint16_t keys = button_none;
+    std::int32_t roll = 0, head = 0;
 };
 
 struct OnPages {
@@ -230,12 +234,33 @@ TEST(DeviceRig, JawsCloseByTheirAngleOrByTheButton) {
     }
 }
 
-TEST(DeviceRig, KeysOfThePedalAndOfTheExchangeWorkWithADevice) {
+// A tracker may have no jaws, a Falcon no roll, no device with a scope a camera head.
+TEST(DeviceRig, KeysWorkWithADeviceForWhatItCannotDo) {
     OnPages at;
+    at.facts.slot[2] = true;
+    at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                         at.others, SlotUse{}, 1);
+    at.pose[0].roll = 0.25;
+    at.others->roll = 400'000;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].roll, 0) << "from where both began";
+    EXPECT_GT(at.sample.hand[0].jaw, 0);
+    at.pose[0].roll = 0.35;
+    at.others->roll = 600'000;
+    at.others->head = -300'000;
     at.others->keys = button_energy | button_exchange | button_primary;
     at.publish();
     at.read();
-    EXPECT_EQ(at.sample.hand[0].buttons, button_energy | button_exchange) << "its jaws are its own";
+    EXPECT_EQ(at.sample.hand[0].buttons, button_energy | button_exchange | button_primary);
+    EXPECT_EQ(at.sample.hand[0].jaw, 0);
+    EXPECT_GT(at.sample.hand[0].grip, 0);
+    EXPECT_EQ(at.sample.hand[0].roll, 300'000) << "0.1 by the device, 0.2 by keys";
+    EXPECT_EQ(at.sample.camera.jaw, -300'000);
+    at.others->roll = std::numeric_limits<std::int32_t>::max();
+    at.publish();
+    at.read();
+    EXPECT_GT(at.sample.hand[0].roll, 2'000'000'000) << "no overflow";
     at.others->keys = button_none;
     at.publish();
     at.read();

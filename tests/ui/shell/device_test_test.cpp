@@ -35,6 +35,7 @@ class DeviceOnThePage : public Screens {
         DeviceReadings now;
         now.rate = 1000;
         now.worst_delay = 0.4e-3;
+        now.jitter = 0.05e-3;
         now.gives_force = true;
         now.held = {{"left", true, Vector3::Zero(), 1, 0}, {"right", true, Vector3::Zero(), 1, 0}};
         services.readings_when_open = now;
@@ -66,6 +67,7 @@ TEST_F(DeviceOnThePage, IsOpenedWithoutAnAttemptAndEachDirectionGetsItsMark) {
     EXPECT_FALSE(sees(*window, "open_device"));
     EXPECT_TRUE(waits_for("device_readings", "1000 readings per second, at most 0.4 ms late"))
         << text_of("device_readings").toStdString();
+    EXPECT_TRUE(text_of("device_readings").contains("Jitter of the readings: 0.05 ms"));
     EXPECT_TRUE(text_of("device_readings").contains("Calibration: valid"));
     EXPECT_TRUE(waits_for("frame_marks", "Left hand: – right · – up · – away from you"));
     auto& left = services.readings->held[0].position;

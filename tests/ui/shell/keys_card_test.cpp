@@ -85,7 +85,7 @@ TEST_F(KeysOnThePage, TheTheatreUsesAndShowsTheKeysOfThePerson) {
         EXPECT_EQ(page.input()->keys(), kept());
         ASSERT_TRUE(wait_for([&] { return sees(*window, "theatre_keys"); }));
         const QString strip = find<QFrame>(*window, "theatre_keys")->findChild<QLabel*>()->text();
-        EXPECT_TRUE(strip.contains("Right&nbsp;button")) << strip.toStdString();
+        EXPECT_TRUE(strip.contains("Left&nbsp;button,&nbsp;Backspace")) << strip.toStdString();
         keep("theatre-keys");
     });
 }

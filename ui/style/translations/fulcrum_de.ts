@@ -9799,6 +9799,353 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::taught_lines</name>
+    <message>
+        <source>Mouse	moves the handle of the active hand; the tip goes the other way</source>
+        <translation>Maus	bewegt den Griff der aktiven Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>{second}, {other}	the other hand</source>
+        <translation>{second}, {other}	die andere Hand</translation>
+    </message>
+    <message>
+        <source>Wheel	in and out</source>
+        <translation>Rad	hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Shift + mouse	turns the shaft</source>
+        <translation>Umschalt + Maus	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>{first} · {jaws}	closes the jaws while held · they stay closed, or open again</source>
+        <translation>{first} · {jaws}	schließt das Maul, solange gedrückt · es bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>{pedal}	pedal of the active hand (energy, suction)</source>
+        <translation>{pedal}	Pedal der aktiven Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>{exchange}	next instrument of the active hand</source>
+        <translation>{exchange}	nächstes Instrument der aktiven Hand</translation>
+    </message>
+    <message>
+        <source>{look} · {in}	scope: look · in, out</source>
+        <translation>{look} · {in}	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Mouse	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Maus	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Shift + mouse	turns the light post: the direction in which the scope looks</source>
+        <translation>Umschalt + Maus	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>Ctrl + mouse	turns the camera head: the image alone</source>
+        <translation>Strg + Maus	dreht den Kamerakopf: nur das Bild</translation>
+    </message>
+    <message>
+        <source>Each mouse	moves the handle of its hand; the tip goes the other way</source>
+        <translation>Jede Maus	bewegt den Griff ihrer Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Wheel, or right button + mouse	in and out</source>
+        <translation>Rad, oder rechte Taste + Maus	hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Right button + mouse sideways	turns the shaft</source>
+        <translation>Rechte Taste + Maus seitwärts	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Left button	closes the jaws of that hand while held</source>
+        <translation>Linke Taste	schließt das Maul dieser Hand, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Middle button	pedal of that hand (energy, suction)</source>
+        <translation>Mittlere Taste	Pedal dieser Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Side button	next instrument of that hand</source>
+        <translation>Seitentaste	nächstes Instrument dieser Hand</translation>
+    </message>
+    <message>
+        <source>Right mouse	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Rechte Maus	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Right button + mouse sideways	turns the light post: the direction in which the scope looks</source>
+        <translation>Rechte Taste + Maus seitwärts	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>{head}	turns the camera head: the image alone</source>
+        <translation>{head}	dreht den Kamerakopf: nur das Bild</translation>
+    </message>
+    <message>
+        <source>Each stick	moves the handle of its hand; the tip goes the other way</source>
+        <translation>Jeder Stick	bewegt den Griff seiner Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Shoulder button + stick up, down	in and out</source>
+        <translation>Schultertaste + Stick auf, ab	hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Shoulder button + stick sideways	turns the shaft</source>
+        <translation>Schultertaste + Stick seitwärts	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Trigger · press on a stick	closes the jaws · they stay closed, or open again</source>
+        <translation>Abzug · Druck auf einen Stick	schließt das Maul · es bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>Left, right button	pedal of that hand (energy, suction)</source>
+        <translation>Linke, rechte Taste	Pedal dieser Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Lower button	next instrument of the hand that worked last</source>
+        <translation>Untere Taste	nächstes Instrument der Hand, die zuletzt gearbeitet hat</translation>
+    </message>
+    <message>
+        <source>Direction pad · upper button + pad	scope: look · in, out</source>
+        <translation>Steuerkreuz · obere Taste + Steuerkreuz	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Left stick	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Linker Stick	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Left shoulder button + left stick	in and out</source>
+        <translation>Linke Schultertaste + linker Stick	hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Right stick	turns the light post: the direction in which the scope looks</source>
+        <translation>Rechter Stick	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>Right shoulder button + right stick	turns the camera head: the image alone</source>
+        <translation>Rechte Schultertaste + rechter Stick	dreht den Kamerakopf: nur das Bild</translation>
+    </message>
+    <message>
+        <source>Script of the device	moves the handle of a hand; the tip goes the other way</source>
+        <translation>Skript des Geräts	bewegt den Griff einer Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Script of the device	in and out</source>
+        <translation>Skript des Geräts	hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Script, or {turn}	turns the shaft</source>
+        <translation>Skript, oder {turn}	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Script, or {each_jaws}	closes the jaws</source>
+        <translation>Skript, oder {each_jaws}	schließt das Maul</translation>
+    </message>
+    <message>
+        <source>Script, or {pedal}	pedal (energy, suction)</source>
+        <translation>Skript, oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Script, or {exchange}	next instrument</source>
+        <translation>Skript, oder {exchange}	nächstes Instrument</translation>
+    </message>
+    <message>
+        <source>Script of the device	scope: look · in, out</source>
+        <translation>Skript des Geräts	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Script of the device	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Skript des Geräts	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Script, or {post}	turns the light post: the direction in which the scope looks</source>
+        <translation>Skript, oder {post}	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>Stylus	is the handle of its hand; the tip goes the other way</source>
+        <translation>Stift	ist der Griff seiner Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Stylus away from you, towards you	in, out</source>
+        <translation>Stift von Ihnen weg, zu Ihnen hin	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Turn the stylus between your fingers	turns the shaft</source>
+        <translation>Stift zwischen den Fingern drehen	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Front button of the stylus	closes the jaws while held</source>
+        <translation>Vordere Taste des Stifts	schließt das Maul, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Rear button of the stylus	pedal of that hand (energy, suction)</source>
+        <translation>Hintere Taste des Stifts	Pedal dieser Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>{exchange} on the keyboard	next instrument</source>
+        <translation>{exchange} auf der Tastatur	nächstes Instrument</translation>
+    </message>
+    <message>
+        <source>Handle of the device	is that of its hand; the tip goes the other way</source>
+        <translation>Griff des Geräts	ist der seiner Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Handle away from you, towards you	in, out</source>
+        <translation>Griff von Ihnen weg, zu Ihnen hin	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Turn the handle, or {turn}	turns the shaft</source>
+        <translation>Griff drehen, oder {turn}	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Gripper; without one its first button	closes the jaws while held</source>
+        <translation>Greifer; ohne ihn die erste Taste	schließt das Maul, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>First button; without a gripper the second	pedal of that hand (energy, suction)</source>
+        <translation>Erste Taste; ohne Greifer die zweite	Pedal dieser Hand (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Grip of the Inverse3	is the handle of its hand; the tip goes the other way</source>
+        <translation>Griff des Inverse3	ist der Griff seiner Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Grip away from you, towards you	in, out</source>
+        <translation>Griff von Ihnen weg, zu Ihnen hin	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Turn the VerseGrip, or {turn}	turns the shaft</source>
+        <translation>VerseGrip drehen, oder {turn}	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>First button, or {each_jaws}	closes the jaws while held · the keys: they stay closed, or open again</source>
+        <translation>Erste Taste, oder {each_jaws}	schließt das Maul, solange gedrückt · Tasten: es bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>Second button, or {pedal}	pedal (energy, suction)</source>
+        <translation>Zweite Taste, oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Third button, or {exchange}	next instrument</source>
+        <translation>Dritte Taste, oder {exchange}	nächstes Instrument</translation>
+    </message>
+    <message>
+        <source>Tracked instrument	moves as you hold it; its handle is that of its hand</source>
+        <translation>Getracktes Instrument	bewegt sich, wie Sie es halten; sein Griff ist der seiner Hand</translation>
+    </message>
+    <message>
+        <source>Instrument away from you, towards you	in, out</source>
+        <translation>Instrument von Ihnen weg, zu Ihnen hin	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Turn the instrument	turns the shaft</source>
+        <translation>Instrument drehen	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Its sensor, or {each_jaws}	closes the jaws · the keys: they stay closed, or open again</source>
+        <translation>Sein Sensor, oder {each_jaws}	schließt das Maul · Tasten: es bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>{pedal} on the keyboard	pedal (energy, suction)</source>
+        <translation>{pedal} auf der Tastatur	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Tracked scope	scope: look · in, out</source>
+        <translation>Getrackte Optik	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Tracked scope	moves as you hold it; the lens goes the other way</source>
+        <translation>Getrackte Optik	bewegt sich, wie Sie sie halten; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Scope away from you, towards you	in, out</source>
+        <translation>Optik von Ihnen weg, zu Ihnen hin	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Turn the scope	turns the light post: the direction in which the scope looks</source>
+        <translation>Optik drehen	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>Cap to the side, up, down	moves the handle of its hand; the tip goes the other way</source>
+        <translation>Kappe seitwärts, auf, ab	bewegt den Griff ihrer Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Cap away from you, towards you	in, out</source>
+        <translation>Kappe von Ihnen weg, zu Ihnen hin	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Turn the cap	turns the shaft</source>
+        <translation>Kappe drehen	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>First button	closes the jaws while held</source>
+        <translation>Erste Taste	schließt das Maul, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Cap of the SpaceMouse	scope: look · in, out</source>
+        <translation>Kappe der SpaceMouse	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Cap to the side, up, down	moves the handle of the scope; the lens goes the other way</source>
+        <translation>Kappe seitwärts, auf, ab	bewegt den Griff der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Turn the cap	turns the light post: the direction in which the scope looks</source>
+        <translation>Kappe drehen	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
+    <message>
+        <source>Instrument of the trainer	moves as you hold it; the tip goes the other way</source>
+        <translation>Instrument des Trainers	bewegt sich, wie Sie es halten; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Push, pull the instrument	in, out</source>
+        <translation>Instrument schieben, ziehen	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Close its handle, or {each_jaws}	closes the jaws · the keys: they stay closed, or open again</source>
+        <translation>Griff schließen, oder {each_jaws}	schließt das Maul · Tasten: es bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>Pedal of the trainer, or {pedal}	pedal (energy, suction)</source>
+        <translation>Pedal des Trainers, oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Button of the trainer, or {exchange}	next instrument</source>
+        <translation>Taste des Trainers, oder {exchange}	nächstes Instrument</translation>
+    </message>
+    <message>
+        <source>Scope of the trainer	scope: look · in, out</source>
+        <translation>Optik des Trainers	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Scope of the trainer	moves as you hold it; the lens goes the other way</source>
+        <translation>Optik des Trainers	bewegt sich, wie Sie sie halten; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Push, pull the scope	in, out</source>
+        <translation>Optik schieben, ziehen	hinein, heraus</translation>
+    </message>
+    <message>
+        <source>Mouse · wheel	the right hand · in and out</source>
+        <translation>Maus · Rad	die rechte Hand · hinein und heraus</translation>
+    </message>
+    <message>
+        <source>Mouse · wheel	the left hand · in and out</source>
+        <translation>Maus · Rad	die linke Hand · hinein und heraus</translation>
+    </message>
+    <message>
+        <source>{each_jaws}	jaws of the left, right hand stay closed, or open again</source>
+        <translation>{each_jaws}	Maul der linken, rechten Hand bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>{turn}	turns the shaft: left, right hand</source>
+        <translation>{turn}	dreht den Schaft: linke, rechte Hand</translation>
+    </message>
+    <message>
+        <source>{pedal} · {exchange}	pedal · next instrument, with every device</source>
+        <translation>{pedal} · {exchange}	Pedal · nächstes Instrument, mit jedem Gerät</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::tissues</name>
     <message>
         <source>Force across the tissue to break through</source>
@@ -11589,6 +11936,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>In use: %1. This device was set when Fulcrum was started (environment variable FULCRUM_DEVICE). Start Fulcrum without it to choose a device here.</source>
         <translation>In Gebrauch: %1. Das Gerät wurde beim Start von Fulcrum festgelegt (Umgebungsvariable FULCRUM_DEVICE). Starten Sie Fulcrum ohne sie, um hier ein Gerät zu wählen.</translation>
+    </message>
+    <message>
+        <source>Jitter of the readings: %1 ms</source>
+        <translation>Jitter der Messwerte: %1 ms</translation>
     </message>
 </context>
 <context>
@@ -15315,6 +15666,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>This attempt is stored as abandoned and does not count.</source>
         <translation>Dieser Versuch wird als abgebrochen gespeichert und zählt nicht.</translation>
+    </message>
+    <message>
+        <source>✓ %1 of %2 done</source>
+        <translation>✓ %1 von %2 erledigt</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Enter&lt;/b&gt;&amp;nbsp;ends these lines</source>
+        <translation>&lt;b&gt;Eingabe&lt;/b&gt;&amp;nbsp;beendet diese Zeilen</translation>
+    </message>
+    <message>
+        <source>Enter	shows the first steps again</source>
+        <translation>Eingabe	zeigt die ersten Schritte erneut</translation>
     </message>
 </context>
 <context>

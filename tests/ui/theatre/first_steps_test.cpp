@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first steps in the theatre: for each kind of device its own lines, of what the scene needs; marked by
+// what the hands did; ended and shown again with Enter.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "sim_core/devices/device_table.h"
+#include "sim_core/instrument/mouse_mapping.h"
+#include "tests/support/support.h"
+#include "tests/ui/settings_screens.h"
+#include "ui/theatre/taught_lines.h"
+#include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+constexpr const char* taught_scenes[] = {"a1_camera", "a2_targets", "b1_bowel", "b3_bands", "c4_posterior"};
+
+Scene taught_scene(const char* name) {
+    return load_scene(fulcrum::test::source_path(std::string("assets/scenes/") + name + ".json"));
+}
+
+TaughtHands all_parts_of(const DeviceRow& row) {
+    TaughtHands hands;
+    hands.kind = row.name;
+    if (row.read_by != ReadBy::daemon) return hands;
+    hands.drives[0] = hands.drives[1] = (row.moves & moves_hands) != 0;
+    hands.drives[2] = (row.moves & moves_scope) != 0;
+    return hands;
+}
+
+QStringList lines_of(const Scene& scene, const TaughtHands& hands) {
+    QStringList lines;
+    for (const TaughtLine& one : taught_lines(scene, hands, KeyMap::standard(false))) lines << one.line;
+    return lines;
+}
+
+TEST(TaughtLines, EveryKindOfDeviceHasItsOwnForAllThatASceneNeedsInBothLanguages) {
+    for (const Language language : {Language::english, Language::german}) {
+        use_language(language);
+        std::set<QString> first;
+        for (const DeviceRow& row : device_table) {
+            ASSERT_TRUE(has_taught_lines(row.name)) << row.name;
+            const TaughtHands hands = all_parts_of(row);
+            for (const char* name : taught_scenes) {
+                const Scene scene = taught_scene(name);
+                HandDeeds taught;
+                const auto lines = taught_lines(scene, hands, KeyMap::standard(false));
+                for (const TaughtLine& one : lines) {
+                    taught.set(bit_of(one.deed));
+                    const std::string line = one.line.toStdString();
+                    EXPECT_EQ(one.line.count('\t'), 1) << row.name << " " << line;
+                    EXPECT_FALSE(one.line.contains('{')) << line;
+                    EXPECT_LE(one.line.section('\t', 0, 0).size(), 48) << line;
+                    EXPECT_LE(one.line.section('\t', 1).size(), 84) << line;
+                    if (language == Language::german) EXPECT_FALSE(one.line.contains(" the ")) << line;
+                }
+                EXPECT_EQ(taught, needed_deeds(scene, is_one_mouse(scene, hands))) << row.name << " " << name;
+                if (std::string(name) == "c4_posterior") first.insert(lines.front().line);
+            }
+        }
+        EXPECT_EQ(first.size(), std::size(device_table)) << "each says what to hold";
+    }
+    use_language(Language::english);
+}
+
+TEST(TaughtLines, SayTheMouseOnlyWhereItMovesSomething) {
+    const Scene c4 = taught_scene("c4_posterior");
+    TaughtHands touch{"touch", {true, true, false}};
+    const QString both = lines_of(c4, touch).join('\n');
+    EXPECT_FALSE(both.contains("Mouse")) << both.toStdString();
+    EXPECT_TRUE(both.contains("T on the keyboard\tnext instrument")) << both.toStdString();
+    EXPECT_TRUE(both.contains("Rear button of the stylus\tpedal of that hand"));
+    EXPECT_TRUE(both.contains("Arrows · PgUp PgDown\tscope: look · in, out")) << "a Touch moves no scope";
+    touch.drives[0] = false;
+    EXPECT_TRUE(lines_of(c4, touch).contains("Mouse · wheel\tthe left hand · in and out"));
+    TaughtHands cap{"space-mouse", {false, false, true}};
+    const QStringList lines = lines_of(c4, cap);
+    EXPECT_TRUE(lines.first().startsWith("Mouse\tmoves the handle of the active hand"));
+    EXPECT_TRUE(lines.contains("Cap of the SpaceMouse\tscope: look · in, out"));
+    const QStringList help = device_help(c4, cap, KeyMap::standard(false), {"mouse"});
+    EXPECT_EQ(help, QStringList({"Cap of the SpaceMouse\tscope: look · in, out", "mouse"}));
+    cap.drives[1] = true;
+    EXPECT_TRUE(lines_of(c4, cap).first().startsWith("Cap to the side"));
+    EXPECT_EQ(lines_of(taught_scene("a1_camera"), touch), lines_of(taught_scene("a1_camera"), {}))
+        << "what has no scope leaves it to the mouse";
+}
+
+TEST(TaughtLines, HaveTheKeysOfThePerson) {
+    KeyMap keys = KeyMap::standard(false);
+    keys.assign(KeyAction::pedal, Qt::Key_BraceLeft);
+    keys.assign(KeyAction::exchange, Qt::Key_F5);
+    QStringList lines;
+    for (const TaughtLine& one : taught_lines(taught_scene("b3_bands"), {}, keys)) lines << one.line;
+    EXPECT_TRUE(lines.contains("{\tpedal of the active hand (energy, suction)"))
+        << lines.join('\n').toStdString();
+    EXPECT_TRUE(lines.contains("F5\tnext instrument of the active hand"));
+}
+
+/// Devices that are where a test puts them.
+class PutRig : public Rig {
+  public:
+    explicit PutRig(const Scene& scene) {
+        for (const InstrumentSpec& spec : scene.instruments)
+            hand[static_cast<int>(spec.hand)] = start_reading(spec.trocar.shaft_length, spec.start_insertion,
+                                                              spec.jaw_opening * open_jaw_share);
+        camera = start_reading(scene.camera->trocar.shaft_length, scene.camera->start_insertion, 0);
+    }
+    void read(std::uint32_t tick, RigSample& sample) override {
+        sample.tick = tick;
+        for (int h = 0; h < hand_count; ++h) sample.hand[h] = quantise(hand[h], {});
+        sample.camera = quantise(camera, {});
+    }
+    void write_force(Hand, const Vector3&) override {}
+    bool has_force(Hand) const override { return false; }
+    double damping(Hand) const override { return -1; }
+    DeviceReading hand[hand_count], camera;
+};
+
+class FirstSteps : public SettingsScreens {
+  protected:
+    /// Practice of `task` with a device that the test moves.
+    void begin(const char* task, const char* scene, const char* kind, const char* title, bool scope = false) {
+        rig = std::make_shared<PutRig>(taught_scene(scene));
+        services.device_rig = rig;
+        services.in_use.kind = kind;
+        services.in_use.title = title;
+        services.in_use.drives[0] = services.in_use.drives[1] = true;
+        services.in_use.drives[2] = scope;
+        services.control.ticks_per_update = 1;
+        again(task);
+    }
+    void again(const char* task) {
+        emit window->context().attempt_wanted(task, false, 0, false);
+        page = static_cast<TheatrePage*>(window->current_page());
+        ASSERT_TRUE(wait_for([&] { return page->view()->pictures() > 0 && sees(*window, "theatre_keys"); }));
+    }
+    void home() {
+        emit window->context().home_wanted();
+        settle();
+    }
+    QString strip() {
+        return find<QFrame>(*window, "theatre_keys")
+            ->findChild<QLabel*>()
+            ->text()
+            .replace(QStringLiteral("&nbsp;"), QStringLiteral(" "))
+            .remove(QStringLiteral("<b>"))
+            .remove(QStringLiteral("</b>"));
+    }
+    bool shows(const char* words) {
+        return wait_for([&] { return strip().contains(QString::fromUtf8(words)); }, 5000);
+    }
+    std::shared_ptr<PutRig> rig;
+    TheatrePage* page = nullptr;
+};
+
+TEST_F(FirstSteps, AreMarkedByWhatTheHandsDidAndOnlyWhatIsNewIsTaughtNextTime) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    begin("C4", "c4_posterior", "touch", "3D Systems Touch");
+    EXPECT_TRUE(shows("Stylus is the handle of its hand")) << strip().toStdString();
+    EXPECT_FALSE(strip().contains("Mouse")) << strip().toStdString();
+    EXPECT_FALSE(strip().contains("done"));
+    for (DeviceReading& hand : rig->hand) hand.handle.x() += 0.03;
+    EXPECT_TRUE(shows("✓ 1 of 7 done")) << strip().toStdString();
+    EXPECT_FALSE(strip().contains("Stylus is the handle"));
+    QTest::keyClick(page->view(), Qt::Key_B);
+    EXPECT_FALSE(page->deeds().test(bit_of(HandDeed::pedal)))
+        << "the hands did not; this device heeds no key";
+    rig->hand[0].roll = 1;
+    rig->hand[0].jaw = 0;
+    EXPECT_TRUE(shows("✓ 3 of 7 done")) << strip().toStdString();
+    EXPECT_TRUE(strip().contains("T on the keyboard next instrument")) << strip().toStdString();
+    home();
+    again("C4");
+    EXPECT_TRUE(shows("Stylus away from you")) << strip().toStdString();
+    EXPECT_FALSE(strip().contains("Front button")) << "was done before";
+    rig->hand[1].buttons = button_energy | button_exchange;
+    rig->camera.handle.x() += 0.03;
+    rig->hand[1].handle *= 0.9;
+    EXPECT_TRUE(shows("✓ T on the keyboard")) << strip().toStdString();
+    EXPECT_TRUE(wait_for([&] { return !strip().contains("Enter"); })) << "all is learnt";
+    home();
+    again("C4");
+    EXPECT_FALSE(strip().contains("Enter")) << strip().toStdString();
+    home();
+    services.in_use.kind = "haply";
+    again("C4");
+    EXPECT_TRUE(shows("Grip of the Inverse3")) << "another kind of device is new";
+    EXPECT_TRUE(strip().contains("Enter"));
+}
+
+TEST_F(FirstSteps, EndWithEnterAndAreShownAgainFromTheHelp) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    begin("A2", "a2_targets", "trainer", "Box", true);
+    EXPECT_TRUE(shows("Enter ends these lines"));
+    EXPECT_TRUE(strip().contains("Scope of the trainer scope: look"));
+    EXPECT_FALSE(strip().contains("jaws")) << "a probe has none";
+    QTest::keyClick(page->view(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return !sees(*window, "theatre_keys"); }, 3000));
+    QTest::keyClick(page->view(), Qt::Key_Return);
+    EXPECT_EQ(page->session()->phase(), AttemptPhase::running) << "a second one does nothing";
+    QTest::keyClick(page->view(), Qt::Key_F1);
+    QTest::keyClick(page->view(), Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&] { return sees(*window, "theatre_keys"); }, 3000));
+    EXPECT_TRUE(shows("Enter ends these lines"));
+    for (DeviceReading& hand : rig->hand) {
+        hand.handle.x() += 0.03;
+        hand.handle *= 0.9;
+    }
+    EXPECT_TRUE(shows("✓ Push, pull the instrument")) << strip().toStdString();
+    home();
+    again("A2");
+    EXPECT_FALSE(strip().contains("Enter")) << "ended is as good as learnt";
+}
+
+TEST_F(FirstSteps, AreDrawnInBothThemesLanguagesAndLarge) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    for (const Theme theme : {Theme::light, Theme::dark})
+        for (const Language language : {Language::english, Language::german})
+            for (const int percent : {100, 200}) {
+                if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES") &&
+                    (theme == Theme::light) != (language == Language::german && percent == 200))
+                    continue;
+                window->set_theme(theme);
+                window->set_language(language);
+                window->set_text_size(percent);
+                settle();
+                const bool cap = percent == 100 && theme == Theme::dark;
+                begin("C4", "c4_posterior", cap ? "haply" : "touch",
+                      cap ? "Haply Inverse3" : "3D Systems Touch");
+                auto* const bar = find<QFrame>(*window, "theatre_keys");
+                EXPECT_GT(bar->y(), 0.4 * page->height()) << percent << " covers too much";
+                const QString name = QStringLiteral("first-steps-%1-%2-%3")
+                                         .arg(theme == Theme::light ? "light" : "dark",
+                                              language == Language::english ? "en" : "de")
+                                         .arg(percent);
+                keep(name);
+                QTest::keyClick(page->view(), Qt::Key_F1);
+                keep(name + QStringLiteral("-help"));
+                QTest::keyClick(page->view(), Qt::Key_F1);
+                home();
+            }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
