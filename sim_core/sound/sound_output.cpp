@@ -19,8 +19,9 @@ using namespace sound;
 
 namespace {
 
-constexpr std::int64_t old_after = 500'000'000, rests_after = 5'000'000'000;  // ns
-constexpr std::chrono::milliseconds look_every{100}, first_again{250}, last_again{30'000}, ending{3000};
+constexpr std::int64_t millisecond = 1000000;  // ns
+constexpr std::int64_t old_after = 500 * millisecond, rests_after = 5000 * millisecond;
+constexpr std::chrono::milliseconds look_every{100}, first_again{250}, last_again{30000}, ending{3000};
 
 struct PlayedState {
     SoundState state;

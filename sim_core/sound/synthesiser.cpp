@@ -21,7 +21,7 @@ const double click_decay = std::exp(-1.0 / (0.012 * sound_rate));
 constexpr double gain_share = 1.0 / (0.004 * sound_rate), frequency_share = 1.0 / (0.02 * sound_rate);
 constexpr std::int64_t alarm_every = sound_rate, alarm_tone = sound_rate * 15 / 100;
 
-/// 0 to 1; 0 for what is no number.
+/// 0 to 1; 0 for NaN.
 double share_of(double value) noexcept {
     return value > 0 ? std::min(value, 1.0) : 0;
 }

@@ -32,7 +32,7 @@ struct FakeSound {
     std::atomic<std::int64_t> heard_at{
         0};  ///< ns, when the first block with one was asked for; set to 0 to arm
     std::atomic<std::int32_t> heard_in{0};  ///< its first frame in that block
-    std::atomic<std::uint32_t> outside{0};  ///< samples that are no number within -1 to 1
+    std::atomic<std::uint32_t> outside{0};  ///< samples outside -1 to 1, or NaN
 };
 
 struct FakeSdlPage {

@@ -36,7 +36,7 @@ void Feedback::follow(const TaskDisplay* display, const WorldSnapshot* world) {
     rumble_ = {};
     for (int h = 0; h < hand_count; ++h) sound_.excess[h] = 0;
     sound_.energy[0] = sound_.energy[1] = sound_.bleeding = 0;
-    // A hand that touches something during a pause does not touch it anew.
+    // What a hand touches during a pause is not a new contact after it.
     if (display == nullptr || world == nullptr) return;
     for (int h = 0; h < hand_count; ++h) follow_hand(h, display->force[h], display->force_limit[h]);
     double flow = 0;

@@ -176,7 +176,7 @@ TEST_F(SoundOutputs, ALibraryThatIsMissingOrTooOldIsNamed) {
         << output.trouble().words();
 }
 
-TEST_F(SoundOutputs, ALibraryThatHangsHoldsNobodyUpAndAControllerBesideItWorks) {
+TEST_F(SoundOutputs, NobodyWaitsForALibraryThatHangsAndAControllerWorksAtTheSameTime) {
     sound().hang = 1;
     const std::int64_t begun = monotonic_ns();
     auto output = std::make_unique<SoundOutput>();
