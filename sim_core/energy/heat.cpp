@@ -35,6 +35,48 @@ void multiply(const HeatModel& model, const HeatState& state, const std::vector<
     }
 }
 
+// Conjugate gradients, preconditioned by the diagonal, started from the last temperatures: a few iterations
+// for short steps. Writes scratch.next, residual and iterations.
+void solve(const HeatModel& model, const HeatState& state, HeatScratch& scratch,
+           HeatReport& report) noexcept {
+    const std::size_t count = model.patches.size();
+    multiply(model, state, scratch.diagonal, scratch.next, scratch.product);
+    // Sums of one pass run side by side: each waits for its own last term only.
+    double right2 = 0, residual2 = 0, next_rho = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double residual = scratch.right[i] - scratch.product[i];
+        scratch.residual[i] = residual;
+        right2 += scratch.right[i] * scratch.right[i];
+        residual2 += residual * residual;
+        next_rho += residual * residual / scratch.diagonal[i];
+    }
+    const double scale = std::sqrt(right2);
+    double rho = 0;
+    const int most = 4 * static_cast<int>(count) + 8;
+    for (;;) {
+        report.residual = scale > least_right ? std::sqrt(residual2) / scale : 0.0;
+        if (!(report.residual > tolerance) || report.iterations >= most) break;
+        const double beta = report.iterations > 0 ? next_rho / rho : 0.0;
+        rho = next_rho;
+        for (std::size_t i = 0; i < count; ++i)
+            scratch.direction[i] = scratch.residual[i] / scratch.diagonal[i] + beta * scratch.direction[i];
+        multiply(model, state, scratch.diagonal, scratch.direction, scratch.product);
+        double curvature = 0;
+        for (std::size_t i = 0; i < count; ++i) curvature += scratch.direction[i] * scratch.product[i];
+        if (!(curvature > 0)) break;
+        const double alpha = rho / curvature;
+        residual2 = next_rho = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            scratch.next[i] += alpha * scratch.direction[i];
+            const double residual = scratch.residual[i] - alpha * scratch.product[i];
+            scratch.residual[i] = residual;
+            residual2 += residual * residual;
+            next_rho += residual * residual / scratch.diagonal[i];
+        }
+        ++report.iterations;
+    }
+}
+
 }  // namespace
 
 HeatState make_heat_state(const HeatModel& model) {
@@ -78,44 +120,7 @@ HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt
         given += power;
     }
 
-    // Conjugate gradients, preconditioned by the diagonal, started from the last temperatures: a few
-    // iterations for short steps.
-    multiply(model, state, scratch.diagonal, scratch.next, scratch.product);
-    // Sums of one pass run side by side: each waits for its own last term only.
-    double right2 = 0, residual2 = 0, next_rho = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double residual = scratch.right[i] - scratch.product[i];
-        scratch.residual[i] = residual;
-        right2 += scratch.right[i] * scratch.right[i];
-        residual2 += residual * residual;
-        next_rho += residual * residual / scratch.diagonal[i];
-    }
-    const double scale = std::sqrt(right2);
-    double rho = 0;
-    const int most = 4 * static_cast<int>(count) + 8;
-    for (;;) {
-        report.residual = scale > least_right ? std::sqrt(residual2) / scale : 0.0;
-        if (!(report.residual > tolerance) || report.iterations >= most) break;
-        const double beta = report.iterations > 0 ? next_rho / rho : 0.0;
-        rho = next_rho;
-        for (std::size_t i = 0; i < count; ++i)
-            scratch.direction[i] = scratch.residual[i] / scratch.diagonal[i] + beta * scratch.direction[i];
-        multiply(model, state, scratch.diagonal, scratch.direction, scratch.product);
-        double curvature = 0;
-        for (std::size_t i = 0; i < count; ++i) curvature += scratch.direction[i] * scratch.product[i];
-        if (!(curvature > 0)) break;
-        const double alpha = rho / curvature;
-        residual2 = next_rho = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            scratch.next[i] += alpha * scratch.direction[i];
-            const double residual = scratch.residual[i] - alpha * scratch.product[i];
-            scratch.residual[i] = residual;
-            residual2 += residual * residual;
-            next_rho += residual * residual / scratch.diagonal[i];
-        }
-        ++report.iterations;
-    }
-
+    solve(model, state, scratch, report);
     const double boiling = model.boiling_point - model.body_temperature;
     const double at_rest = damage_rate(model.body_temperature);
     state.given += given * dt;
