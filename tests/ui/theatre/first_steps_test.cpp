@@ -135,7 +135,9 @@ class FirstSteps : public SettingsScreens {
     void again(const char* task) {
         emit window->context().attempt_wanted(task, false, 0, false);
         page = static_cast<TheatrePage*>(window->current_page());
-        ASSERT_TRUE(wait_for([&] { return page->view()->pictures() > 0 && sees(*window, "theatre_keys"); }));
+        // The first reading is where the hands begin.
+        ASSERT_TRUE(
+            wait_for([&] { return page->session()->health().ticks > 2 && sees(*window, "theatre_keys"); }));
     }
     void home() {
         emit window->context().home_wanted();
