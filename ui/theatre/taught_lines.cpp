@@ -115,9 +115,9 @@ constexpr TaughtRow taught_rows[] = {
                         "Grip of the Inverse3\tis the handle of its hand; the tip goes the other way"),
       "", QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Grip away from you, towards you\tin, out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Turn the VerseGrip, or {turn}\tturns the shaft"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines",
-                        "First button, or {each_jaws}\tcloses the jaws while held · the keys: they stay "
-                        "closed, or open again"),
+      QT_TRANSLATE_NOOP(
+          "fulcrum::taught_lines",
+          "First button, or {each_jaws}\tcloses the jaws · the keys: they stay closed, or open again"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Second button, or {pedal}\tpedal (energy, suction)"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Third button, or {exchange}\tnext instrument")},
      "",
