@@ -16,7 +16,7 @@ constexpr int taught_count = 7;
 struct TaughtRow {
     const char* kind;
     const char* instrument[taught_count];
-    const char* scope;     ///< where the device moves the scope beside instruments; else keys do
+    const char* scope;     ///< where the device moves the scope too; else keys do
     const char* alone[4];  ///< the scope as the only instrument: moved, in and out, post, head
 };
 

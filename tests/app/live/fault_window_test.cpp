@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window with Force Dimension, Haply and SpaceMouse, each a fake that the test scripts: a fault pauses
-// the attempt with force 0 and says what to do, when it has passed the attempt goes on, and nothing is lost.
+// the attempt with force 0 and says what to do, when it has passed the attempt resumes, and nothing is lost.
 // The first steps are those of the device.
 #include <gtest/gtest.h>
 
@@ -22,14 +22,15 @@ using fulcrum::test::Variable;
 using ui::window_test::find;
 using ui::window_test::wait_for;
 
-/// A device that a test moves, breaks and mends.
+/// A device that a test moves, breaks and repairs.
 class Breakable {
   public:
     virtual ~Breakable() = default;
     virtual void move(double metres) = 0;  ///< the right hand, to the right
     virtual void break_it() = 0;
     virtual void mend() = 0;
-    /// What has no place of its own, opened anew, is moved to the instrument, which is so far away (m).
+    /// What has no place of its own is moved, when it was opened again, to the instrument, which is so far
+    /// away (m).
     virtual void go_back(double /*distance*/) {}
     virtual double force() const = 0;  ///< N, what the device got last; of one without force 0
     const char *words = "", *lines = "", *title = "";
