@@ -199,9 +199,9 @@ ui::DeviceInUse Devices::in_use() const {
     device.title = client_ != nullptr ? client_->facts().title : specification_;
     if (client_ == nullptr) return device;
     const ui::SlotChoice use = slot_choice(device.kind);
-    const int chosen[device_slots] = {use.left, use.right, use.scope};
+    const int parts[device_slots] = {use.left, use.right, use.scope};
     for (int i = 0; i < device_slots; ++i)
-        device.drives[i] = chosen[i] >= 0 && chosen[i] < device_slots && client_->facts().slot[chosen[i]];
+        device.drives[i] = parts[i] >= 0 && parts[i] < device_slots && client_->facts().slot[parts[i]];
     return device;
 }
 

@@ -146,7 +146,7 @@ HandDeeds HandWatch::done(bool one_mouse) const {
         all |= hand;
     }
     all.set(bit_of(HandDeed::moved), one_mouse ? any : each);
-    all.set(bit_of(HandDeed::other_hand), each);
+    all.set(bit_of(HandDeed::other_hand), one_mouse && each);
     all.set(bit_of(HandDeed::scope_moved), did(HandDeed::moved) || did(HandDeed::inserted));
     return all;
 }

@@ -16,7 +16,7 @@ constexpr int taught_count = 7;
 struct TaughtRow {
     const char* kind;
     const char* instrument[taught_count];
-    const char* scope;     ///< where the device moves the scope beside instruments; else keys do
+    const char* scope;     ///< where the device moves the scope too; else keys do
     const char* alone[4];  ///< the scope as the only instrument: moved, in and out, post, head
 };
 
@@ -115,9 +115,9 @@ constexpr TaughtRow taught_rows[] = {
                         "Grip of the Inverse3\tis the handle of its hand; the tip goes the other way"),
       "", QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Grip away from you, towards you\tin, out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Turn the VerseGrip, or {turn}\tturns the shaft"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines",
-                        "First button, or {each_jaws}\tcloses the jaws while held · the keys: they stay "
-                        "closed, or open again"),
+      QT_TRANSLATE_NOOP(
+          "fulcrum::taught_lines",
+          "First button, or {each_jaws}\tcloses the jaws · the keys: they stay closed, or open again"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Second button, or {pedal}\tpedal (energy, suction)"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Third button, or {exchange}\tnext instrument")},
      "",

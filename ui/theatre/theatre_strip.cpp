@@ -159,6 +159,7 @@ void TheatrePage::toggle_help() {
         view_->set_cover({}, {});
         return;
     }
+    strip_->hide();
     const bool of_daemon = input_->device() == MouseKeyboardInput::Device::of_daemon;
     QStringList lines = of_daemon
                             ? device_help(session_->scene(), hands_, input_->keys(), input_->help_lines())

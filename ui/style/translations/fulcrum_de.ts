@@ -10017,8 +10017,8 @@
         <translation>VerseGrip drehen, oder {turn}	dreht den Schaft</translation>
     </message>
     <message>
-        <source>First button, or {each_jaws}	closes the jaws while held · the keys: they stay closed, or open again</source>
-        <translation>Erste Taste, oder {each_jaws}	schließt das Maul, solange gedrückt · Tasten: es bleibt zu oder öffnet wieder</translation>
+        <source>First button, or {each_jaws}	closes the jaws · the keys: they stay closed, or open again</source>
+        <translation>Erste Taste, oder {each_jaws}	schließt das Maul · Tasten: es bleibt zu oder öffnet wieder</translation>
     </message>
     <message>
         <source>Second button, or {pedal}	pedal (energy, suction)</source>
