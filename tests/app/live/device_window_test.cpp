@@ -117,7 +117,7 @@ TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
     ui::window_test::click(window, "open_device");
     ASSERT_TRUE(wait_for([&] { return sees(window, "force_test"); }));
     ASSERT_TRUE(wait_for([&] { return shown("device_readings").contains("Right hand: at ("); }));
-    EXPECT_TRUE(shown("device_readings").contains("Jitter of the readings: "))
+    EXPECT_TRUE(wait_for([&] { return shown("device_readings").contains("Jitter of the readings: "); }))
         << shown("device_readings").toStdString();
     ui::window_test::bring(*find<QPushButton>(window, "force_test"));
     ui::window_test::click(window, "force_test");

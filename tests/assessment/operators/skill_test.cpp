@@ -48,6 +48,7 @@ std::vector<double> values(const Skill& s) {
             s.bowel.stride,
             s.traction.error,
             s.traction.slack,
+            s.traction.band,
             s.line.error,
             s.line.stroke,
             s.plane.recognition,

@@ -342,7 +342,7 @@ TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
     ASSERT_EQ(accepted.size(), 1U);
     EXPECT_EQ(accepted[0].file.name, "curricula/rectal-1001.json");
     EXPECT_EQ(accepted[0].reason, "Three of five are enough");
-    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 4 is in force."));
+    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 1001 is in force."));
     EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 1002");
     EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
     EXPECT_FALSE(tasks->item(6)->text().contains("tried"));
