@@ -41,6 +41,8 @@ void Screens::settle() {
         QCoreApplication::processEvents();
         return window->findChildren<BackgroundJob*>().isEmpty();
     }));
+    // What the last result asked of the layout is still to come.
+    for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
 }
 
 std::vector<const char*> Screens::rail() {
