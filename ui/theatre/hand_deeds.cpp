@@ -110,8 +110,8 @@ void HandWatch::see_part(Part& part, const DeviceSample& sample) noexcept {
 
 void HandWatch::see(const RigSample& sample) noexcept {
     const std::uint32_t restarts = restarts_.load(std::memory_order_relaxed);
-    const bool anew = restarts != seen_restarts_.load(std::memory_order_relaxed);
-    if (anew) {
+    const bool restarted = restarts != seen_restarts_.load(std::memory_order_relaxed);
+    if (restarted) {
         for (Part& part : part_) {
             part.begun = part.was_open = false;
             part.mask = 0;
@@ -121,7 +121,7 @@ void HandWatch::see(const RigSample& sample) noexcept {
         see_part(part_[i], i < hand_count ? sample.hand[i] : sample.camera);
         done_[i].store(part_[i].mask, std::memory_order_relaxed);
     }
-    if (anew) seen_restarts_.store(restarts, std::memory_order_release);
+    if (restarted) seen_restarts_.store(restarts, std::memory_order_release);
 }
 
 HandDeeds HandWatch::done(bool one_mouse) const {

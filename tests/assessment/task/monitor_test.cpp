@@ -125,7 +125,7 @@ TEST(Monitor, TargetCountsOnlyAfterAnUnbrokenHold) {
     bench.tick();
     bench.put(Hand::left, bench.world.targets[1].centre);
     bench.ticks(400);
-    EXPECT_EQ(bench.events.count(EventKind::target_reached), 0) << "leaving starts the hold anew";
+    EXPECT_EQ(bench.events.count(EventKind::target_reached), 0) << "leaving starts the hold again";
     bench.ticks(104);
     ASSERT_EQ(bench.events.count(EventKind::target_reached), 1);
     EXPECT_EQ(bench.monitor.display().active_target, 2);

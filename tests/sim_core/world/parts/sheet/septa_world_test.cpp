@@ -377,7 +377,7 @@ TEST(SeptaWorld, SaveInTheMiddleOfADissectionRestores) {
             world->find<SheetPart>()->hash(hash);
             world->find<BowelPart>()->hash(hash);
             ASSERT_EQ(hash.value(), kept.hashes[i])
-                << (world == &fresh ? "in a world made anew, step " : "in the same world, step ") << i;
+                << (world == &fresh ? "in a new world, step " : "in the same world, step ") << i;
         }
     }
 }
