@@ -16,6 +16,7 @@
 #include "assessment/trace/events_csv.h"
 #include "assessment/trace/trace_csv.h"
 #include "database/records/external_attempts.h"
+#include "database/rows/force_devices.h"
 #include "sim_core/numerics/files.h"
 
 namespace fulcrum::app {
@@ -63,6 +64,7 @@ nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::st
                      {"operator", or_null(meta.operator_name)},
                      {"mode", row_of(attempt_modes, meta.mode).name},
                      {"device_class", row_of(device_classes, meta.device_class).name},
+                     {"device", nlohmann::json::parse(database::device_json(meta.device, meta.rig_use))},
                      {"variant", meta.variant},
                      {"seed", meta.seed},
                      {"fidelity", meta.fidelity}});

@@ -23,6 +23,7 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
       command_(command),
       others_(std::move(others)),
       motion_(use.motion),
+      stated_rate_(facts.rate),
       pedal_(use.pedal),
       has_pedal_(use.pedal >= 0 && use.pedal < device_slots && facts.slot[use.pedal]) {
     const int slots[device_slots] = {use.left, use.right, use.scope};
@@ -64,6 +65,18 @@ std::optional<ForceOutput> DeviceRig::force_output(Hand hand) const {
     return force_[static_cast<std::size_t>(hand)];
 }
 
+std::optional<RigUse> DeviceRig::use() const {
+    RigUse use;
+    use.stated = stated_rate_;
+    use.motion = motion_;
+    use.pedal = pedal_;
+    for (std::size_t i = 0; i < use.part.size(); ++i) {
+        if (driven_[i].exists) use.part[i] = driven_[i].slot;
+        use.measured = std::max(use.measured, driven_[i].meter.rate());
+    }
+    return use;
+}
+
 double DeviceRig::damping(Hand hand) const {
     const auto& force = force_[static_cast<std::size_t>(hand)];
     return force ? force->damping : -1;
@@ -74,6 +87,10 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) n
     const bool got = state_.pose[driven.slot].read(pose);
     driven.same =
         got && pose.sequence != driven.newest.sequence ? 0 : std::min(driven.same + 1, late_ticks + 1);
+    if (got && pose.sequence > driven.newest.sequence)
+        driven.meter.add(
+            static_cast<int>(std::min<std::uint64_t>(pose.sequence - driven.newest.sequence, 1000)),
+            1e-9 * static_cast<double>(pose.time));
     driven.newest = pose;
     DeviceReading reading = driven.start;
     const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);

@@ -44,6 +44,7 @@ class DeviceRig : public Rig {
     bool has_force(Hand hand) const override { return force_output(hand).has_value(); }
     double damping(Hand hand) const override;
     std::optional<ForceOutput> force_output(Hand hand) const override;
+    std::optional<RigUse> use() const override;
     /// The trocar's frame from the device's: a half turn about y.
     static Vector3 turned(const Vector3& v) { return {-v.x(), v.y(), -v.z()}; }
 
@@ -57,6 +58,7 @@ class DeviceRig : public Rig {
         Vector3 origin = Vector3::Zero();  // device position that is the start
         double roll_origin = 0;
         DevicePose newest;
+        RateMeter meter;
         int same = 0;  // ticks since a new reading
         DeviceSample last;
         bool keys_begun = false;
@@ -72,7 +74,7 @@ class DeviceRig : public Rig {
     CommandPage& command_;
     std::shared_ptr<Rig> others_;
     void read_pedal(RigSample& sample) const noexcept;
-    double motion_;
+    double motion_, stated_rate_;
     int pedal_;
     bool has_pedal_;
     Driven driven_[device_slots];  // left, right, scope

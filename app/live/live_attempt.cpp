@@ -78,6 +78,7 @@ struct LiveAttempt::State : public AttemptSink {
 
     explicit State(LiveRequest request_in) : request(std::move(request_in)) {
         request.meta.force_devices = devices_of(*request.rig);
+        request.meta.rig_use = request.rig->use();
     }
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
@@ -330,6 +331,7 @@ void LiveAttempt::State::finish() {
         stored.duration_s -= before * engine->scene().tick_period();
         stored.score.reset();
     }
+    stored.rig_use = request.rig->use();  // its thread has ended
     recording->finish(stored);
     const std::lock_guard<std::mutex> lock(end_mutex);
     ui::AttemptOutcome shown;

@@ -128,7 +128,9 @@ AttemptSummary summary_of_row(const Query& row, bool for_table) {
     meta.cpu_features = text();
     meta.started = integer();
     meta.utc_offset_min = static_cast<int>(integer());
-    meta.force_devices = force_devices_of(text(), place("force devices"));
+    const std::string devices = text();
+    meta.force_devices = force_devices_of(devices, place("force devices"));
+    meta.rig_use = rig_use_of(devices, place("force devices"));
     attempt.person_login = text();
     attempt.person_name = text();
     attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;

@@ -86,7 +86,7 @@ void insert_attempt(const Store& store, const Session& session, const AttemptMet
         .bind(attempt.cpu_features)
         .bind(attempt.started)
         .bind(attempt.utc_offset_min)
-        .bind(force_devices_text(attempt.force_devices))
+        .bind(force_devices_text(attempt.force_devices, attempt.rig_use))
         .run();
     if (attempt.origin) insert_origin(connection, attempt.id, *attempt.origin);
     lock.enter(store, attempt.id);
@@ -352,6 +352,12 @@ void Recorder::finish(const AttemptResult& result) {
             QT_TRANSLATE_NOOP("errors", "give the state in which it ended"));
     const std::string state_name = row_of(attempt_states, result.state).name;
     RecordingLock::leave(store, state.meta.id);
+    if (result.rig_use) {
+        Query(connection, "UPDATE attempt SET force_devices = ? WHERE id = ?")
+            .bind(force_devices_text(state.meta.force_devices, result.rig_use))
+            .bind(state.meta.id)
+            .run();
+    }
     Query ended(connection,
                 "UPDATE attempt SET state = ?, duration_s = ?, wall_s = ?, missed_ticks = ?, lost_samples = "
                 "?, events = ?, "

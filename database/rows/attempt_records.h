@@ -43,6 +43,8 @@ struct AttemptMeta {
     std::string operator_name;   ///< synthetic operator preset, or empty
     std::string variant;         ///< anatomy variant
     ForceDevices force_devices;  ///< what the hands' devices could render, with the force scale
+    /// How the device was set up and how often it was read; none: simulated, from elsewhere, or older.
+    std::optional<RigUse> rig_use;
     std::uint64_t seed = 0;
     std::string fidelity;
     std::string scene;         ///< file name
@@ -136,6 +138,7 @@ struct AttemptResult {
     std::string state_hash;  ///< hex
     std::optional<ScoreRow> score;
     std::vector<ProductBlob> products;
+    std::optional<RigUse> rig_use;  ///< with the measured rate; in place of that of the beginning
 };
 
 struct AttemptSummary {

@@ -18,6 +18,14 @@ std::int32_t to_counts(double value, double unit) {
 
 }  // namespace
 
+bool is_usable(const RigUse& use) {
+    const auto rate = [](double hz) { return hz >= 0 && hz <= 1e6; };
+    for (const int part : use.part)
+        if (part < -1 || part > 2) return false;
+    return rate(use.stated) && rate(use.measured) && use.motion >= 0.01 && use.motion <= 100 &&
+           use.pedal >= -2 && use.pedal <= 2;
+}
+
 bool is_usable(const ForceOutput& output) {
     const double values[] = {output.damping,   output.peak,   output.continuous,
                              output.stiffness, output.torque, output.scale};

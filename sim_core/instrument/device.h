@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "sim_core/instrument/rig_use.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
@@ -112,6 +113,9 @@ class Rig {
     /// What the hand's device can render; none: it renders no force, and 0 is sent. Constant during an
     /// attempt.
     virtual std::optional<ForceOutput> force_output(Hand hand) const;
+    /// How it is set up and how often it was read so far; none: nobody's hands move it. Not while read()
+    /// runs.
+    virtual std::optional<RigUse> use() const { return std::nullopt; }
 };
 
 }  // namespace fulcrum

@@ -9,6 +9,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
+#include "database/rows/force_devices.h"
 #include "database/store/audit.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
@@ -55,6 +56,7 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.paragraph(join_with_dots(
         {text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
          device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
+    if (attempt.meta.rig_use) sheet.paragraph(rig_text(attempt.meta.device, *attempt.meta.rig_use));
     const bool operated = attempt.meta.device_class == DeviceClass::synthetic;
     if (operated || attempt.synthetic || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
@@ -365,6 +367,7 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"task", attempt.meta.task_id},
         {"started", database::iso_utc(attempt.meta.started)},
         {"device_class", row_of(device_classes, attempt.meta.device_class).name},
+        {"device", Json::parse(database::device_json(attempt.meta.device, attempt.meta.rig_use))},
         {"mode", row_of(attempt_modes, attempt.meta.mode).name},
         {"state", row_of(attempt_states, attempt.state).name},
         {"duration_s", attempt.duration_s},

@@ -60,6 +60,7 @@ QStringList DebriefPage::notes() const {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
     if (!felt.isEmpty()) notes << felt;
+    if (attempt.meta.rig_use) notes << rig_text(attempt.meta.device, *attempt.meta.rig_use);
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
     return notes;
 }

@@ -199,6 +199,27 @@ QString felt_text(const ForceDevices& devices) {
         .arg(percent(left ? *left : *right));
 }
 
+QString rig_text(const std::string& title, const RigUse& use) {
+    QStringList parts{title.empty() ? QString()
+                                    : QCoreApplication::translate("fulcrum::device_list", title.c_str())};
+    if (use.measured > 0 && use.stated > 0)
+        parts << words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 readings per second (%2 stated)"))
+                     .arg(decimal(use.measured, 0), decimal(use.stated, 0));
+    else if (use.measured > 0)
+        parts << words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 readings per second"))
+                     .arg(decimal(use.measured, 0));
+    else if (use.stated > 0)
+        parts << words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 readings per second stated"))
+                     .arg(decimal(use.stated, 0));
+    if (std::abs(use.motion - 1) > 1e-9)
+        parts << words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "movement of the instrument %1 %"))
+                     .arg(decimal(100 * use.motion, 0));
+    const bool swapped = use.part[0] == 1 || use.part[1] == 0;
+    if (swapped) parts << words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "left and right device swapped"));
+    parts.removeAll(QString());
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "Device: %1.")).arg(parts.join(QStringLiteral("; ")));
+}
+
 QString device_class_text(DeviceClass device_class) {
     return QCoreApplication::translate("fulcrum::devices", row_of(device_classes, device_class).title);
 }

@@ -28,6 +28,9 @@ QString join_with_dots(QStringList parts);
 /// What a device with force gave of the model's force: "Force was felt at 40 %."; empty where no device
 /// rendered force.
 QString felt_text(const ForceDevices& devices);
+/// What the device of an attempt was and how often it was read: "Device: a scripted hand; 998 readings per
+/// second (1000 stated); movement 150 %."
+QString rig_text(const std::string& title, const RigUse& use);
 
 /// A stored sentence (advice, a reason) in the reader's language; a text of an old store as it is.
 QString statement_text(const Statement& statement);

@@ -80,6 +80,7 @@ class WatchedRig : public Rig {
     bool has_force(Hand hand) const override { return rig_->has_force(hand); }
     double damping(Hand hand) const override { return rig_->damping(hand); }
     std::optional<ForceOutput> force_output(Hand hand) const override { return rig_->force_output(hand); }
+    std::optional<RigUse> use() const override { return rig_->use(); }
 
   private:
     std::shared_ptr<Rig> rig_;

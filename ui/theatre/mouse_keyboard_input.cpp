@@ -58,6 +58,7 @@ void MouseKeyboardRig::restart(const HandTargets& start) {
 void MouseKeyboardRig::read(std::uint32_t tick, RigSample& sample) {
     ++since_target_;
     if (targets_.update()) {
+        meter_.add(1, 1e-3 * tick);
         const int ramp = std::min(since_target_, longest_ramp) - 1;
         since_target_ = 0;
         const HandTargets& wanted = targets_.value();
@@ -67,6 +68,14 @@ void MouseKeyboardRig::read(std::uint32_t tick, RigSample& sample) {
     sample.tick = tick;
     for (int h = 0; h < hand_count; ++h) sample.hand[h] = hand_[h].tick();
     sample.camera = camera_.tick();
+}
+
+std::optional<RigUse> MouseKeyboardRig::use() const {
+    RigUse use;
+    use.measured = meter_.rate();
+    use.motion = motion_;
+    use.pedal = -1;
+    return use;
 }
 
 MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {

@@ -37,6 +37,10 @@ class MouseKeyboardRig : public Rig {
     void write_force(Hand, const Vector3&) override {}
     bool has_force(Hand) const override { return false; }
     double damping(Hand) const override { return -1; }
+    /// Its rate is that of the window, which hands the newest targets over.
+    std::optional<RigUse> use() const override;
+    /// Before it is read.
+    void set_motion(double scale) { motion_ = scale; }
     /// Before it is read: as if made with these.
     void restart(const HandTargets& start);
     /// UI thread.
@@ -46,6 +50,8 @@ class MouseKeyboardRig : public Rig {
     TripleBuffer<HandTargets> targets_;
     HandleFollower hand_[hand_count], camera_;
     int since_target_ = 0;  ///< ticks since the last target came
+    RateMeter meter_;
+    double motion_ = 1;
 };
 
 class MouseKeyboardInput {
@@ -93,7 +99,10 @@ class MouseKeyboardInput {
     void set_keys(const KeyMap& keys) { keys_ = keys; }
     const KeyMap& keys() const { return keys_; }
     /// Movement of the handle for that of a mouse or stick, over the usual one.
-    void set_sensitivity(double scale) { sensitivity_ = scale; }
+    void set_sensitivity(double scale) {
+        sensitivity_ = scale;
+        rig_->set_motion(scale);
+    }
     void move_hand(Hand hand, const QPointF& pixels, double notches, double turned_notches);
     /// While the right button of that hand's mouse is held: away from the person is in, sideways turns the
     /// shaft; the larger of both counts.

@@ -93,6 +93,11 @@ TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo
     EXPECT_EQ(attempt.meta.mode, AttemptMode::practice);
     ASSERT_TRUE(attempt.meta.force_devices[0].has_value());
     EXPECT_EQ(attempt.meta.force_devices[0]->continuous, 0.88);
+    ASSERT_TRUE(attempt.meta.rig_use.has_value());
+    EXPECT_EQ(attempt.meta.rig_use->stated, 1000);
+    EXPECT_GT(attempt.meta.rig_use->measured, 500) << "while it answered";
+    EXPECT_LT(attempt.meta.rig_use->measured, 1100);
+    EXPECT_EQ(attempt.meta.rig_use->part, (std::array<int, 3>{0, 1, -1}));
     expect_replays(attempt.meta.id);
 
     home();

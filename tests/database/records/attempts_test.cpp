@@ -326,11 +326,17 @@ TEST(Attempt, KeepsTheDevicesThatRenderedForceAlsoForAnotherPerson) {
     device.continuous = 0.88;
     device.scale = 0.4;
     meta.force_devices[1] = device;
+    meta.rig_use = RigUse();
+    meta.rig_use->stated = 1000;
     Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
     Programme::append_second(recorder);
-    recorder.finish(example_result(true, 80));
+    AttemptResult result = example_result(true, 80);
+    result.rig_use = meta.rig_use;
+    result.rig_use->measured = 987.5;
+    recorder.finish(result);
     const std::string copy = programme.attempts().reassign(
         programme.session("educator"), recorder.attempt_id(), programme.id("ben"), "Ben sat at the table");
+    EXPECT_TRUE(programme.store->check(programme.session("station")).ok) << "the digest covers the rate";
     for (const std::string& id : {recorder.attempt_id(), copy}) {
         const ForceDevices& kept =
             programme.attempts().read(programme.session("educator"), id).meta.force_devices;
@@ -339,6 +345,10 @@ TEST(Attempt, KeepsTheDevicesThatRenderedForceAlsoForAnotherPerson) {
         EXPECT_EQ(kept[1]->damping, device.damping);
         EXPECT_EQ(kept[1]->continuous, 0.88);
         EXPECT_EQ(kept[1]->scale, 0.4);
+        const auto& use = programme.attempts().read(programme.session("educator"), id).meta.rig_use;
+        ASSERT_TRUE(use.has_value());
+        EXPECT_EQ(use->stated, 1000);
+        EXPECT_EQ(use->measured, 987.5);
     }
 }
 

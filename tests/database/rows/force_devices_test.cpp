@@ -33,6 +33,37 @@ TEST(ForceDevices, AreReadBackAsTheyWereWritten) {
     EXPECT_EQ(force_devices_text(again), text);
 }
 
+TEST(ForceDevices, UseAndRateAreInTheSameTextAndMayBeAbsent) {
+    EXPECT_FALSE(rig_use_of("", "here").has_value());
+    const std::string older = R"({"left":{"continuous_n":1,"damping_n_s_m":1,"peak_n":3,"scale":1,)"
+                              R"("stiffness_n_m":1000,"torque_n_m":0}})";
+    EXPECT_FALSE(rig_use_of(older, "here").has_value()) << "a store from before has no use";
+    RigUse use;
+    use.stated = 1000;
+    use.measured = 2998.0 / 3;
+    use.motion = 0.75;
+    use.part = {-1, 1, 2};
+    use.pedal = 1;
+    const std::string text = force_devices_text(force_devices_of(older, "here"), use);
+    EXPECT_TRUE(force_devices_of(text, "here")[0].has_value());
+    const std::optional<RigUse> again = rig_use_of(text, "here");
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(again->measured, use.measured);
+    EXPECT_EQ(again->motion, 0.75);
+    EXPECT_EQ(again->part, use.part);
+    EXPECT_EQ(again->pedal, 1);
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"motion\":0.75", "\"motion\":0"},
+                                   {"\"pedal\":1", "\"pedal\":3"},
+                                   {"\"scope\":2", "\"scope\":1e300"},
+                                   {"\"stated_hz\":1000", "\"stated_hz\":-1"},
+                                   {"\"stated_hz\":1000", "\"stated_hz\":null"}}) {
+        std::string damaged = text;
+        ASSERT_NE(damaged.find(from), std::string::npos) << from;
+        EXPECT_THROW(rig_use_of(damaged.replace(damaged.find(from), from.size(), to), "here"), StoreError)
+            << damaged;
+    }
+}
+
 TEST(ForceDevices, RefuseATextThatIsDamaged) {
     const std::string whole = R"({"left":{"continuous_n":1,"damping_n_s_m":1,"peak_n":3,"scale":1,)"
                               R"("stiffness_n_m":1000,"torque_n_m":0}})";

@@ -22,5 +22,18 @@ TEST(FeltText, NamesTheShareOfTheForceWhereADeviceRenderedOne) {
     EXPECT_EQ(felt_text(devices), "Force was felt at 63 %, by the right hand only.");
 }
 
+TEST(FeltText, NamesTheDeviceItsRateAndHowItWasSetUp) {
+    RigUse use;
+    EXPECT_EQ(rig_text("a pen", use), "Device: a pen.");
+    use.stated = 1000;
+    EXPECT_EQ(rig_text("a pen", use), "Device: a pen; 1000 readings per second stated.");
+    use.measured = 987.6;
+    use.motion = 1.5;
+    use.part = {1, 0, -1};
+    EXPECT_EQ(rig_text("a pen", use),
+              "Device: a pen; 988 readings per second (1000 stated); movement of the instrument 150 %; left "
+              "and right device swapped.");
+}
+
 }  // namespace
 }  // namespace fulcrum::ui
