@@ -207,6 +207,7 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactIsFeltAndHear
                    (!a2 || theatre().session()->display().goal_progress > 0.05);
         };
         ASSERT_TRUE(hand.work_until(done, 240000)) << task;
+        const std::int64_t pale = theatre().view()->pale_at();
         EXPECT_GT(hand.events(), 50);
         keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
         abandon();
@@ -229,6 +230,21 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactIsFeltAndHear
         const double delay = 1e-6 * static_cast<double>(rumbled - begun) - contact->tick;
         std::cout << task << ": the motor runs " << delay << " ms after the first contact\n";
         EXPECT_LT(delay, 1000);
+        // Tissue that has no limit of force is not pale; a force of any size counts.
+        const auto first = std::find_if(trace.samples.begin(), contact, [](const TickSample& one) {
+            const auto any = [](const HandSample& hand) {
+                return hand.force[0] != 0 || hand.force[1] != 0 || hand.force[2] != 0;
+            };
+            return any(one.hand[0]) || any(one.hand[1]);
+        });
+        if (pale != 0) {
+            const double until_pale = 1e-6 * static_cast<double>(pale - begun) - first->tick;
+            std::cout << task << ": the tissue is pale in a picture " << until_pale
+                      << " ms after the first force\n";
+            EXPECT_GT(until_pale, -1) << "nothing is pale before it is touched";
+            EXPECT_LT(until_pale, 1000);
+        }
+        EXPECT_TRUE(a2 || pale != 0);
         const std::int64_t heard = sound.heard_at + 1'000'000'000LL * sound.heard_in / 48000;
         const double silent = 1e-6 * static_cast<double>(heard - begun) - contact->tick;
         std::cout << task << ": the first sample is heard " << silent

@@ -64,6 +64,7 @@ void TheatreView::unload() {
     assembler_.reset();
     has_world_ = has_hud_ = installed_ = false;
     pictures_ = 0;
+    pale_at_ = 0;
     pace_.restart();
     realignment_.reset();
     ghost_.reset();
@@ -149,8 +150,12 @@ bool TheatreView::paint_scene(QPainter& painter) {
         installed_ = true;
         renderer_->set_share(paced_ ? pace_.share() : 1.0);
         const QSize pixels = size() * devicePixelRatioF();
-        const QImage& picture = stage_->draw(*renderer_, assemble(), pixels);
+        const SceneFrame& frame = assemble();
+        const QImage& picture = stage_->draw(*renderer_, frame, pixels);
         if (picture.isNull()) return false;
+        for (const DrawnTool& tool : frame.tools)
+            if (tool.strain > 0 && pale_at_ == 0)
+                pale_at_ = std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
         resolution_ = static_cast<double>(picture.height()) / std::min(pixels.width(), pixels.height());
         scope_.paint(painter, rect(), picture);
     } catch (const std::runtime_error& why) {

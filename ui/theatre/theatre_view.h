@@ -59,6 +59,9 @@ class TheatreView : public QWidget {
     double resolution() const { return resolution_; }
     /// Pictures of the scene that were drawn since load().
     int pictures() const { return pictures_; }
+    /// When a picture was drawn first in which tissue is pale under a tip, ns of the steady clock; 0: not
+    /// since load().
+    std::int64_t pale_at() const { return pale_at_; }
     /// Duration of the last picture, ms: all of it, on this thread.
     double last_frame_ms() const { return frame_ms_; }
 
@@ -89,6 +92,7 @@ class TheatreView : public QWidget {
     DrawingPace pace_;
     bool paced_ = false;
     int pictures_ = 0;
+    std::int64_t pale_at_ = 0;
     std::unique_ptr<SceneAssembler> assembler_;
     std::unique_ptr<OffscreenStage> stage_;  // made at the first picture
     std::unique_ptr<SceneRenderer> renderer_;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <QColor>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/theatre/renderer/offscreen.h"
@@ -184,6 +185,53 @@ TEST_F(Renderer, JawsOpenAndATipNearTissueCastsAShadow) {
     }
     ASSERT_GT(without, 0);
     EXPECT_LT(with, 0.9 * without);
+}
+
+TEST_F(Renderer, TissueIsPalerWhereItIsPressedAndNowhereElse) {
+    const CavityShape cavity = make_cavity({});
+    renderer_.set_cavity(cavity);
+    Vector3 wall(0, 0, 1);
+    double least = 1;
+    for (const Vector3& v : cavity.mesh.vertices) {
+        const double aside = std::hypot(v.x() - 0.04, v.y() - 0.10);
+        if (v.z() > 0 || aside > least) continue;
+        least = aside;
+        wall = v;
+    }
+    SceneFrame frame;
+    frame.camera = look({0, 0.13, 0.05}, wall);
+    const QImage bare = picture(frame);
+    frame.tools = {tool_at(wall + Vector3(0, 0, 0.002), 0.0)};
+    const QImage touched = picture(frame);
+    frame.tools[0].strain = 1;
+    const QImage pressed = picture(frame);
+    frame.tools[0].strain = 0.5;
+    const QImage half = picture(frame);
+    const QVector3D tip = SceneRenderer::project(frame.camera, wall, frame_size);
+    // Share of the colour that is white: the least of red, green and blue over the largest.
+    const auto whiteness = [](const QColor& c) {
+        return std::min({c.redF(), c.greenF(), c.blueF()}) /
+               std::max(0.01, std::max({c.redF(), c.greenF(), c.blueF()}));
+    };
+    double before = 0, with_half = 0, after = 0;
+    int near = 0, far_changed = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double away =
+                std::hypot(x - static_cast<double>(tip.x()), y - static_cast<double>(tip.y()));
+            if (away > 90) far_changed += pressed.pixel(x, y) != touched.pixel(x, y) ? 1 : 0;
+            if (away > 18 || luminance(bare.pixelColor(x, y)) == 0) continue;
+            ++near;
+            before += whiteness(touched.pixelColor(x, y));
+            with_half += whiteness(half.pixelColor(x, y));
+            after += whiteness(pressed.pixelColor(x, y));
+        }
+    }
+    ASSERT_GT(near, 500);
+    EXPECT_GT(after, 1.05 * before) << "paler under the tip";
+    EXPECT_GT(with_half, before);
+    EXPECT_GT(after, with_half) << "the more the stronger";
+    EXPECT_EQ(far_changed, 0);
 }
 
 TEST_F(Renderer, BowelIsPinkMesenteryYellowAndWetGlintsMove) {
