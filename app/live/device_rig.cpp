@@ -103,6 +103,12 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) n
     if (driven.begun) {
         reading.handle += motion_ * turned(position - driven.origin);
         reading.roll += pose.roll - driven.roll_origin;
+        // The button for energy that is not the pedal is free for the clutch.
+        if (pedal_ != -2 && driven.slot != pedal_ && (pose.buttons & button_energy) != 0)
+            pose.buttons |= button_clutch;
+        // Without an answer the clutch stays as it was; a place that is not a number changes nothing.
+        if (reading.handle.allFinite() && std::isfinite(reading.roll))
+            clutch(driven, answers ? (pose.buttons & button_clutch) != 0 : driven.clutched, reading);
         const bool closed = !is_scope && (pose.jaw <= 0.05 || (pose.buttons & button_primary) != 0);
         reading.jaw = is_scope || closed ? 0 : std::min(pose.jaw, 1.0) * driven.opening;
         if (std::isnan(pose.jaw)) reading.jaw = pose.jaw;  // a faulty reading, as for the position
@@ -113,6 +119,23 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) n
     reading.present = answers;
     driven.last = quantise(reading, driven.last);
     sample = driven.last;
+}
+
+void DeviceRig::clutch(Driven& driven, bool pressed, DeviceReading& reading) const noexcept {
+    if (pressed && !driven.clutched) {
+        driven.stays = reading.handle;
+        driven.stays_roll = reading.roll;
+    }
+    if (!pressed && driven.clutched) {
+        // turned() is its own inverse.
+        driven.origin += turned(reading.handle - driven.stays) / motion_;
+        driven.roll_origin += reading.roll - driven.stays_roll;
+    }
+    if (pressed || driven.clutched) {
+        reading.handle = driven.stays;
+        reading.roll = driven.stays_roll;
+    }
+    driven.clutched = pressed;
 }
 
 void DeviceRig::add_keys(Driven& driven, bool is_scope, const DeviceSample& keys,

@@ -8,7 +8,8 @@
 // of the handle: to the right is -x of the trocar's frame, up is +y, away from the person is +z, into the
 // body. With another scale of the movement m the device gets m times the force, so that the work is the same
 // on both sides; seen from the instrument its damping and stiffness are those of the device over m^2, its
-// forces over m.
+// forces over m. While the clutch of a slot is pressed its instrument stays, without force, and the device is
+// moved to a better place; the clutch is a button of the sample, so a replay has it too.
 //
 // Real-time loop: no lock, allocation, system call (but the clock) or exception.
 #pragma once
@@ -61,10 +62,15 @@ class DeviceRig : public Rig {
         RateMeter meter;
         int same = 0;  // ticks since a new reading
         DeviceSample last;
+        /// While its clutch is pressed the instrument stays where it was.
+        bool clutched = false;
+        Vector3 stays = Vector3::Zero();
+        double stays_roll = 0;
         bool keys_begun = false;
         std::int32_t keys_roll = 0, keys_head = 0;  ///< of the other rig at its first tick
     };
     void read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept;
+    void clutch(Driven& driven, bool pressed, DeviceReading& reading) const noexcept;
     /// The keys of turning, jaws, pedal and exchange work with every device: for what it cannot do.
     static void add_keys(Driven& driven, bool is_scope, const DeviceSample& keys,
                          DeviceSample& sample) noexcept;

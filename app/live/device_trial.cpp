@@ -26,6 +26,7 @@ void run(DaemonClient& client, double peak, const std::atomic<bool>& stop, Devic
     ForceCommand command;
     command.sequence = static_cast<std::uint64_t>(monotonic_ns());
     DevicePose before[device_slots];
+    Vector3 first_place[device_slots] = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
     ForceReport reported[2];
     const std::int64_t begin = monotonic_ns();
     std::int64_t deadline = begin + period;
@@ -46,6 +47,12 @@ void run(DaemonClient& client, double peak, const std::atomic<bool>& stop, Devic
                 histograms.device_wake.add(
                     static_cast<double>(std::abs(pose.time - before[i].time - device_period)) * us);
             histograms.pose_age.add(static_cast<double>(now - pose.time) * us);
+            const Vector3 place(pose.position[0], pose.position[1], pose.position[2]);
+            if (pose.present != 0 && place.allFinite()) {
+                if (!trial.moved[i]) first_place[i] = place;
+                if (!trial.moved[i]) trial.moved[i].emplace();
+                trial.moved[i]->add(place - first_place[i]);
+            }
             before[i] = pose;
         }
         const GentleForce gentle = gentle_force(static_cast<double>(now - begin) * 1e-9, peak);

@@ -23,7 +23,8 @@ struct DeviceTrial {
     Durations force_delay;  ///< from the program's command to the device's tick that renders it
     double force_sent = 0, force_rendered = 0;  ///< N, largest
     DevicePose newest[device_slots];
-    bool real_time = false;  ///< of the reader
+    std::optional<WorkspaceBox> moved[device_slots];  ///< from the first reading; none: it did not answer
+    bool real_time = false;                           ///< of the reader
 };
 
 /// `peak_force`: N; the force rises to it over a second along each axis in turn; 0: none is sent. Returns

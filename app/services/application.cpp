@@ -236,6 +236,25 @@ class Services : public ui::ApplicationServices {
     void open_device() override { devices_.open_now(); }
     void choose_device(const std::string& kind) override { devices_.choose(kind); }
     bool device_can_be_chosen() const override { return device_from_environment().empty(); }
+    bool can_calibrate(const std::string& kind) const override { return fulcrum::app::can_calibrate(kind); }
+    std::string calibrated_at(const std::string& kind) const override {
+        return fulcrum::app::calibrated_at(kind);
+    }
+    void start_calibration(int hand) override { devices_.start_calibration(hand); }
+    ui::CalibrationState calibration() override { return devices_.calibration(); }
+    void calibration_next() override {
+        if (auto* running = devices_.running_calibration()) running->next();
+    }
+    void calibration_skip() override {
+        if (auto* running = devices_.running_calibration()) running->skip();
+    }
+    void stop_calibration() override { devices_.stop_calibration(); }
+    std::function<SceneReach()> scene_reach(const std::string& task_id) override {
+        return [task_id] {
+            const LoadedTask loaded = load_task_and_scene(task_id);
+            return fulcrum::scene_reach(AttemptEngine(loaded.scene, loaded.task, 1));
+        };
+    }
     double motion_scale(const std::string& kind) const override { return Devices::motion_scale(kind); }
     void set_motion_scale(const std::string& kind, double scale) override {
         Devices::set_motion_scale(kind, scale);

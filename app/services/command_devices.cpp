@@ -9,6 +9,8 @@
 
 #include "app/cli/commands.h"
 #include "app/live/device_trial.h"
+#include "app/services/calibrate_device.h"
+#include "app/services/calibration.h"
 #include "app/services/controller_trial.h"
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
@@ -41,6 +43,23 @@ nlohmann::json to_json(const Durations& durations) {
             {"worst", durations.worst_us}};
 }
 
+/// How it moves the instruments, where that was changed.
+void print_use(const std::string& kind) {
+    const double motion = Devices::motion_scale(kind == "mouse-keyboard" ? std::string() : kind);
+    if (motion != 1)
+        say({QT_TRANSLATE_NOOP("commands", "    movement of the instrument: %1 %"),
+             decimal_text(100 * motion, 0)});
+    const ui::SlotChoice parts = Devices::slot_choice(kind);
+    if (parts == ui::SlotChoice()) return;
+    const auto part = [](int slot) {
+        return slot >= 0 && slot < device_slots
+                   ? Sentence(slot_words[slot])
+                   : Sentence(QT_TRANSLATE_NOOP("commands", "mouse and keyboard"));
+    };
+    say({QT_TRANSLATE_NOOP("commands", "    left instrument: %1; right instrument: %2; scope: %3"),
+         part(parts.left), part(parts.right), part(parts.scope)});
+}
+
 void print_list(const std::vector<ListedDevice>& devices) {
     for (const ListedDevice& device : devices) {
         std::cout << device_text(device.title) << ": "
@@ -54,7 +73,42 @@ void print_list(const std::vector<ListedDevice>& devices) {
                      (device.detail.empty() ? std::string() : " (" + device.detail + ")")});
         if (!device.what_to_do.empty())
             say({QT_TRANSLATE_NOOP("commands", "    what to do: %1"), device_text(device.what_to_do)});
+        if (device.state != DeviceState::usable)
+            for (const std::string& rule : device.rules)
+                say({QT_TRANSLATE_NOOP("commands", "    udev rule: %1"), rule});
+        if (const std::string at = calibrated_at(device.kind); !at.empty())
+            say({QT_TRANSLATE_NOOP("commands", "    calibrated: %1"), at});
+        print_use(device.kind);
     }
+}
+
+bool needs_calibration(const DaemonClient& client) {
+    FaultReport fault;
+    return client.state().fault.read(fault) &&
+           fault.fault == static_cast<std::uint64_t>(DeviceFault::needs_calibration);
+}
+
+/// How far each slot went in the test: to the right, up, and away from the person.
+nlohmann::json frame_json(const DaemonClient& client, const DeviceTrial& trial) {
+    nlohmann::json document = nlohmann::json::object();
+    for (int i = 0; i < device_slots; ++i) {
+        if (!client.facts().slot[i] || !trial.moved[i]) continue;
+        const WorkspaceBox& box = *trial.moved[i];
+        document[device_slot_names[i]] = {{"left_right_m", {box.least.x(), box.most.x()}},
+                                          {"down_up_m", {box.least.y(), box.most.y()}},
+                                          {"towards_away_m", {-box.most.z(), -box.least.z()}}};
+    }
+    return document;
+}
+
+nlohmann::json use_json(const std::string& kind) {
+    const ui::SlotChoice parts = Devices::slot_choice(kind);
+    return {{"motion_scale", Devices::motion_scale(kind)},
+            {"force_scale", Devices::force_scale(kind)},
+            {"left", parts.left},
+            {"right", parts.right},
+            {"scope", parts.scope},
+            {"pedal", parts.pedal}};
 }
 
 nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) {
@@ -69,7 +123,10 @@ nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) 
                                {"pose_age_us", to_json(trial.pose_age)},
                                {"force_delay_us", to_json(trial.force_delay)},
                                {"force_sent_n", trial.force_sent},
-                               {"force_rendered_n", trial.force_rendered}};
+                               {"force_rendered_n", trial.force_rendered},
+                               {"needs_calibration", needs_calibration(client)},
+                               {"frame_check", frame_json(client, trial)},
+                               {"use", use_json(client.facts().kind)}};
     for (int i = 0; i < device_slots; ++i) {
         if (!client.facts().slot[i]) continue;
         const DevicePose& pose = trial.newest[i];
@@ -111,6 +168,26 @@ void print_trial(const DaemonClient& client, const DeviceTrial& trial) {
                  decimal_text(1e3 * pose.position[0], 1), decimal_text(1e3 * pose.position[1], 1),
                  decimal_text(1e3 * pose.position[2], 1), decimal_text(100 * pose.jaw, 0), pose.buttons});
     }
+    for (int i = 0; i < device_slots; ++i) {
+        if (const auto& box = client.facts().workspace[i]; client.facts().slot[i] && box)
+            say({QT_TRANSLATE_NOOP("commands", "%1: workspace %2 x %3 x %4 mm (across, up, deep)"),
+                 Sentence(slot_words[i]), decimal_text(1e3 * box->size().x(), 0),
+                 decimal_text(1e3 * box->size().y(), 0), decimal_text(1e3 * box->size().z(), 0)});
+        if (const auto& box = trial.moved[i]; client.facts().slot[i] && box)
+            say({QT_TRANSLATE_NOOP(
+                     "commands",
+                     "%1: went %2 mm to the right, %3 mm to the left, %4 mm up, %5 mm down, %6 mm away from "
+                     "you, %7 mm towards you"),
+                 Sentence(slot_words[i]), decimal_text(1e3 * box->most.x(), 0),
+                 decimal_text(-1e3 * box->least.x(), 0), decimal_text(1e3 * box->most.y(), 0),
+                 decimal_text(-1e3 * box->least.y(), 0), decimal_text(-1e3 * box->least.z(), 0),
+                 decimal_text(1e3 * box->most.z(), 0)});
+    }
+    if (!client.facts().firmware.empty())
+        say({QT_TRANSLATE_NOOP("commands", "versions: %1"), client.facts().firmware});
+    if (can_calibrate(client.facts().kind))
+        say(needs_calibration(client) ? QT_TRANSLATE_NOOP("commands", "calibration: needed")
+                                      : QT_TRANSLATE_NOOP("commands", "calibration: valid"));
     for (const std::string& note : client.notes()) say({QT_TRANSLATE_NOOP("commands", "note: %1"), note});
 }
 
@@ -167,7 +244,7 @@ int test_device(const Arguments& arguments, const std::string& specification) {
         throw UsageError("--rumble", QT_TRANSLATE_NOOP("errors", "is for game controllers"),
                          QT_TRANSLATE_NOOP("errors", "leave it out"));
     const auto seconds = static_cast<double>(arguments.integer("--seconds", 5, 1, 3600));
-    DaemonClient client(hapticd_program(), specification);
+    DaemonClient client(hapticd_program(), with_calibration(specification));
     double peak = 0;
     if (arguments.has("--force")) {
         for (const auto& force : client.facts().force)
@@ -189,6 +266,10 @@ int test_device(const Arguments& arguments, const std::string& specification) {
 }
 
 int run_devices(const Arguments& arguments) {
+    if (const auto device = arguments.value("--calibrate")) return calibrate_device(arguments, *device);
+    if (arguments.has("--hand"))
+        throw UsageError("--hand", QT_TRANSLATE_NOOP("errors", "has no meaning without --calibrate"),
+                         QT_TRANSLATE_NOOP("errors", "name a device: --calibrate DEVICE"));
     if (const auto specification = arguments.value("--test")) return test_device(arguments, *specification);
     for (const char* option : {"--seconds", "--force", "--rumble"})
         if (arguments.has(option))
@@ -217,6 +298,12 @@ Command devices_command() {
           "DEVICE",
           {QT_TRANSLATE_NOOP("commands", "Open this device (%1) and measure rate, jitter and delays."),
            typed_devices(false)}},
+         {"--calibrate",
+          "DEVICE",
+          {QT_TRANSLATE_NOOP("commands", "Calibrate this device step by step (%1)."),
+           "touch, haply, force-dimension, trainer, joystick, controller"}},
+         {"--hand", "HAND",
+          QT_TRANSLATE_NOOP("commands", "Hand whose instrument is calibrated: left or right."), "right"},
          {"--seconds", "S", QT_TRANSLATE_NOOP("commands", "How long the test lasts: 1 to 3600."), "5"},
          {"--force", "",
           QT_TRANSLATE_NOOP("commands",

@@ -9,8 +9,10 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
+#include "app/services/calibration.h"
 #include "sim_core/controllers/sdl_library.h"
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/devices/device_table.h"
@@ -143,6 +145,31 @@ void see_port(const DeviceRow& row, const Machine& machine, ListedDevice& listed
     }
 }
 
+/// Any joystick, whether SDL knows it as a controller or not.
+void see_joystick(const DeviceRow& row, const Machine& machine, const ControllerLook& look,
+                  ListedDevice& listed) {
+    for (const ConnectedController& one : look.connected) listed.found.push_back(one.name);
+    if (look.library.state != LibraryState::ready) {
+        listed.why = controllers::sdl_problem(look.library.state);
+        listed.detail = look.library.detail;
+        listed.what_to_do = controllers::sdl_hint(look.library.state);
+    } else if (look.connected.empty()) {
+        not_found(row, listed);
+        if (!look.failure.empty())
+            listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "SDL 2 does not start");
+        listed.detail = look.failure;
+    } else if (access(machine.joystick_file.c_str(), R_OK) == 0) {
+        can_be_used(row.name, listed);
+    } else {
+        listed.state = DeviceState::connected;
+        listed.needs_calibration = true;
+        listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "it is not calibrated");
+        listed.what_to_do = QT_TRANSLATE_NOOP(
+            "fulcrum::device_list",
+            "choose it here and calibrate it, or run `fulcrum devices --calibrate joystick`");
+    }
+}
+
 void see_spacenavd(const DeviceRow& row, const Machine& machine, ListedDevice& listed) {
     if (access(machine.spacenavd.c_str(), W_OK) == 0) {
         // a wireless one has a USB number that does not say so
@@ -222,6 +249,7 @@ std::function<std::vector<ListedDevice>()> devices_of_machine(const std::string&
     machine.controllers = GameController::look;
     machine.sockets = "/proc/net";
     machine.spacenavd = spacenavd_socket();
+    machine.joystick_file = joystick_file();
     machine.sends_at = sends_at;
     return [machine] { return list_devices(machine); };
 }
@@ -229,8 +257,11 @@ std::function<std::vector<ListedDevice>()> devices_of_machine(const std::string&
 std::vector<ListedDevice> list_devices(const Machine& machine) {
     std::vector<ListedDevice> devices;
     const std::vector<UsbDevice> connected = usb_devices(machine.usb);
+    std::optional<ControllerLook> controllers;
     for (const DeviceRow& row : device_table) {
-        if (row.found_by == FoundBy::sdl && !machine.controllers) continue;
+        const bool by_sdl = row.found_by == FoundBy::sdl || row.found_by == FoundBy::joystick;
+        if (by_sdl && !machine.controllers) continue;
+        if (by_sdl && !controllers) controllers = machine.controllers();
         ListedDevice listed;
         listed.kind = row.name;
         listed.title = row.title;
@@ -241,12 +272,21 @@ std::vector<ListedDevice> list_devices(const Machine& machine) {
         else if (row.found_by == FoundBy::mice)
             see_mice(row, machine, listed);
         else if (row.found_by == FoundBy::sdl)
-            see_controllers(row, machine.controllers(), listed);
+            see_controllers(row, *controllers, listed);
         else
             see_driven(row, machine, connected, listed);
+        if (row.found_by == FoundBy::joystick && listed.why.empty())
+            see_joystick(row, machine, *controllers, listed);
+        listed.rules = udev_rules_of(row);
         devices.push_back(std::move(listed));
     }
     return devices;
+}
+
+static nlohmann::json calibration_json(const ListedDevice& device) {
+    if (!can_calibrate(device.kind)) return nullptr;
+    const std::string at = calibrated_at(device.kind);
+    return {{"needed", device.needs_calibration}, {"at", at.empty() ? nlohmann::json() : nlohmann::json(at)}};
 }
 
 nlohmann::json devices_json(const std::vector<ListedDevice>& devices) {
@@ -263,6 +303,8 @@ nlohmann::json devices_json(const std::vector<ListedDevice>& devices) {
              {"moves", moves},
              {"state", row_of(device_states, device.state).name},
              {"found", device.found},
+             {"calibration", calibration_json(device)},
+             {"udev_rules", device.rules},
              {"why", device.why.empty() ? nlohmann::json() : nlohmann::json(device.why)},
              {"detail", device.detail.empty() ? nlohmann::json() : nlohmann::json(device.detail)},
              {"what_to_do",

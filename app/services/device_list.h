@@ -27,9 +27,10 @@ struct Machine {
     std::function<bool(const std::string&)> may_open;     ///< this person may read and write the file
     std::function<LibraryLook(const std::string&)> look;  ///< at the library for a kind of device
     std::function<ControllerLook()> controllers;
-    std::string sockets;    ///< folder with the system's lists of sockets, /proc/net
-    std::string spacenavd;  ///< path of its socket
-    std::string sends_at;   ///< address at which this program sends over OpenIGTLink; empty: it does not
+    std::string sockets;        ///< folder with the system's lists of sockets, /proc/net
+    std::string spacenavd;      ///< path of its socket
+    std::string joystick_file;  ///< with the calibration of joysticks
+    std::string sends_at;       ///< address at which this program sends over OpenIGTLink; empty: it does not
 };
 std::vector<ListedDevice> list_devices(const Machine& machine);
 /// Those of this machine, as `fulcrum devices` lists them. The screen is asked at once, on the window's

@@ -52,7 +52,8 @@ void Devices::open() {
     if (client_ != nullptr && client_->poll() != DaemonClient::Health::ended) return;
     test_.reset();
     client_.reset();  // the one that ended, before another takes the device
-    client_ = std::make_shared<DaemonClient>(hapticd_program(), specification_);
+    calibration_.reset();
+    client_ = std::make_shared<DaemonClient>(hapticd_program(), with_calibration(specification_));
     counted_at_ = -1;
 }
 
@@ -112,9 +113,29 @@ void Devices::choose(const std::string& kind) {
     QSettings().setValue(QLatin1String(chosen_key), QString::fromStdString(kind));
     if (chosen() == specification_) return;
     test_.reset();
+    calibration_.reset();
     pad_.reset();
     client_.reset();
     specification_ = chosen();
+}
+
+void Devices::start_calibration(int hand) {
+    calibration_.reset();
+    if (is_controller(specification_)) {
+        calibration_ = begin_calibration(specification_, hand, game_controller());
+        return;
+    }
+    test_.reset();
+    client_.reset();  // a device is open once
+    calibration_ = begin_calibration(specification_, hand, nullptr);
+}
+
+ui::CalibrationState Devices::calibration() {
+    if (calibration_ == nullptr) return {};
+    const ui::CalibrationState now = calibration_->look();
+    // With the new ranges from the next reading on.
+    if (!now.runs && is_controller(specification_)) pad_.reset();
+    return now;
 }
 
 void Devices::open_now() {
@@ -155,7 +176,7 @@ std::optional<ui::DeviceReadings> Devices::readings() {
         if (!client_->facts().slot[i] || !client_->state().pose[i].read(pose)) continue;
         now.held.push_back({device_slot_names[i], pose.present != 0,
                             Vector3(pose.position[0], pose.position[1], pose.position[2]), pose.jaw,
-                            pose.buttons});
+                            pose.buttons, client_->facts().workspace[i], client_->facts().clutch[i]});
         count = std::max(count, pose.sequence);
     }
     const std::int64_t at = monotonic_ns();
@@ -169,6 +190,7 @@ std::optional<ui::DeviceReadings> Devices::readings() {
     FaultReport fault;
     now.needs_calibration = client_->state().fault.read(fault) &&
                             fault.fault == static_cast<std::uint64_t>(DeviceFault::needs_calibration);
+    now.firmware = client_->facts().firmware;
     now.gives_force = client_->facts().force[0] || client_->facts().force[1];
     counted_ = count;
     counted_at_ = at;
@@ -180,6 +202,7 @@ ui::DeviceInUse Devices::in_use() const {
     ui::DeviceInUse device;
     const DeviceRow* const row = device_row(specification_);
     if (row != nullptr && row->found_by == FoundBy::script) device.practice_only = ui::PracticeOnly::scripted;
+    if (specification_.rfind("joystick:raw", 0) == 0) device.practice_only = ui::PracticeOnly::scripted;
     if (specification_ == two_mice || specification_ == virtual_mice) {
         device.title = QT_TRANSLATE_NOOP("fulcrum::device_list", "two mice and keyboard");
         device.two_mice = true;
@@ -222,8 +245,8 @@ std::shared_ptr<GameController> Devices::game_controller() {
     if (pad_ != nullptr && pad_->readings().connected) return pad_;
     pad_.reset();
     const std::size_t colon = specification_.find(':');
-    pad_ =
-        GameController::open(colon == std::string::npos ? std::string() : specification_.substr(colon + 1));
+    pad_ = GameController::open(colon == std::string::npos ? std::string() : specification_.substr(colon + 1),
+                                controller_ranges());
     return pad_;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/live/force_test.h"
+#include "app/services/calibration.h"
 #include "sim_core/controllers/game_controller.h"
 #include "sim_core/devices/daemon_client.h"
 #include "ui/services/device_service.h"
@@ -30,6 +31,11 @@ class Devices {
     bool start_force_test();
     void stop_force_test() { test_.reset(); }
     ui::ForceTestState force_test() const;
+    /// Of the device in use, which is closed for it; a guided calibration that ended is kept until the next.
+    void start_calibration(int hand);
+    ui::CalibrationState calibration();
+    GuidedCalibration* running_calibration() { return calibration_.get(); }
+    void stop_calibration() { calibration_.reset(); }
     static double motion_scale(const std::string& kind);
     static void set_motion_scale(const std::string& kind, double scale);
     static ui::SlotChoice slot_choice(const std::string& kind);
@@ -46,6 +52,7 @@ class Devices {
     std::shared_ptr<DaemonClient> client_;
     std::shared_ptr<GameController> pad_;
     std::unique_ptr<ForceTest> test_;
+    std::unique_ptr<GuidedCalibration> calibration_;
     std::uint64_t counted_ = 0;     ///< readings at the last call of readings()
     std::int64_t counted_at_ = -1;  ///< ns; -1: not called since the device was opened
 };

@@ -55,6 +55,11 @@ std::vector<ConnectedController> connected_now(const SdlLibrary& sdl) {
     return found;
 }
 
+/// From -1 to 1 between the ends.
+double in_range(double value, double least, double most) {
+    return std::clamp(value >= 0 ? value / most : -value / least, -1.0, 1.0);
+}
+
 double share(std::int16_t axis) {
     return std::clamp(axis / 32767.0, -1.0, 1.0);
 }
@@ -71,6 +76,7 @@ std::mutex sdl_use;
 struct GameController::Shared {
     SdlLibrary sdl;
     std::string wanted;  // name; empty: any
+    ControllerRanges ranges;
 
     mutable std::mutex mutex;
     std::condition_variable changed;
@@ -149,6 +155,13 @@ class GameController::Reader {
             newest.stick[h][0] = share(sdl_.axis(controller_, axes[h][0]));
             newest.stick[h][1] = -share(sdl_.axis(controller_, axes[h][1]));  // SDL counts downwards
             newest.trigger[h] = std::max(0.0, share(sdl_.axis(controller_, axis_left_trigger + h)));
+            for (int i = 0; i < 2; ++i) {
+                const double(&ends)[2] = shared_.ranges.stick[h][i];
+                newest.raw_stick[h][i] = newest.stick[h][i];
+                newest.stick[h][i] = in_range(newest.stick[h][i], ends[0], ends[1]);
+            }
+            newest.raw_trigger[h] = newest.trigger[h];
+            newest.trigger[h] = in_range(newest.trigger[h], -1, shared_.ranges.trigger[h]);
         }
         for (int b = 0; b < button_count; ++b)
             if (sdl_.button(controller_, b) != 0) newest.buttons |= 1U << static_cast<unsigned>(b);
@@ -157,7 +170,9 @@ class GameController::Reader {
         ControllerReadings& shown = shared_.now;
         for (int h = 0; h < 2; ++h) {
             std::copy_n(newest.stick[h], 2, shown.stick[h]);
+            std::copy_n(newest.raw_stick[h], 2, shown.raw_stick[h]);
             shown.trigger[h] = newest.trigger[h];
+            shown.raw_trigger[h] = newest.raw_trigger[h];
             const double pushed = std::hypot(newest.stick[h][0], newest.stick[h][1]);
             // A stick that is pushed, or stuck, when it is connected moves nothing until it was let go.
             shown.begun[h] = shown.begun[h] || pushed <= stick_dead_zone;
@@ -290,8 +305,20 @@ void GameController::run(const std::shared_ptr<Shared>& shared) {
     shared->changed.notify_all();
 }
 
-std::shared_ptr<GameController> GameController::open(const std::string& name) {
+bool is_usable(const ControllerRanges& ranges) {
+    bool good = true;
+    for (int h = 0; h < 2; ++h) {
+        for (const auto& ends : ranges.stick[h])
+            good = good && ends[0] >= -1 && ends[0] <= -0.5 && ends[1] >= 0.5 && ends[1] <= 1;
+        good = good && ranges.trigger[h] >= 0.5 && ranges.trigger[h] <= 1;
+    }
+    return good;
+}
+
+std::shared_ptr<GameController> GameController::open(const std::string& name,
+                                                     const ControllerRanges& ranges) {
     auto shared = std::make_shared<Shared>();
+    if (is_usable(ranges)) shared->ranges = ranges;
     const LibraryLook look = shared->sdl.load();
     if (look.state != LibraryState::ready)
         refuse({"%1 (%2)", Sentence(sdl_problem(look.state)), look.detail}, sdl_hint(look.state));

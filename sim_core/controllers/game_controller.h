@@ -39,18 +39,28 @@ struct ControllerMotion {
     bool used = false;                                          ///< a hand was there
 };
 
+/// How far sticks and triggers of a controller go, as a calibration measured it: a worn one does not reach
+/// its ends.
+struct ControllerRanges {
+    double stick[2][2][2] = {{{-1, 1}, {-1, 1}}, {{-1, 1}, {-1, 1}}};  ///< to the left and right, down and up
+    double trigger[2] = {1, 1};
+};
+/// Every end at least half of the way.
+bool is_usable(const ControllerRanges& ranges);
+
 /// The newest state, for a page that shows it.
 struct ControllerReadings {
     bool connected = false;
     std::string name;
-    double stick[2][2] = {};     ///< -1 to 1: to the right, up
-    double trigger[2] = {};      ///< 0 to 1
-    std::uint32_t buttons = 0;   ///< bit: button of SDL
-    bool begun[2] = {};          ///< see ControllerMotion
-    bool rumbles = true;         ///< false: it refused to
-    std::uint64_t readings = 0;  ///< since it was opened
-    double rate = 0;             ///< Hz, in the last second
-    double worst_gap = 0;        ///< s between two readings, in the last second
+    double stick[2][2] = {};                           ///< -1 to 1: to the right, up
+    double trigger[2] = {};                            ///< 0 to 1
+    double raw_stick[2][2] = {}, raw_trigger[2] = {};  ///< without the ranges of a calibration
+    std::uint32_t buttons = 0;                         ///< bit: button of SDL
+    bool begun[2] = {};                                ///< see ControllerMotion
+    bool rumbles = true;                               ///< false: it refused to
+    std::uint64_t readings = 0;                        ///< since it was opened
+    double rate = 0;                                   ///< Hz, in the last second
+    double worst_gap = 0;                              ///< s between two readings, in the last second
 };
 
 /// What loading the library gave, and the controllers that are connected.
@@ -64,7 +74,8 @@ class GameController {
   public:
     /// Loads the library and reads the first controller that is connected, or the first of this name. Throws
     /// InputError where there is none, with what to do.
-    static std::shared_ptr<GameController> open(const std::string& name = {});
+    static std::shared_ptr<GameController> open(const std::string& name = {},
+                                                const ControllerRanges& ranges = {});
     /// Any thread. Takes some 10 ms where none is being read.
     static ControllerLook look();
     ~GameController();

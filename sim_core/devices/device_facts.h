@@ -9,6 +9,7 @@
 
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/device.h"
+#include "sim_core/instrument/workspace.h"
 
 namespace fulcrum {
 
@@ -18,6 +19,10 @@ struct DeviceFacts {
     double rate = 1000;                   ///< Hz
     bool slot[device_slots] = {};         ///< it has this slot
     std::optional<ForceOutput> force[2];  ///< of each hand; scale 1
+    /// Where each slot can be moved; none: not known.
+    std::optional<WorkspaceBox> workspace[device_slots];
+    bool clutch[device_slots] = {};  ///< one of its buttons is the clutch
+    std::string firmware;            ///< versions that its library states, in no language; empty: none
 };
 
 nlohmann::json to_json(const DeviceFacts& facts);

@@ -34,4 +34,25 @@ std::vector<std::string> serial_ports_of(const DeviceRow& row, const std::vector
     return ports;
 }
 
+std::optional<WorkspaceBox> published_workspace(const DeviceRow& row) {
+    const double* const mm = row.workspace;
+    const WorkspaceBox box{1e-3 * Vector3(mm[0], mm[1], mm[2]), 1e-3 * Vector3(mm[3], mm[4], mm[5])};
+    return is_usable(box) ? std::optional<WorkspaceBox>(box) : std::nullopt;
+}
+
+std::vector<std::string> udev_rules_of(const DeviceRow& row) {
+    const std::string access = "MODE=\"0660\", TAG+=\"uaccess\"";
+    if (row.found_by == FoundBy::sdl || row.found_by == FoundBy::joystick)
+        return {R"(SUBSYSTEM=="input", KERNEL=="event*", ENV{ID_INPUT_JOYSTICK}=="1", )" + access};
+    const char* const match = row.found_by == FoundBy::serial ? "SUBSYSTEM==\"tty\"" : "SUBSYSTEMS==\"usb\"";
+    std::vector<std::string> rules;
+    for (const UsbNumber& number : row.usb) {
+        if (*number.vendor == '\0') continue;
+        std::string rule = match + std::string(", ATTRS{idVendor}==\"") + number.vendor + "\", ";
+        if (*number.product != '\0') rule += std::string("ATTRS{idProduct}==\"") + number.product + "\", ";
+        rules.push_back(rule + access);
+    }
+    return rules;
+}
+
 }  // namespace fulcrum

@@ -6,12 +6,14 @@
 // "fulcrum::device_list", those of libraries and faults in "errors".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/device_class.h"
+#include "sim_core/instrument/workspace.h"
 #include "sim_core/numerics/name_table.h"
 
 namespace fulcrum {
@@ -43,7 +45,8 @@ enum class DeviceFault : std::uint32_t {
     trainer_silent,     ///< it sends nothing new
     trainer_lines,      ///< what it sends are not its lines
     trainer_checksum,   ///< its lines have wrong checksums
-    trainer_values      ///< its angles or lengths are not possible
+    trainer_values,     ///< its angles or lengths are not possible
+    firmware            ///< the maker's library says that the device's firmware does not suit it
 };
 
 struct FaultRow {
@@ -162,7 +165,14 @@ inline constexpr FaultRow device_faults[] = {
      QT_TRANSLATE_NOOP("errors",
                        "The trainer reports an angle or a length that is not possible. Check the plugs of "
                        "its sensors and the ranges in its sketch."),
-     false, 1000}};
+     false, 1000},
+    {DeviceFault::firmware,
+     QT_TRANSLATE_NOOP(
+         "errors",
+         "The maker's driver reports that the firmware of the device does not suit it. Update "
+         "the firmware with the maker's program, or install the driver that belongs to it; then "
+         "connect the device again."),
+     true}};
 static_assert(in_order(device_faults));
 
 /// For a number that another process wrote: the row of none where it is not a fault.
@@ -194,6 +204,7 @@ enum class FoundBy : std::uint8_t {
     library,    ///< that of its maker, and its USB numbers
     port,       ///< somebody listens at one of its ports on this computer
     spacenavd,  ///< its socket
+    joystick,   ///< what SDL 2 reports, and a calibration
     serial,     ///< the only serial port of a board with one of its USB numbers
 };
 
@@ -230,6 +241,8 @@ struct DeviceRow {
     const char* rule = "";  ///< what to do where its file may not be opened
     int ports[2] = {0, 0};  ///< of this computer
     DeviceLibrary library = {};
+    /// mm, device frame: least and most, as its maker publishes it, where its library does not state it.
+    double workspace[6] = {};
 };
 
 inline constexpr DeviceRow device_table[] = {
@@ -272,7 +285,9 @@ inline constexpr DeviceRow device_table[] = {
                         "`sudo ldconfig`"),
       QT_TRANSLATE_NOOP("errors",
                         "install that library: libPhantomIOLib42.so comes with the Touch driver, "
-                        "libncurses.so.5 and libtinfo.so.5 with the packages libncurses5 and libtinfo5")}},
+                        "libncurses.so.5 and libtinfo.so.5 with the packages libncurses5 and libtinfo5")},
+     // Touch and Geomagic Touch: 160 x 120 x 70 mm
+     {-80, -60, -35, 80, 60, 35}},
     {"force-dimension",
      "force-dimension",
      QT_TRANSLATE_NOOP("errors", "Force Dimension, Novint Falcon"),
@@ -366,7 +381,13 @@ inline constexpr DeviceRow device_table[] = {
       {"1b4f", ""}},
      QT_TRANSLATE_NOOP("errors",
                        "run `sudo usermod -aG dialout $USER` (the group that owns the port), then sign out "
-                       "and in again")}};
+                       "and in again")},
+    {"joystick", "joystick", QT_TRANSLATE_NOOP("fulcrum::device_list", "HID joystick as an instrument"),
+     DeviceClass::tracked, ReadBy::daemon, FoundBy::joystick, moves_hands | moves_pedal,
+     QT_TRANSLATE_NOOP("fulcrum::device_list", "none is connected"),
+     QT_TRANSLATE_NOOP("fulcrum::device_list",
+                       "connect the joystick of the trainer; your account needs the right to read "
+                       "/dev/input/event*")}};
 
 /// The row of a specification such as "openigtlink:HOST:PORT"; null where its first word is not the name of
 /// one.
@@ -380,6 +401,12 @@ constexpr bool can_be_chosen(const DeviceRow& row) {
 /// "controller, virtual:SCRIPT.json, …": what can be typed, without the first kinds where only events of the
 /// window read them.
 std::string typed_devices(bool of_window);
+/// The workspace that its maker publishes; none where the row has none.
+std::optional<WorkspaceBox> published_workspace(const DeviceRow& row);
+
+/// Rules of udev with which the person at the screen may open devices of this row; none where nothing of it
+/// is opened.
+std::vector<std::string> udev_rules_of(const DeviceRow& row);
 
 struct UsbDevice;
 bool is_of(const DeviceRow& row, const UsbDevice& device);

@@ -4,6 +4,7 @@
 #include "sim_core/hapticd/force_dimension_device.h"
 #include "sim_core/hapticd/haply_device.h"
 #include "sim_core/hapticd/igtl_device.h"
+#include "sim_core/hapticd/joystick_device.h"
 #include "sim_core/hapticd/space_mouse_device.h"
 #include "sim_core/hapticd/touch_device.h"
 #include "sim_core/hapticd/trainer_device.h"
@@ -52,7 +53,8 @@ constexpr MakerRow makers[] = {{"virtual", make_device<VirtualDevice, script_of>
                                {"haply", make_device<HaplyDevice, haply_specification>},
                                {"openigtlink", make_device<IgtlDevice, igtl_specification>},
                                {"space-mouse", make_device<SpaceMouseDevice, space_mouse_slot>},
-                               {"trainer", make_device<TrainerDevice, trainer_specification>}};
+                               {"trainer", make_device<TrainerDevice, trainer_specification>},
+                               {"joystick", make_device<JoystickDevice, joystick_specification>}};
 
 const MakerRow* maker(const std::string& specification) {
     return find_row(makers, std::string_view(specification).substr(0, specification.find(':')));

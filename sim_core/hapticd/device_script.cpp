@@ -44,9 +44,9 @@ class ScriptReader {
     }
 
     DeviceScript read() {
-        known(
-            root_, "",
-            {"format", "title", "rate", "force", "left", "right", "scope", "recording", "repeat", "faults"});
+        known(root_, "",
+              {"format", "title", "rate", "force", "left", "right", "scope", "recording", "repeat", "faults",
+               "workspace"});
         if (root_.value("format", json()) != json("fulcrum-device-script"))
             bad("/format", QT_TRANSLATE_NOOP("errors", "must be \"fulcrum-device-script\""),
                 QT_TRANSLATE_NOOP("errors", "add it, or name another file"));
@@ -72,6 +72,7 @@ class ScriptReader {
                 QT_TRANSLATE_NOOP("errors", "give at least one"));
         read_force(script);
         read_faults(script);
+        read_workspace(script);
         return script;
     }
 
@@ -187,6 +188,26 @@ class ScriptReader {
         output.torque = number(force, "/force", "torque", 0, 0, 5);
         for (int h = 0; h < 2; ++h) {
             if (script.facts.slot[h]) script.facts.force[h] = output;
+        }
+    }
+
+    /// Without it 10 cm to each side of the origin.
+    void read_workspace(DeviceScript& script) const {
+        const json list = root_.value("workspace", json::array({-0.1, -0.1, -0.1, 0.1, 0.1, 0.1}));
+        WorkspaceBox box;
+        bool numbers = list.is_array() && list.size() == 6;
+        for (std::size_t i = 0; numbers && i < 6; ++i) {
+            numbers = list[i].is_number();
+            if (numbers)
+                (i < 3 ? box.least : box.most)[static_cast<Eigen::Index>(i % 3)] = list[i].get<double>();
+        }
+        if (!numbers || !is_usable(box))
+            bad("/workspace", QT_TRANSLATE_NOOP("errors", "must be two corners of a box in metres"),
+                QT_TRANSLATE_NOOP("errors", "write [-0.08, -0.06, -0.035, 0.08, 0.06, 0.035]"));
+        for (int i = 0; i < device_slots; ++i) {
+            if (!script.facts.slot[i]) continue;
+            script.facts.workspace[i] = box;
+            script.facts.clutch[i] = true;
         }
     }
 

@@ -59,6 +59,28 @@ ForceDimensionNumbers force_dimension_numbers(const std::string& specification) 
     return numbers;
 }
 
+/// What the maker publishes for its models, about the middle of the device; none: another model.
+static std::optional<WorkspaceBox> workspace_of(const std::string& model) {
+    struct Model {
+        const char* name;
+        double across, deep;  // m: diameter, depth towards the person
+    };
+    constexpr Model models[] = {{"omega", 0.16, 0.11},
+                                {"delta", 0.40, 0.26},
+                                {"sigma", 0.19, 0.13},
+                                {"lambda", 0.24, 0.17},
+                                {"falcon", 0.10, 0.10}};
+    std::string small = model;
+    for (char& c : small)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (const Model& one : models) {
+        if (small.find(one.name) == std::string::npos) continue;
+        const Vector3 half = 0.5 * Vector3(one.across, one.across, one.deep);
+        return WorkspaceBox{-half, half};
+    }
+    return std::nullopt;
+}
+
 ForceDimensionDevice::ForceDimensionDevice(ForceDimensionNumbers numbers) : numbers_(numbers) {
     facts_.kind = "force-dimension";
     facts_.title = "Force Dimension";
@@ -73,7 +95,12 @@ std::string ForceDimensionDevice::last_error() const {
 void ForceDimensionDevice::open_hand(int hand, int number) {
     Hand& one = hands_[hand];
     const std::string shown = "device " + std::to_string(number);
-    if (library_.open(static_cast<char>(number)) < 0)
+    const bool opened = library_.open(static_cast<char>(number)) >= 0;
+    if (!opened && names_firmware(library_.last_error()))
+        throw InputError(own_row().title, shown,
+                         {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"), last_error()},
+                         firmware_hint());
+    if (!opened)
         refuse_to_open(
             own_row(), shown, {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"), last_error()},
             QT_TRANSLATE_NOOP("errors", "check its cable and power, and end other programs that use it"));
@@ -92,6 +119,8 @@ void ForceDimensionDevice::open_hand(int hand, int number) {
     force.damping = stiffness_n_m / (2 * rate);
     facts_.force[hand] = force;
     facts_.slot[hand] = true;
+    facts_.clutch[hand] = true;
+    facts_.workspace[hand] = workspace_of(facts_.title);
 }
 
 void ForceDimensionDevice::open() {
@@ -152,7 +181,8 @@ void ForceDimensionDevice::check(Hand& one, std::int64_t now) noexcept {
     int status[dhd::status_count] = {};
     if (library_.get_status(status, one.id) < 0 || status[dhd::connected] == 0 || status[dhd::power] == 0 ||
         status[dhd::error] != 0 || (status[dhd::force] == 0 && status[dhd::force_off_cause] == dhd::usb)) {
-        one.memory.see(DeviceFault::no_answer, now);
+        one.memory.see(names_firmware(library_.last_error()) ? DeviceFault::firmware : DeviceFault::no_answer,
+                       now);
         return;
     }
     if (status[dhd::reset] != 0) one.memory.see(DeviceFault::needs_calibration, now);
@@ -182,11 +212,13 @@ bool ForceDimensionDevice::read_pose(Hand& one) noexcept {
     one.last.roll = -2 * std::atan2(turn[2][1] - turn[1][2], 1 + turn[0][0] + turn[1][1] + turn[2][2]);
     if (one.gripper) {
         one.jaw = std::clamp(angle / widest_gripper, 0.0, 1.0);
-        one.last.buttons = (buttons & 1U) != 0 ? button_energy : button_none;
+        one.last.buttons = ((buttons & 1U) != 0 ? unsigned{button_energy} : 0U) |
+                           ((buttons & 2U) != 0 ? unsigned{button_clutch} : 0U);
     } else {
         one.jaw += std::clamp(((buttons & 1U) != 0 ? 0 : 1) - one.jaw, -jaw_step, jaw_step);
         one.last.buttons = ((buttons & 2U) != 0 ? unsigned{button_energy} : 0U) |
-                           ((buttons & 4U) != 0 ? unsigned{button_exchange} : 0U);
+                           ((buttons & 4U) != 0 ? unsigned{button_exchange} : 0U) |
+                           ((buttons & 8U) != 0 ? unsigned{button_clutch} : 0U);
     }
     one.last.jaw = one.jaw;
     return true;

@@ -234,7 +234,10 @@ void IgtlDevice::open() {
     if (ended_ != DeviceFault::none || !all_seen(true)) refuse();
     facts_.kind = "openigtlink";
     facts_.title = "OpenIGTLink " + wanted_.address.text();
-    for (std::size_t i = 0; i < device_slots; ++i) facts_.slot[i] = slots_[i].handle.seen();
+    for (std::size_t i = 0; i < device_slots; ++i) {
+        facts_.slot[i] = slots_[i].handle.seen();
+        facts_.clutch[i] = facts_.slot[i];
+    }
 }
 
 void IgtlDevice::read(std::int64_t now, DevicePose (&poses)[device_slots]) noexcept {

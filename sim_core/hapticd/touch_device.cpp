@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum::hapticd {
 namespace {
@@ -112,6 +113,8 @@ hd::Handle TouchDevice::init(const std::string& name) {
     if (error == hd::invalid_license)
         throw InputError(own_row().title, shown, said,
                          QT_TRANSLATE_NOOP("errors", "install the licence of OpenHaptics"));
+    if (names_firmware(library_.error_string(error)))
+        throw InputError(own_row().title, shown, said, firmware_hint());
     if (error == hd::already_initiated)
         throw InputError(own_row().title, shown, said,
                          QT_TRANSLATE_NOOP("errors", "end the other program that uses the device"));
@@ -148,6 +151,24 @@ void TouchDevice::read_limits(int hand) {
     hands_[hand].style = has(hd::automatic) ? hd::automatic : has(hd::inkwell) ? hd::inkwell : 0U;
 }
 
+void TouchDevice::read_workspace(int hand) {
+    double mm[6] = {};
+    library_.get_double(hd::usable_workspace, mm);
+    const WorkspaceBox box{1e-3 * Vector3(mm[0], mm[1], mm[2]), 1e-3 * Vector3(mm[3], mm[4], mm[5])};
+    const bool stated = first_error() == hd::success && is_usable(box);
+    facts_.workspace[hand] = stated ? box : published_workspace(own_row());
+}
+
+void TouchDevice::read_versions() {
+    const char* const driver = library_.get_string(hd::device_driver_version);
+    if (driver != nullptr && *driver != '\0') facts_.firmware = "driver " + std::string(driver);
+    double firmware = 0;
+    library_.get_double(hd::device_firmware_version, &firmware);
+    if (first_error() == hd::success && std::isfinite(firmware) && firmware > 0)
+        facts_.firmware += (facts_.firmware.empty() ? "firmware " : ", firmware ") +
+                           decimal_text(firmware, firmware == std::floor(firmware) ? 0 : 2);
+}
+
 void TouchDevice::open_hand(int hand, const std::string& name) {
     Hand& one = hands_[hand];
     one.handle = init(name);
@@ -155,6 +176,8 @@ void TouchDevice::open_hand(int hand, const std::string& name) {
     const char* const model = library_.get_string(hd::device_model_type);
     if (model != nullptr && *model != '\0') facts_.title = "3D Systems " + std::string(model);
     read_limits(hand);
+    read_workspace(hand);
+    read_versions();
     library_.enable(hd::force_output);
     library_.enable(hd::max_force_clamping);
     if (const std::uint32_t error = first_error(); error != hd::success)
@@ -255,7 +278,10 @@ void TouchDevice::take_errors(int hand, std::int64_t now) noexcept {
         const int other = 1 - hand;
         const bool of_other =
             hands_[other].handle != hd::invalid_handle && error.device == hands_[other].handle;
-        hands_[of_other ? other : hand].memory.see(fault_of(error.code), now);
+        DeviceFault fault = fault_of(error.code);
+        if (fault == DeviceFault::no_answer && names_firmware(library_.error_string(error.code)))
+            fault = DeviceFault::firmware;
+        hands_[of_other ? other : hand].memory.see(fault, now);
     }
 }
 

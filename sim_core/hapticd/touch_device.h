@@ -41,6 +41,8 @@ class TouchDevice : public ServoBackend {
     void open_hand(int hand, const std::string& name);
     hd::Handle init(const std::string& name);
     void read_limits(int hand);
+    void read_workspace(int hand);
+    void read_versions();
     std::uint32_t first_error() noexcept;
     std::string words_of_error(std::uint32_t code) const;
     static std::uint32_t servo(void* device) noexcept;

@@ -24,6 +24,9 @@ enum Parameter : std::uint32_t {
     current_position = 0x2050,          ///< 3 double, mm
     current_gimbal_angles = 0x2150,     ///< 3 double, rad; the third is the turn of the stylus
     device_model_type = 0x2501,         ///< string
+    device_driver_version = 0x2502,     ///< string
+    device_firmware_version = 0x2505,   ///< double
+    usable_workspace = 0x2551,          ///< 6 double, mm: least, most
     calibration_style = 0x2555,         ///< int, CalibrationStyle mask
     nominal_max_stiffness = 0x2602,     ///< double, N/mm
     nominal_max_force = 0x2603,         ///< double, N

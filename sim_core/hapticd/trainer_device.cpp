@@ -88,6 +88,22 @@ Sentence hint_of_port(int error) {
 
 }  // namespace
 
+/// "zero-left=PITCH;YAW;ROLL", mrad.
+static void read_zero(const std::string& word, std::size_t equals, double (&zero)[3]) {
+    std::string rest = word.substr(equals + 1);
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t end = rest.find(';');
+        if ((end == std::string::npos) != (i == 2)) refuse_trainer_word(word);
+        std::string digits = rest.substr(0, end);
+        const bool below = !digits.empty() && digits.front() == '-';
+        if (below) digits.erase(0, 1);
+        const int mrad = (below ? -1 : 1) * whole_number(digits, word);
+        if (std::abs(mrad) > (i == 2 ? 10000 : 1500)) refuse_trainer_word(word);
+        zero[i] = 1e-3 * mrad;
+        rest = end == std::string::npos ? std::string() : rest.substr(end + 1);
+    }
+}
+
 TrainerSpecification trainer_specification(const std::string& specification) {
     TrainerSpecification wanted;
     const std::size_t colon = specification.find(':');
@@ -97,7 +113,8 @@ TrainerSpecification trainer_specification(const std::string& specification) {
         rest = word.size() < rest.size() ? rest.substr(word.size() + 1) : std::string();
         const std::size_t equals = word.find('=');
         const std::string key = word.substr(0, equals);
-        if (first && key != "baud" && key != "length") {
+        const bool zero = key == "zero-left" || key == "zero-right";
+        if (first && key != "baud" && key != "length" && !zero) {
             wanted.port = word;
         } else if (key == "baud" && equals != std::string::npos) {
             wanted.baud = whole_number(word.substr(equals + 1), word);
@@ -106,6 +123,8 @@ TrainerSpecification trainer_specification(const std::string& specification) {
             const int length = whole_number(word.substr(equals + 1), word);
             if (length < 100 || length > 600) refuse_trainer_word(word);
             wanted.length = 1e-3 * length;
+        } else if (zero && equals != std::string::npos) {
+            read_zero(word, equals, wanted.zero[key == "zero-left" ? 0 : 1]);
         } else {
             refuse_trainer_word(word);
         }
@@ -206,7 +225,10 @@ void TrainerDevice::open() {
     if (ended_ || !greeted_ || !all_seen()) refuse();
     facts_.kind = "trainer";
     facts_.title = hello_.name.data();
-    for (std::size_t i = 0; i < device_slots; ++i) facts_.slot[i] = hello_.part[i];
+    for (std::size_t i = 0; i < device_slots; ++i) {
+        facts_.slot[i] = hello_.part[i];
+        facts_.clutch[i] = facts_.slot[i];
+    }
 }
 
 void TrainerDevice::take_pose(const TrainerPose& pose, std::int64_t now) noexcept {
@@ -215,13 +237,20 @@ void TrainerDevice::take_pose(const TrainerPose& pose, std::int64_t now) noexcep
         return;
     }
     Part& part = parts_[pose.part];
+    TrainerPose straight = pose;
+    if (pose.part < scope_slot) {
+        const double(&zero)[3] = wanted_.zero[pose.part];
+        straight.pitch -= zero[0];
+        straight.yaw -= zero[1];
+        straight.roll -= zero[2];
+    }
     const std::uint32_t step = pose.time_us - part.time_us;
     const auto ahead = static_cast<std::uint16_t>(pose.sequence - part.sequence);
     // A line that is sent again, or comes late, is nothing new: a trainer that hangs is silent.
     const bool same = ahead == 0 && step == 0, older = ahead == 0 || ahead > INT16_MAX || step == 0;
     if (part.any && (part.again ? same : older)) return;
     const bool plausible = part.any && !part.again && step < longest_step_us;
-    part.handle.take(handle_of(pose, wanted_.length), now,
+    part.handle.take(handle_of(straight, wanted_.length), now,
                      plausible ? step * microsecond : 1000 * trainer_ms / hello_.rate);
     part.jaw = pose.jaw;
     part.buttons = pose.buttons;

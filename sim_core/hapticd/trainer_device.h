@@ -16,10 +16,13 @@ struct TrainerSpecification {
     std::string port;      ///< empty: the only serial port of a micro-controller
     int baud = 115200;     ///< bits a second; a port of USB alone ignores it
     double length = 0.34;  ///< m from the tip to the handle along the shaft
+    /// rad, of each hand: what pitch, yaw and roll are where the instrument points straight away from the
+    /// person.
+    double zero[2][3] = {};
     std::int64_t patience =
         4000LL * 1'000'000;  ///< ns for the first answer: a board that is opened begins again
 };
-/// "trainer", "trainer:PORT,baud=57600,length=330". Throws InputError.
+/// "trainer", "trainer:PORT,baud=57600,length=330,zero-left=12;-3;0" (mrad). Throws InputError.
 TrainerSpecification trainer_specification(const std::string& specification);
 
 /// Where the handle is whose tip is where the trainer says, with the pivot at the origin, device frame.

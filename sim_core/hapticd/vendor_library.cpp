@@ -35,4 +35,15 @@ void refuse_to_open(const DeviceRow& kind, const std::string& device, const Sent
     throw InputError(kind.title, device, problem, hint);
 }
 
+bool names_firmware(const char* words) noexcept {
+    // Without the first letter, which may be a capital one.
+    return words != nullptr && std::strstr(words, "irmware") != nullptr;
+}
+
+const char* firmware_hint() {
+    return QT_TRANSLATE_NOOP("errors",
+                             "update the firmware of the device with its maker's program, or install the "
+                             "driver that belongs to it");
+}
+
 }  // namespace fulcrum::hapticd

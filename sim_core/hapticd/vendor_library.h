@@ -18,6 +18,11 @@ namespace fulcrum::hapticd {
 LibraryLook load_library(const DeviceRow& device, const std::vector<std::string>& names,
                          const std::vector<Symbol>& symbols);
 
+/// What a library said is about the firmware. Any thread, no allocation.
+bool names_firmware(const char* words) noexcept;
+/// What to do then.
+const char* firmware_hint();
+
 /// Throws InputError where the library is not ready.
 void require_ready(const DeviceRow& device, const LibraryLook& look);
 

@@ -124,7 +124,8 @@ HandForce HapticLoop::Parts::force_for_hand(int hand, const RigSample& input) no
         now.old_load.add(result[hand].tool_load);
     }
     now.model_age = result[hand].age;
-    now.connected = !on_hold && pose.present;
+    // A hand that moves its device elsewhere with the clutch feels nothing; the force comes back slowly.
+    now.connected = !on_hold && pose.present && (input.hand[hand].buttons & button_clutch) == 0;
     if (result[hand].touching_tool) now.carried = moved[1 - hand];
     return sends[hand].step(now);
 }

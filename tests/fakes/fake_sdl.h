@@ -12,6 +12,7 @@ struct FakeSdlController {
     // Scripted. Axes and buttons in SDL's order, y downwards.
     std::atomic<std::uint32_t> plugged{0}, known{1}, opens{1};
     std::atomic<std::int32_t> axis[6] = {};
+    std::atomic<std::int32_t> axes{6};  ///< of the joystick
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<std::uint32_t> rumble_fails{0};
     char name[64] = "Fake Pad";

@@ -15,6 +15,8 @@ struct FakeTouchDevice {
     std::atomic<std::uint32_t> tick_error{0};  ///< put into the queue at each end of a frame
     std::atomic<std::uint32_t> calibration{0x5000};
     std::atomic<double> max_force{3.3}, continuous_force{0.88}, max_stiffness{0.5};
+    std::atomic<double> workspace[6] = {};  ///< mm; all 0: it states none
+    std::atomic<double> firmware{0};
     // Seen.
     std::atomic<double> force[3] = {};        ///< N, what the motors got at the last end of a frame
     std::atomic<std::int64_t> force_time{0};  ///< ns, CLOCK_MONOTONIC

@@ -150,7 +150,11 @@ void hdGetDoublev(std::uint32_t what, double* values) {
     if (what == 0x2602) *values = one->max_stiffness;
     if (what == 0x2603) *values = one->max_force;
     if (what == 0x2604) *values = one->continuous_force;
-    if (!state && what != 0x2602 && what != 0x2603 && what != 0x2604) misuse(0x0103);
+    for (int i = 0; what == 0x2551 && i < 6; ++i) values[i] = one->workspace[i];
+    if (what == 0x2505) *values = one->firmware;
+    const bool stated =
+        what == 0x2551 || what == 0x2505 || what == 0x2602 || what == 0x2603 || what == 0x2604;
+    if (!state && !stated) misuse(0x0103);
 }
 void hdGetIntegerv(std::uint32_t what, std::int32_t* values) {
     FakeTouchDevice* const one = device();
@@ -164,7 +168,7 @@ void hdGetIntegerv(std::uint32_t what, std::int32_t* values) {
         misuse(0x0103);
 }
 const char* hdGetString(std::uint32_t what) {
-    return what == 0x2501 ? "Touch" : "";
+    return what == 0x2501 ? "Touch" : what == 0x2502 ? "2023.11.15" : "";
 }
 void hdSetDoublev(std::uint32_t what, const double* values) {
     if (what != 0x2700 || device() == nullptr || !framed[current]) {

@@ -176,6 +176,31 @@ std::uint8_t SDL_GameControllerGetButton(void* controller, int button) {
     const FakeSdlController* const one = opened(controller);
     return one->plugged == 1 && (one->buttons >> static_cast<unsigned>(button) & 1U) != 0 ? 1 : 0;
 }
+void* SDL_JoystickOpen(int index) {
+    return SDL_GameControllerOpen(index);
+}
+void SDL_JoystickClose(void* joystick) {
+    SDL_GameControllerClose(joystick);
+}
+int SDL_JoystickGetAttached(void* joystick) {
+    return SDL_GameControllerGetAttached(joystick);
+}
+void SDL_JoystickUpdate() {
+    SDL_GameControllerUpdate();
+}
+int SDL_JoystickNumAxes(void* joystick) {
+    return opened(joystick)->axes;
+}
+std::int16_t SDL_JoystickGetAxis(void* joystick, int axis) {
+    if (axis < 0 || axis >= opened(joystick)->axes) ++used()->misuse;
+    return SDL_GameControllerGetAxis(joystick, axis);
+}
+int SDL_JoystickNumButtons(void*) {
+    return 12;
+}
+std::uint8_t SDL_JoystickGetButton(void* joystick, int button) {
+    return SDL_GameControllerGetButton(joystick, button);
+}
 #if !defined(FAKE_SDL_OLD)
 int SDL_GameControllerRumble(void* controller, std::uint16_t low, std::uint16_t high,
                              std::uint32_t milliseconds) {

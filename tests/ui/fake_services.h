@@ -102,6 +102,21 @@ class FakeServices : public ApplicationServices {
         in_use.kind = kind == "mouse-keyboard" ? "" : kind;
     }
     bool device_can_be_chosen() const override { return can_choose; }
+    std::function<SceneReach()> scene_reach(const std::string&) override {
+        return [found = reach] { return found; };
+    }
+    bool can_calibrate(const std::string& kind) const override {
+        return kind == "joystick" || kind == "touch";
+    }
+    std::string calibrated_at(const std::string&) const override { return calibrated; }
+    void start_calibration(int hand) override {
+        calibrating.runs = true;
+        calibrating.step = 1 + hand;
+    }
+    CalibrationState calibration() override { return calibrating; }
+    void calibration_next() override { ++calibrating.step; }
+    void calibration_skip() override { calibrating.step += 10; }
+    void stop_calibration() override { calibrating = {}; }
     double motion_scale(const std::string& kind) const override {
         const auto found = motions.find(kind);
         return found != motions.end() ? found->second : 1;
@@ -133,6 +148,9 @@ class FakeServices : public ApplicationServices {
     Sentence trouble;                 ///< of the device in use
     std::optional<DeviceReadings> readings;
     std::map<std::string, double> scales, motions;
+    SceneReach reach;
+    std::string calibrated;
+    CalibrationState calibrating;
     std::optional<DeviceReadings> readings_when_open;
     std::string chosen;
     bool can_choose = false, rumbles = true;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/attempt/scene_reach.h"
 #include "sim_core/controllers/game_controller.h"
 #include "sim_core/numerics/name_table.h"
 #include "ui/services/attempt_session.h"
@@ -27,10 +28,12 @@ struct ListedDevice {
     std::string kind, title;  ///< texts in English, see device_words()
     DeviceClass device_class = DeviceClass::haptic;
     DeviceState state = DeviceState::absent;
-    std::vector<std::string> found;  ///< what is connected
-    std::string why, what_to_do;     ///< empty where it can be used
-    std::string detail = {};         ///< of why: what the system says, in no language
-    bool can_be_chosen = true;       ///< for the hands, on the page of settings
+    std::vector<std::string> found;       ///< what is connected
+    std::string why, what_to_do;          ///< empty where it can be used
+    std::string detail = {};              ///< of why: what the system says, in no language
+    bool can_be_chosen = true;            ///< for the hands, on the page of settings
+    bool needs_calibration = false;       ///< nothing else keeps it from being used
+    std::vector<std::string> rules = {};  ///< udev rules with which a person may open it
 };
 
 /// Why attempts with a device are never assessed.
@@ -60,6 +63,8 @@ struct DeviceReadings {
         Vector3 position = Vector3::Zero();
         double jaw = 0;  ///< share of the opening
         std::uint32_t buttons = 0;
+        std::optional<WorkspaceBox> workspace = {};  ///< device frame; none: not known
+        bool clutch = false;                         ///< one of its buttons is the clutch
     };
     std::vector<Slot> held;
     double rate = 0;           ///< Hz, since the call before
@@ -67,7 +72,19 @@ struct DeviceReadings {
     double jitter = -1;        ///< s, standard deviation of the time between two; -1: not measured
     bool gives_force = false;  ///< to at least one hand
     bool needs_calibration = false;
+    std::string firmware;                          ///< versions that its library states; empty: none
     std::optional<ControllerReadings> controller;  ///< of a game controller, which has no slots
+};
+
+/// A guided calibration: what to do now, and after its end what came out.
+struct CalibrationState {
+    bool runs = false;
+    int step = 0, steps = 0;    ///< from 1
+    Sentence what_to_do, seen;  ///< what is read now; may be empty
+    bool ready = false;         ///< what the step asks for was seen
+    bool can_skip = false;      ///< the step may be left out
+    Sentence result;            ///< after the end
+    bool good = false;          ///< it was stored
 };
 
 /// The force test while it runs, and what came out.
@@ -140,6 +157,24 @@ class DeviceService {
     /// Whether choose_device() has an effect: an environment variable does not name the device.
     virtual bool device_can_be_chosen() const { return false; }
     /// For attempts that begin afterwards, with devices of this kind ("": mouse); remembered.
+    /// Where the handles of a task have to go, from where the instruments begin. The function that is
+    /// returned builds the scene and may run on any thread; it throws InputError.
+    virtual std::function<SceneReach()> scene_reach(const std::string& /*task_id*/) {
+        return [] { return SceneReach(); };
+    }
+    /// Of devices of this kind there is something to calibrate.
+    virtual bool can_calibrate(const std::string& /*kind*/) const { return false; }
+    /// When it was calibrated last (local time, "2026-11-26 10:30"); empty: never, or not by this program.
+    virtual std::string calibrated_at(const std::string& /*kind*/) const { return {}; }
+    /// Of the device in use; `hand`: 0 left, 1 right, where each hand is calibrated by itself. Throws
+    /// InputError.
+    virtual void start_calibration(int /*hand*/) {}
+    /// To be asked about 30 times a second while it runs.
+    virtual CalibrationState calibration() { return {}; }
+    /// The person did what the step asks for.
+    virtual void calibration_next() {}
+    virtual void calibration_skip() {}
+    virtual void stop_calibration() {}
     virtual double motion_scale(const std::string& /*kind*/) const { return 1; }
     virtual void set_motion_scale(const std::string& /*kind*/, double /*scale*/) {}
     virtual SlotChoice slot_choice(const std::string& /*kind*/) const { return {}; }

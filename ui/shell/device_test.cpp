@@ -7,15 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/shell/calibration_box.h"
 #include "ui/shell/frame_check.h"
+#include "ui/shell/workspace_fit.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
 namespace {
-
-constexpr int motion_percents[] = {50, 75, 100, 150, 200};
 
 QComboBox* make_list(const char* name, const QString& title) {
     auto* list = new QComboBox;
@@ -51,7 +51,12 @@ DeviceTest::DeviceTest(Context& context) : context_(context) {
     });
     tried_ = build_try();
     column->addWidget(tried_);
+    reach_ = new WorkspaceFit(context, [this] { show_settings(); });
+    reach_->hide();
     column->addWidget(build_settings());
+    column->addWidget(reach_);
+    calibration_ = new CalibrationBox(context);
+    column->addWidget(calibration_);
 }
 
 QWidget* DeviceTest::build_try() {
@@ -161,6 +166,9 @@ QWidget* DeviceTest::build_pedal() {
         tr("The button of one device is the pedal for both hands. The key of the pedal works with every "
            "choice; give it to a foot switch that types a key under Mouse and keys for the hands."),
         "muted"));
+    clutch_note_ = make_label({}, "muted");
+    clutch_note_->setObjectName(QStringLiteral("clutch_note"));
+    column->addWidget(clutch_note_);
     connect(pedal_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
         DeviceService& devices = context_.services();
         const std::string kind = devices.device_in_use().kind;
@@ -201,6 +209,7 @@ void DeviceTest::show_settings() {
                  "handle.")
             : tr("For the same movement of the device, from the next attempt on; 100 %: as far as the hand. "
                  "Where the instrument begins, the device is at that moment, wherever you hold it."));
+    calibration_->show_device();
     rumble_->setVisible(controller);
     rumble_->setChecked(devices.rumble_wanted());
     const SlotChoice slots_now = devices.slot_choice(used.kind);
@@ -223,10 +232,13 @@ void DeviceTest::show_readings(const DeviceReadings* readings, bool trouble) {
     }
     was_open_ = open;
     if (!open) {
+        reach_->hide();
         forced_ = false;
         return;
     }
     frame_->show_readings(*readings);
+    reach_->show_readings(*readings);
+    show_clutch(*readings);
     marks_->setText(frame_->lines().join(QLatin1Char('\n')));
     shake_->setVisible(readings->controller.has_value());
     away_note_->setVisible(readings->controller.has_value());
@@ -235,6 +247,21 @@ void DeviceTest::show_readings(const DeviceReadings* readings, bool trouble) {
     gives_force_ = readings->gives_force;
     force_->setEnabled(!trouble);
     show_force();
+}
+
+/// The button for energy is free where it is not the pedal.
+void DeviceTest::show_clutch(const DeviceReadings& readings) {
+    bool own = false;
+    for (const DeviceReadings::Slot& slot : readings.held) own = own || slot.clutch;
+    DeviceService& devices = context_.services();
+    const bool free = devices.slot_choice(devices.device_in_use().kind).pedal != pedal_of_each_hand;
+    const QString what = tr(
+        "While it is held the instrument stays, without force, and you move the handle to a better place.");
+    clutch_note_->setText(own    ? tr("Clutch: a button of the device.") + QLatin1Char(' ') + what
+                          : free ? tr("Clutch: the button for energy, where it is not the pedal.") +
+                                       QLatin1Char(' ') + what
+                                 : QString());
+    clutch_note_->setVisible(!readings.held.empty() && (own || free));
 }
 
 void DeviceTest::show_force() {
@@ -258,6 +285,7 @@ void DeviceTest::show_force() {
 }
 
 void DeviceTest::stop() {
+    calibration_->stop();
     context_.services().stop_force_test();
     forced_ = false;
 }

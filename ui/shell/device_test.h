@@ -15,7 +15,9 @@ class QPushButton;
 
 namespace fulcrum::ui {
 
+class CalibrationBox;
 class FrameCheck;
+class WorkspaceFit;
 
 class DeviceTest : public QWidget {
     Q_OBJECT
@@ -35,13 +37,16 @@ class DeviceTest : public QWidget {
     QWidget* build_try();
     QWidget* build_settings();
     void show_force();
+    void show_clutch(const DeviceReadings& readings);
     QWidget* build_pedal();
     void change_slots(int changed);
     Context& context_;
     QPushButton *open_, *force_, *stop_, *again_, *shake_;
-    QLabel *marks_, *force_line_, *motion_note_, *away_note_;
+    QLabel *marks_, *force_line_, *motion_note_, *away_note_, *clutch_note_;
     QWidget *tried_, *slots_row_, *pedal_row_;
     FrameCheck* frame_;
+    WorkspaceFit* reach_;
+    CalibrationBox* calibration_;
     QComboBox *motion_, *slot_[3], *pedal_;
     QCheckBox* rumble_;
     bool was_open_ = false, forced_ = false, gives_force_ = false;

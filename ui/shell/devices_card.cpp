@@ -40,6 +40,11 @@ QStringList particulars(const ListedDevice& device) {
     if (!device.why.empty()) lines << DevicesCard::tr("Why: %1").arg(why);
     if (!device.what_to_do.empty())
         lines << DevicesCard::tr("What to do: %1").arg(device_words(device.what_to_do));
+    // Where a person is not permitted, the line is in what to do already.
+    if (device.state == DeviceState::absent && !device.rules.empty())
+        lines << DevicesCard::tr(
+            "Where it is connected and not found: install 70-fulcrum.rules "
+            "(fulcrum devices shows its lines), then connect it again.");
     return lines;
 }
 
@@ -174,6 +179,7 @@ void DevicesCard::show_readings() {
                           : tr("%1 readings per second").arg(decimal(now->rate, 0)));
         if (now->rate > 0 && now->jitter >= 0)
             lines << tr("Jitter of the readings: %1 ms").arg(decimal(1e3 * now->jitter, 2));
+        if (!now->firmware.empty()) lines << tr("Versions: %1").arg(text(now->firmware));
         for (const DeviceReadings::Slot& slot : now->held) lines << slot_words(slot);
         if (!now->held.empty())
             lines << (now->needs_calibration ? tr("Calibration: needed") : tr("Calibration: valid"));
@@ -215,8 +221,8 @@ void DevicesCard::show_list(const std::vector<ListedDevice>& devices) {
         if (device.state == DeviceState::usable) set_tint(state, Tint::good);
         if (device.state == DeviceState::connected) set_tint(state, Tint::bad);
         list_->addWidget(state);
-        const bool choosable = device.state == DeviceState::usable && device.can_be_chosen &&
-                               context_.services().device_can_be_chosen();
+        const bool choosable = (device.state == DeviceState::usable || device.needs_calibration) &&
+                               device.can_be_chosen && context_.services().device_can_be_chosen();
         if (choosable) {
             QPushButton* use = make_button(tr("Use for the hands"), "");
             use->setObjectName(QStringLiteral("use_") + text(device.kind));

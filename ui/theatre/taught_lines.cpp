@@ -172,7 +172,19 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Push, pull the scope\tin, out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Turn the scope\tturns the light post: the direction in which the scope looks"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}}};
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}},
+    {"joystick",
+     {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                        "Instrument on the joystick\tmoves as you hold it; the tip goes the other way"),
+      "", QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Push, pull the instrument\tin, out"),
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Turn the instrument, or {turn}\tturns the shaft"),
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                        "Close its handle, or {each_jaws}\tcloses the jaws · the keys: they stay closed, or "
+                        "open again"),
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Pedal of the trainer, or {pedal}\tpedal (energy, suction)"),
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Button of the trainer, or {exchange}\tnext instrument")},
+     "",
+     {"", "", "", ""}}};
 
 const TaughtRow* row_of_kind(const std::string& kind) {
     for (const TaughtRow& row : taught_rows)

@@ -180,6 +180,65 @@ TEST(DeviceRig, ThePedalIsTheButtonThatAPersonChose) {
     EXPECT_EQ(pedals(2), std::pair(false, false)) << "the device has no third part";
 }
 
+TEST(DeviceRig, WhileTheClutchIsPressedTheInstrumentStaysAndThenFollowsFromThere) {
+    OnPages at;
+    at.publish();
+    at.read();
+    at.pose[0].position[0] = 0.02;
+    at.publish();
+    at.read();
+    const Vector3 before = at.handle(0);
+    at.pose[0].buttons = button_clutch;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].buttons & button_clutch, button_clutch)
+        << "an input, so that replays have it";
+    at.pose[0].position[0] = -0.25;  // further than a reading may jump
+    at.pose[0].roll = 1;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.handle(0), before);
+    EXPECT_EQ(at.sample.hand[0].roll, 0);
+    // Not a number, or no answer, does not end it.
+    at.pose[0].position[0] = std::numeric_limits<double>::quiet_NaN();
+    at.pose[0].buttons = 0;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].faulty, 1);
+    at.pose[0].position[0] = -0.25;
+    at.pose[0].present = 0;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.handle(0), before);
+    at.pose[0].present = 1;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.handle(0), before) << "released: it goes on from there";
+    EXPECT_EQ(at.sample.hand[0].faulty, 0);
+    at.pose[0].position[0] = -0.24;
+    at.pose[0].roll = 1.25;
+    at.publish();
+    at.read();
+    EXPECT_NEAR((at.handle(0) - before - DeviceRig::turned(Vector3(0.01, 0, 0))).norm(), 0, 2e-7);
+    EXPECT_NEAR(device_angle_unit * at.sample.hand[0].roll, 0.25, 2e-6);
+}
+
+TEST(DeviceRig, TheButtonForEnergyIsTheClutchWhereItIsNotThePedal) {
+    OnPages at;
+    at.pose[0].buttons = button_energy;
+    for (const int pedal : {-2, -1, 0, 1}) {
+        SlotUse use;
+        use.pedal = pedal;
+        at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                             at.others, use, 1);
+        at.publish();
+        at.read();
+        const bool clutched = (at.sample.hand[0].buttons & button_clutch) != 0;
+        EXPECT_EQ(clutched, pedal == -1 || pedal == 1) << pedal;
+        EXPECT_FALSE(clutched && (at.sample.hand[0].buttons & button_energy) != 0) << "one use at a time";
+    }
+}
+
 TEST(DeviceRig, ADeviceThatSendsNothingNewDidNotAnswer) {
     OnPages at;
     at.read();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/operators/operator.h"
@@ -21,18 +22,27 @@ class WithDevice : public ObservingRig {
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
         rig_->observe(world, display);
     }
-    void read(std::uint32_t tick, RigSample& sample) override { rig_->read(tick, sample); }
+    void read(std::uint32_t tick, RigSample& sample) override {
+        rig_->read(tick, sample);
+        clutched_ = tick >= clutch_from && tick < clutch_to;
+        if (clutched_) sample.hand[0].buttons |= button_clutch;
+    }
     void write_force(Hand hand, const Vector3& force) override {
-        if (hand == Hand::left) largest = std::max(largest, force.norm());
+        if (hand != Hand::left) return;
+        largest = std::max(largest, force.norm());
+        if (clutched_) with_clutch = force.norm();
     }
     bool has_force(Hand hand) const override { return hand == Hand::left && device_.has_value(); }
     double damping(Hand hand) const override { return has_force(hand) ? device_->damping : -1; }
     std::optional<ForceOutput> force_output(Hand hand) const override {
         return hand == Hand::left ? device_ : std::nullopt;
     }
-    double largest = 0;  ///< N
+    double largest = 0;      ///< N
+    double with_clutch = 0;  ///< N, the last one
+    std::uint32_t clutch_from = 0, clutch_to = 0;
 
   private:
+    bool clutched_ = false;
     std::unique_ptr<ObservingRig> rig_;
     std::optional<ForceOutput> device_;
 };
@@ -44,12 +54,18 @@ struct PerformedWithDevice {
     RunOutcome outcome;
     double largest = 0;
 
-    explicit PerformedWithDevice(const std::optional<ForceOutput>& device) {
+    double with_clutch = 0;
+
+    explicit PerformedWithDevice(const std::optional<ForceOutput>& device, std::uint32_t clutch_from = 0,
+                                 std::uint32_t clutch_to = 0) {
         AttemptEngine engine(scene, task, 3);
         WithDevice rig(make_operator(OperatorLevel::novice, task, scene, 3), device);
+        rig.clutch_from = clutch_from;
+        rig.clutch_to = clutch_to;
         outcome = run_headless(engine, rig, sink, [](double time) { return time < 15; });
         sink.record.devices = devices_of(rig);
         largest = rig.largest;
+        with_clutch = rig.with_clutch;
     }
 };
 
@@ -78,6 +94,25 @@ TEST(ForceDevice, ReplaysWithTheStoredDeviceAndNotWithAnother) {
     EXPECT_GT(limited(performed.sink.record.events), 0)
         << "a target of 600 N/m at the lever is too stiff for b 0.5";
     EXPECT_EQ(limited(same.events), limited(performed.sink.record.events));
+}
+
+TEST(ForceDevice, WhileTheClutchIsPressedNothingIsFeltAndAReplayHasItToo) {
+    const PerformedWithDevice without(test::desk_device());
+    // From a tick with force on.
+    std::uint32_t from = 0;
+    for (const TickSample& sample : without.sink.record.samples) {
+        const auto& sent = sample.hand[0].device_force;
+        if (std::abs(sent[0]) + std::abs(sent[1]) + std::abs(sent[2]) < 50) continue;
+        from = sample.tick;
+        break;
+    }
+    ASSERT_GT(from, 0U) << "something was felt";
+    const PerformedWithDevice performed(test::desk_device(), from, from + 100);
+    EXPECT_EQ(performed.with_clutch, 0) << "within 100 ms";
+    EXPECT_EQ(performed.outcome.state_hash, without.outcome.state_hash) << "what is touched stays as it was";
+    AttemptEngine engine(performed.scene, performed.task, 3);
+    const ReplayOutcome replayed = replay_record(engine, performed.sink.record);
+    EXPECT_TRUE(replayed.identical) << replayed.first_divergence_s;
 }
 
 TEST(ForceDevice, LeavesStateAndTissueAsTheyAreWithoutOne) {

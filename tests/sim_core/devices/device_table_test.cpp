@@ -80,6 +80,23 @@ TEST(DeviceTable, EveryFaultSaysWhatToDoAndANumberThatIsNoneSaysNothing) {
     EXPECT_FALSE(needs_opening(outside));
 }
 
+TEST(DeviceTable, TheRulesFileThatIsInstalledHasTheLinesOfEveryDevice) {
+    std::ifstream file(test::source_path("assets/udev/70-fulcrum.rules"));
+    std::set<std::string> installed, wanted;
+    for (std::string line; std::getline(file, line);)
+        if (!line.empty() && line[0] != '#') installed.insert(line);
+    for (const DeviceRow& row : device_table)
+        for (const std::string& rule : udev_rules_of(row)) wanted.insert(rule);
+    EXPECT_EQ(installed, wanted);
+    for (const char* kind : {"controller", "touch", "force-dimension", "space-mouse", "trainer", "joystick"})
+        EXPECT_FALSE(udev_rules_of(*device_row(kind)).empty()) << kind;
+    EXPECT_TRUE(udev_rules_of(*device_row("haply")).empty()) << "its service opens it";
+    // What is said where the permission is missing has the same lines.
+    for (const char* kind : {"touch", "force-dimension"})
+        EXPECT_NE(std::string(device_row(kind)->rule).find(udev_rules_of(*device_row(kind)).front()),
+                  std::string::npos);
+}
+
 TEST(DeviceTable, UsbNumbersNameTheDevicesOfARow) {
     UsbDevice falcon{"0403", "cb48", "Falcon", {}}, adapter{"0403", "6001", "serial adapter", {}};
     EXPECT_TRUE(is_of(*device_row("force-dimension"), falcon));

@@ -96,6 +96,21 @@ TEST_F(TouchThroughTheDaemon, PosesOfTwoDevicesComeInMetresWithRollJawAndButtons
     EXPECT_TRUE(client.message().empty());
 }
 
+TEST_F(TouchThroughTheDaemon, WorkspaceAndVersionsAreThoseThatTheLibraryStates) {
+    const double mm[] = {-210, -110, -85, 205, 130, 100};
+    for (int i = 0; i < 6; ++i) page->device[0].workspace[i] = mm[i];
+    page->device[1].workspace[0] = 1;  // not possible: what the maker publishes
+    page->device[0].firmware = page->device[1].firmware = 192;
+    const DaemonClient client(FULCRUM_HAPTICD_PROGRAM, both);
+    ASSERT_TRUE(client.facts().workspace[0] && client.facts().workspace[1]);
+    EXPECT_TRUE(client.facts().workspace[0]->least.isApprox(Vector3(-0.21, -0.11, -0.085)));
+    EXPECT_TRUE(client.facts().workspace[0]->most.isApprox(Vector3(0.205, 0.13, 0.1)));
+    EXPECT_TRUE(client.facts().workspace[1]->size().isApprox(Vector3(0.16, 0.12, 0.07)));
+    EXPECT_FALSE(client.facts().workspace[scope_slot].has_value());
+    EXPECT_EQ(client.facts().firmware, "driver 2023.11.15, firmware 192");
+    EXPECT_EQ(page->misuse, 0U);
+}
+
 TEST_F(TouchThroughTheDaemon, ForceSentIsForceAskedWithinTheDevicesLimits) {
     page->device[0].max_force = 2.5;
     page->device[0].continuous_force = 0.7;

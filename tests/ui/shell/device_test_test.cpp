@@ -11,6 +11,8 @@
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
 #include "ui/shell/frame_check.h"
+#include "ui/shell/workspace_fit.h"
+#include "ui/shell/workspace_view.h"
 #include "ui/style/appearance.h"
 
 namespace fulcrum::ui::window_test {
@@ -38,6 +40,10 @@ class DeviceOnThePage : public Screens {
         now.jitter = 0.05e-3;
         now.gives_force = true;
         now.held = {{"left", true, Vector3::Zero(), 1, 0}, {"right", true, Vector3::Zero(), 1, 0}};
+        for (DeviceReadings::Slot& slot : now.held)
+            slot.workspace = WorkspaceBox{Vector3(-0.08, -0.06, -0.035), Vector3(0.08, 0.06, 0.035)};
+        services.reach[0] = services.reach[1] =
+            WorkspaceBox{Vector3(-0.05, 0, -0.04), Vector3(0.05, 0.05, 0.055)};
         services.readings_when_open = now;
     }
     void use_controller() {
@@ -83,6 +89,80 @@ TEST_F(DeviceOnThePage, IsOpenedWithoutAnAttemptAndEachDirectionGetsItsMark) {
     EXPECT_TRUE(waits_for("frame_marks", "Left hand: – right · – up · – away from you"));
     services.readings->needs_calibration = true;
     EXPECT_TRUE(waits_for("device_readings", "Calibration: needed"));
+}
+
+TEST_F(DeviceOnThePage, TheReachIsDrawnAndFitChoosesTheScaleWithWhichTheTaskIsReached) {
+    use_touch();
+    services.readings_when_open->held[0].clutch = true;
+    services.reach[0] = services.reach[1] =
+        WorkspaceBox{Vector3(-0.05, 0, -0.04), Vector3(0.05, 0.05, 0.055)};
+    services.readings = services.readings_when_open;
+    open_page();
+    ASSERT_TRUE(waits_for("reach_lines", "% of the scene is reached from the ring"))
+        << text_of("reach_lines").toStdString();
+    EXPECT_TRUE(text_of("reach_lines").contains("Left hand: workspace 160 × 120 × 70 mm"));
+    EXPECT_TRUE(text_of("reach_lines").contains("73 % of the scene")) << text_of("reach_lines").toStdString();
+    EXPECT_TRUE(text_of("clutch_note").startsWith("Clutch: a button of the device."));
+    const auto picture = [&] { return find<WorkspaceView>(*window, "workspace_right")->picture(); };
+    ASSERT_TRUE(picture().scene.has_value());
+    EXPECT_TRUE(picture().scene->size().isApprox(Vector3(0.1, 0.05, 0.095)));
+    bring(*find<QPushButton>(*window, "fit_motion"));
+    click(*window, "fit_motion");
+    EXPECT_EQ(services.motions["touch"], 1.5) << "95 mm deep in 70 mm, with room to spare";
+    EXPECT_EQ(find<QComboBox>(*window, "motion_scale")->currentText(), "150 %");
+    EXPECT_TRUE(waits_for("reach_lines", "All of the scene is reached from the ring."));
+    EXPECT_LT(picture().scene->size().z(), 0.07);
+    EXPECT_TRUE(waits_for("reach_lines", "From where the handle is now"));
+    services.readings->held[0].position = picture().begin;
+    EXPECT_TRUE(waits_for("reach_lines", "The handle is at the ring."));
+    bring(*find<QWidget>(*window, "workspace_left"));
+    keep("device-reach");
+    services.readings->held[0].workspace.reset();
+    services.readings->held[1].workspace.reset();
+    EXPECT_TRUE(wait_for([&] { return !sees(*window, "reach_lines"); })) << "no workspace is known";
+}
+
+TEST_F(DeviceOnThePage, ACalibrationIsGuidedStepByStepAndSaysWhatWasStored) {
+    services.in_use.kind = "joystick";
+    services.in_use.title = "HID joystick as an instrument";
+    services.in_use.device_class = DeviceClass::tracked;
+    services.calibrated = "2026-11-26 10:30";
+    open_page();
+    EXPECT_EQ(text_of("calibration_when"), "Calibrated last: 2026-11-26 10:30.");
+    EXPECT_FALSE(sees(*window, "calibration_next"));
+    services.calibrating.steps = 6;
+    services.calibrating.what_to_do =
+        "Hold the instrument straight away from you, half way in, its jaws "
+        "open, and keep it still.";
+    services.calibrating.seen = "It moves.";
+    bring(*find<QPushButton>(*window, "calibrate"));
+    click(*window, "calibrate");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "calibration_next"); }));
+    EXPECT_TRUE(text_of("calibration_step").startsWith("Step 2 of 6: Hold the instrument straight"))
+        << "the right hand: " << text_of("calibration_step").toStdString();
+    EXPECT_EQ(text_of("calibration_seen"), "It moves.");
+    EXPECT_FALSE(find<QPushButton>(*window, "calibration_next")->isEnabled());
+    EXPECT_FALSE(sees(*window, "calibration_skip"));
+    services.calibrating.ready = services.calibrating.can_skip = true;
+    services.calibrating.seen = "Seen.";
+    ASSERT_TRUE(wait_for([&] { return find<QPushButton>(*window, "calibration_next")->isEnabled(); }));
+    bring(*find<QWidget>(*window, "calibration_cancel"));
+    keep("device-calibration");
+    click(*window, "calibration_next");
+    EXPECT_TRUE(text_of("calibration_step").startsWith("Step 3 of 6"));
+    click(*window, "calibration_skip");
+    EXPECT_TRUE(text_of("calibration_step").startsWith("Step 13 of 6"));
+    services.calibrating.runs = false;
+    services.calibrating.good = true;
+    services.calibrating.result = "Stored.";
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "calibration_result"); }));
+    EXPECT_EQ(text_of("calibration_result"), "Stored.");
+    EXPECT_FALSE(sees(*window, "calibration_next"));
+    services.calibrating.steps = 6;
+    click(*window, "calibrate");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "calibration_cancel"); }));
+    go_to("rail_home");
+    EXPECT_FALSE(services.calibrating.runs) << "leaving the page ends it";
 }
 
 TEST_F(DeviceOnThePage, TheForceTestIsStoppedByButtonEscapeTroubleAndLeavingThePage) {

@@ -1190,6 +1190,62 @@
         <source>Open this device (%1) and measure rate, jitter and delays.</source>
         <translation>Dieses Gerät öffnen (%1) und Rate, Schwankung und Verzögerungen messen.</translation>
     </message>
+    <message>
+        <source>     Enter: done; s and Enter: leave it out</source>
+        <translation>     Eingabe: fertig; s und Eingabe: weglassen</translation>
+    </message>
+    <message>
+        <source>     Enter: done</source>
+        <translation>     Eingabe: fertig</translation>
+    </message>
+    <message>
+        <source>    movement of the instrument: %1 %</source>
+        <translation>    Bewegung des Instruments: %1 %</translation>
+    </message>
+    <message>
+        <source>mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>    left instrument: %1; right instrument: %2; scope: %3</source>
+        <translation>    linkes Instrument: %1; rechtes Instrument: %2; Optik: %3</translation>
+    </message>
+    <message>
+        <source>    udev rule: %1</source>
+        <translation>    udev-Regel: %1</translation>
+    </message>
+    <message>
+        <source>    calibrated: %1</source>
+        <translation>    kalibriert: %1</translation>
+    </message>
+    <message>
+        <source>%1: workspace %2 x %3 x %4 mm (across, up, deep)</source>
+        <translation>%1: Arbeitsraum %2 x %3 x %4 mm (quer, hoch, tief)</translation>
+    </message>
+    <message>
+        <source>%1: went %2 mm to the right, %3 mm to the left, %4 mm up, %5 mm down, %6 mm away from you, %7 mm towards you</source>
+        <translation>%1: bewegt um %2 mm nach rechts, %3 mm nach links, %4 mm nach oben, %5 mm nach unten, %6 mm von Ihnen weg, %7 mm zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>versions: %1</source>
+        <translation>Versionen: %1</translation>
+    </message>
+    <message>
+        <source>calibration: needed</source>
+        <translation>Kalibrierung: nötig</translation>
+    </message>
+    <message>
+        <source>calibration: valid</source>
+        <translation>Kalibrierung: gültig</translation>
+    </message>
+    <message>
+        <source>Calibrate this device step by step (%1).</source>
+        <translation>Dieses Gerät Schritt für Schritt kalibrieren (%1).</translation>
+    </message>
+    <message>
+        <source>Hand whose instrument is calibrated: left or right.</source>
+        <translation>Hand, deren Instrument kalibriert wird: left oder right.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -7405,6 +7461,242 @@
         <source>No sound: %1 (%2). To hear it, %3.</source>
         <translation>Kein Ton: %1 (%2). Um ihn zu hören: %3.</translation>
     </message>
+    <message>
+        <source>joystick</source>
+        <translation>Joystick</translation>
+    </message>
+    <message>
+        <source>connect it, then try again</source>
+        <translation>schließen Sie ihn an und versuchen Sie es erneut</translation>
+    </message>
+    <message>
+        <source>connect it, or calibrate the one that is connected</source>
+        <translation>schließen Sie ihn an, oder kalibrieren Sie den angeschlossenen</translation>
+    </message>
+    <message>
+        <source>is larger than 64 KiB</source>
+        <translation>ist größer als 64 KiB</translation>
+    </message>
+    <message>
+        <source>must be &quot;fulcrum-joystick&quot;</source>
+        <translation>muss &quot;fulcrum-joystick&quot; sein</translation>
+    </message>
+    <message>
+        <source>gives no hand the axes for pitch, yaw and insertion</source>
+        <translation>gibt keiner Hand die Achsen für pitch, yaw und insertion</translation>
+    </message>
+    <message>
+        <source>calibrate the joystick again: `fulcrum devices --calibrate joystick`</source>
+        <translation>kalibrieren Sie den Joystick erneut: `fulcrum devices --calibrate joystick`</translation>
+    </message>
+    <message>
+        <source>is not a usable number</source>
+        <translation>ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>has an angle or length that is not possible</source>
+        <translation>hat einen Winkel oder eine Länge, die nicht möglich ist</translation>
+    </message>
+    <message>
+        <source>has two ends that are the same</source>
+        <translation>hat zwei gleiche Enden</translation>
+    </message>
+    <message>
+        <source>the device reports a workspace that is not possible</source>
+        <translation>das Gerät meldet einen Arbeitsraum, der nicht möglich ist</translation>
+    </message>
+    <message>
+        <source>The maker&apos;s driver reports that the firmware of the device does not suit it. Update the firmware with the maker&apos;s program, or install the driver that belongs to it; then connect the device again.</source>
+        <translation>Der Treiber des Herstellers meldet, dass die Firmware des Geräts nicht zu ihm passt. Aktualisieren Sie die Firmware mit dem Programm des Herstellers, oder installieren Sie den dazugehörigen Treiber; schließen Sie das Gerät dann wieder an.</translation>
+    </message>
+    <message>
+        <source>must be two corners of a box in metres</source>
+        <translation>muss aus zwei Ecken eines Quaders in Metern bestehen</translation>
+    </message>
+    <message>
+        <source>write [-0.08, -0.06, -0.035, 0.08, 0.06, 0.035]</source>
+        <translation>schreiben Sie [-0.08, -0.06, -0.035, 0.08, 0.06, 0.035]</translation>
+    </message>
+    <message>
+        <source>is not calibrated</source>
+        <translation>ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>run `fulcrum devices --calibrate joystick`, or use the button Calibrate on the page Settings</source>
+        <translation>führen Sie `fulcrum devices --calibrate joystick` aus, oder wählen Sie „Kalibrieren“ auf der Seite Einstellungen</translation>
+    </message>
+    <message>
+        <source>unplug the joystick and connect it again</source>
+        <translation>ziehen Sie den Joystick ab und schließen Sie ihn wieder an</translation>
+    </message>
+    <message>
+        <source>%1 has fewer axes than it was calibrated with</source>
+        <translation>%1 hat weniger Achsen als bei der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>calibrate it again: `fulcrum devices --calibrate joystick`</source>
+        <translation>kalibrieren Sie ihn erneut: `fulcrum devices --calibrate joystick`</translation>
+    </message>
+    <message>
+        <source>update the firmware of the device with its maker&apos;s program, or install the driver that belongs to it</source>
+        <translation>aktualisieren Sie die Firmware des Geräts mit dem Programm des Herstellers, oder installieren Sie den dazugehörigen Treiber</translation>
+    </message>
+    <message>
+        <source>a value of the device is out of range</source>
+        <translation>ein Wert des Geräts liegt außerhalb seines Bereichs</translation>
+    </message>
+    <message>
+        <source>there is nothing to calibrate for this kind of device</source>
+        <translation>bei dieser Art von Gerät gibt es nichts zu kalibrieren</translation>
+    </message>
+    <message>
+        <source>is not a hand</source>
+        <translation>ist keine Hand</translation>
+    </message>
+    <message>
+        <source>use left or right</source>
+        <translation>verwenden Sie left oder right</translation>
+    </message>
+    <message>
+        <source>The calibration was ended; nothing is stored.</source>
+        <translation>Die Kalibrierung wurde beendet; nichts ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Stored. It is valid for this joystick until its sensors are moved.</source>
+        <translation>Gespeichert. Sie gilt für diesen Joystick, bis seine Sensoren versetzt werden.</translation>
+    </message>
+    <message>
+        <source>Stored. It is valid until a sensor of the trainer is moved.</source>
+        <translation>Gespeichert. Sie gilt, bis ein Sensor des Trainers versetzt wird.</translation>
+    </message>
+    <message>
+        <source>Stored. It is valid for this controller, from now on.</source>
+        <translation>Gespeichert. Sie gilt ab jetzt für diesen Controller.</translation>
+    </message>
+    <message>
+        <source>Calibrated. It is valid until the device is switched off or unplugged.</source>
+        <translation>Kalibriert. Das gilt, bis das Gerät ausgeschaltet oder abgezogen wird.</translation>
+    </message>
+    <message>
+        <source>The device does not answer.</source>
+        <translation>Das Gerät antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>It is at (%1, %2, %3) mm.</source>
+        <translation>Es ist bei (%1, %2, %3) mm.</translation>
+    </message>
+    <message>
+        <source>It could not be stored: %1</source>
+        <translation>Sie konnte nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>The device reports that it is not calibrated.</source>
+        <translation>Das Gerät meldet, dass es nicht kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>The device reports that it is calibrated.</source>
+        <translation>Das Gerät meldet, dass es kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>Hold the handle still in the middle of where you will work, for a second.</source>
+        <translation>Halten Sie den Griff eine Sekunde lang ruhig, in der Mitte Ihres Arbeitsraums.</translation>
+    </message>
+    <message>
+        <source>Put the stylus into the inkwell and leave it there for two seconds.</source>
+        <translation>Stecken Sie den Stift in seine Halterung (Inkwell) und lassen Sie ihn dort zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>Put the handle into its rest, and leave it there until the Inverse service reports that it is calibrated.</source>
+        <translation>Legen Sie den Griff in seine Halterung, bis der Dienst Inverse meldet, dass er kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>Put the handle on its calibration pole or push it to its stops, as the maker&apos;s manual says, until its light stops blinking.</source>
+        <translation>Setzen Sie den Griff auf seinen Kalibrierstift oder drücken Sie ihn an seine Anschläge, wie es die Anleitung des Herstellers sagt, bis seine Leuchte nicht mehr blinkt.</translation>
+    </message>
+    <message>
+        <source>has no instrument for this hand</source>
+        <translation>hat kein Instrument für diese Hand</translation>
+    </message>
+    <message>
+        <source>choose the other hand</source>
+        <translation>wählen Sie die andere Hand</translation>
+    </message>
+    <message>
+        <source>Hold the instrument level and straight away from you, its jaws upright, and keep it still.</source>
+        <translation>Halten Sie das Instrument waagerecht und gerade von sich weg, die Branchen aufrecht, und halten Sie es ruhig.</translation>
+    </message>
+    <message>
+        <source>Hold the instrument straight away from you, half way in, its jaws open, and keep it still.</source>
+        <translation>Halten Sie das Instrument gerade von sich weg, halb eingeführt, die Branchen offen, und halten Sie es ruhig.</translation>
+    </message>
+    <message>
+        <source>Move the tip from all the way down to all the way up; stop there.</source>
+        <translation>Bewegen Sie die Spitze von ganz unten nach ganz oben; bleiben Sie dort.</translation>
+    </message>
+    <message>
+        <source>Move the tip from all the way left to all the way right; stop there.</source>
+        <translation>Bewegen Sie die Spitze von ganz links nach ganz rechts; bleiben Sie dort.</translation>
+    </message>
+    <message>
+        <source>Pull the instrument all the way out, then push it all the way in; stop there.</source>
+        <translation>Ziehen Sie das Instrument ganz heraus, dann schieben Sie es ganz hinein; bleiben Sie dort.</translation>
+    </message>
+    <message>
+        <source>Turn the shaft all the way counterclockwise, then all the way clockwise as you see it; stop there.</source>
+        <translation>Drehen Sie den Schaft ganz gegen den Uhrzeigersinn, dann ganz im Uhrzeigersinn, von Ihnen aus gesehen; bleiben Sie dort.</translation>
+    </message>
+    <message>
+        <source>Close the jaws, then open them all the way; stop there.</source>
+        <translation>Schließen Sie die Branchen, dann öffnen Sie sie ganz; bleiben Sie dort.</translation>
+    </message>
+    <message>
+        <source>It moves.</source>
+        <translation>Es bewegt sich.</translation>
+    </message>
+    <message>
+        <source>No axis moved from one end to the other yet.</source>
+        <translation>Noch keine Achse ging von einem Ende zum anderen.</translation>
+    </message>
+    <message>
+        <source>Seen.</source>
+        <translation>Gesehen.</translation>
+    </message>
+    <message>
+        <source>Turn each stick along its edge once, and press each trigger all the way.</source>
+        <translation>Führen Sie jeden Stick einmal an seinem Rand entlang, und drücken Sie jeden Trigger ganz.</translation>
+    </message>
+    <message>
+        <source>Not all sticks and triggers went to all their ends yet.</source>
+        <translation>Noch waren nicht alle Sticks und Trigger an allen ihren Enden.</translation>
+    </message>
+    <message>
+        <source>Let go of both sticks.</source>
+        <translation>Lassen Sie beide Sticks los.</translation>
+    </message>
+    <message>
+        <source>Both are in their middle.</source>
+        <translation>Beide sind in ihrer Mitte.</translation>
+    </message>
+    <message>
+        <source>A stick is not in its middle.</source>
+        <translation>Ein Stick ist nicht in seiner Mitte.</translation>
+    </message>
+    <message>
+        <source>needs no calibration</source>
+        <translation>braucht keine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>use it as it is</source>
+        <translation>verwenden Sie es so</translation>
+    </message>
+    <message>
+        <source>has no meaning without --calibrate</source>
+        <translation>hat ohne --calibrate keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>name a device: --calibrate DEVICE</source>
+        <translation>nennen Sie ein Gerät: --calibrate DEVICE</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -7624,6 +7916,22 @@
     <message>
         <source>unplug the others, or name the port: FULCRUM_DEVICE=trainer:PORT</source>
         <translation>stecken Sie die anderen aus, oder nennen Sie den Anschluss: FULCRUM_DEVICE=trainer:PORT</translation>
+    </message>
+    <message>
+        <source>HID joystick as an instrument</source>
+        <translation>HID-Joystick als Instrument</translation>
+    </message>
+    <message>
+        <source>connect the joystick of the trainer; your account needs the right to read /dev/input/event*</source>
+        <translation>schließen Sie den Joystick des Trainers an; Ihr Konto muss /dev/input/event* lesen dürfen</translation>
+    </message>
+    <message>
+        <source>it is not calibrated</source>
+        <translation>er ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>choose it here and calibrate it, or run `fulcrum devices --calibrate joystick`</source>
+        <translation>wählen Sie ihn hier und kalibrieren Sie ihn, oder führen Sie `fulcrum devices --calibrate joystick` aus</translation>
     </message>
 </context>
 <context>
@@ -10144,6 +10452,14 @@
         <source>{pedal} · {exchange}	pedal · next instrument, with every device</source>
         <translation>{pedal} · {exchange}	Pedal · nächstes Instrument, mit jedem Gerät</translation>
     </message>
+    <message>
+        <source>Turn the instrument, or {turn}	turns the shaft</source>
+        <translation>Instrument drehen, oder {turn}	dreht den Schaft</translation>
+    </message>
+    <message>
+        <source>Instrument on the joystick	moves as you hold it; the tip goes the other way</source>
+        <translation>Instrument am Joystick	folgt Ihrer Hand; die Spitze bewegt sich in die Gegenrichtung</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::tissues</name>
@@ -10656,6 +10972,53 @@ und %1 weitere</translation>
     <message>
         <source>This site uses its own tissue values (version %1); its cutting parameters differ from those of the scene.</source>
         <translation>Dieser Standort benutzt eigene Gewebewerte (Version %1); seine Schnittparameter weichen von denen der Szene ab.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::CalibrationBox</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Hand whose instrument is calibrated</source>
+        <translation>Hand, deren Instrument kalibriert wird</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Leave this out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Not calibrated with this program yet.</source>
+        <translation>Noch nicht mit diesem Programm kalibriert.</translation>
+    </message>
+    <message>
+        <source>Calibrated last: %1.</source>
+        <translation>Zuletzt kalibriert: %1.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
     </message>
 </context>
 <context>
@@ -11826,6 +12189,18 @@ Kennzahlen: %2</translation>
         <source>How far the instrument moves for the same movement of the mouse, from the next attempt. At 100 %, about 3 pixels move the handle by 1 mm.</source>
         <translation>Wie weit sich das Instrument bei derselben Bewegung der Maus bewegt, ab dem nächsten Versuch. Bei 100 % bewegen etwa 3 Pixel den Griff um 1 mm.</translation>
     </message>
+    <message>
+        <source>While it is held the instrument stays, without force, and you move the handle to a better place.</source>
+        <translation>Solange sie gedrückt ist, bleibt das Instrument stehen, ohne Kraft, und Sie bringen den Griff an einen besseren Ort.</translation>
+    </message>
+    <message>
+        <source>Clutch: a button of the device.</source>
+        <translation>Kupplung: eine Taste des Geräts.</translation>
+    </message>
+    <message>
+        <source>Clutch: the button for energy, where it is not the pedal.</source>
+        <translation>Kupplung: die Taste für Energie, wo sie nicht das Pedal ist.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DevicesCard</name>
@@ -11940,6 +12315,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Jitter of the readings: %1 ms</source>
         <translation>Jitter der Messwerte: %1 ms</translation>
+    </message>
+    <message>
+        <source>Where it is connected and not found: install 70-fulcrum.rules (fulcrum devices shows its lines), then connect it again.</source>
+        <translation>Wird es angeschlossen nicht gefunden: installieren Sie 70-fulcrum.rules (fulcrum devices zeigt die Zeilen) und schließen Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>Versions: %1</source>
+        <translation>Versionen: %1</translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16480,96 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::WorkspaceFit</name>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>The frame is where the device can be moved, the dashed box what the task needs of it. Hold the handle at the ring when an attempt begins. Seen from the side you are on the right.</source>
+        <translation>Der Rahmen ist, wo sich das Gerät bewegen lässt, der gestrichelte Kasten, was die Aufgabe davon braucht. Halten Sie den Griff am Ring, wenn ein Versuch beginnt. In der Ansicht von der Seite sind Sie rechts.</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Fit the movement to the task</source>
+        <translation>Bewegung an die Aufgabe anpassen</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>%1: workspace %2 × %3 × %4 mm (across, up, deep).</source>
+        <translation>%1: Arbeitsraum %2 × %3 × %4 mm (quer, hoch, tief).</translation>
+    </message>
+    <message>
+        <source>This task has nothing for this hand.</source>
+        <translation>Diese Aufgabe hat nichts für diese Hand.</translation>
+    </message>
+    <message>
+        <source>All of the scene is reached from the ring.</source>
+        <translation>Vom Ring aus wird die ganze Szene erreicht.</translation>
+    </message>
+    <message>
+        <source>%1 % of the scene is reached from the ring.</source>
+        <translation>Vom Ring aus werden %1 % der Szene erreicht.</translation>
+    </message>
+    <message>
+        <source>The handle is at the ring.</source>
+        <translation>Der Griff ist am Ring.</translation>
+    </message>
+    <message>
+        <source>From where the handle is now: %1 %. The ring is %2 mm %3, %4 mm %5, %6 mm %7.</source>
+        <translation>Von dort, wo der Griff jetzt ist: %1 %. Der Ring liegt %2 mm %3, %4 mm %5, %6 mm %7.</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::WorkspaceView</name>
+    <message>
+        <source>%1: workspace from above and from the side</source>
+        <translation>%1: Arbeitsraum von oben und von der Seite</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>von der Seite</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::audit</name>
     <message>
         <source>File accepted for assessed attempts</source>
@@ -17247,6 +17720,30 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>; the worst value that counts</source>
         <translation>; der schlechteste Wert, der zählt</translation>
+    </message>
+    <message>
+        <source>%1 readings per second (%2 stated)</source>
+        <translation>%1 Messungen pro Sekunde (angegeben: %2)</translation>
+    </message>
+    <message>
+        <source>%1 readings per second</source>
+        <translation>%1 Messungen pro Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 readings per second stated</source>
+        <translation>%1 Messungen pro Sekunde angegeben</translation>
+    </message>
+    <message>
+        <source>movement of the instrument %1 %</source>
+        <translation>Bewegung des Instruments %1 %</translation>
+    </message>
+    <message>
+        <source>left and right device swapped</source>
+        <translation>linkes und rechtes Gerät vertauscht</translation>
+    </message>
+    <message>
+        <source>Device: %1.</source>
+        <translation>Gerät: %1.</translation>
     </message>
 </context>
 <context>
