@@ -236,6 +236,10 @@ class Services : public ui::ApplicationServices {
     void open_device() override { devices_.open_now(); }
     void choose_device(const std::string& kind) override { devices_.choose(kind); }
     bool device_can_be_chosen() const override { return device_from_environment().empty(); }
+    bool begins_at_ring(const std::string& kind) const override { return Devices::begins_at_ring(kind); }
+    void set_begins_at_ring(const std::string& kind, bool wanted) override {
+        Devices::set_begins_at_ring(kind, wanted);
+    }
     bool can_calibrate(const std::string& kind) const override { return fulcrum::app::can_calibrate(kind); }
     std::string calibrated_at(const std::string& kind) const override {
         return fulcrum::app::calibrated_at(kind);

@@ -44,9 +44,6 @@ int calibrate_device(const Arguments& arguments, const std::string& device) {
                          {QT_TRANSLATE_NOOP("errors", "use one of %1"),
                           "touch, haply, force-dimension, trainer, joystick, controller"});
     const std::string hand = arguments.value("--hand").value_or("right");
-    if (hand != "left" && hand != "right")
-        throw UsageError("--hand " + hand, QT_TRANSLATE_NOOP("errors", "is not a hand"),
-                         QT_TRANSLATE_NOOP("errors", "use left or right"));
     const bool quiet = arguments.has("--json");
     const auto calibration = begin_calibration(device, hand == "left" ? 0 : 1, nullptr);
     int shown = 0;

@@ -18,7 +18,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr double held_still_s = 1, held_still_m = 1e-3;
+constexpr double held_still_s = 0.5, held_still_m = 1e-3;
 constexpr double mrad = 1e-3;
 
 std::string kind_in(const std::string& named) {

@@ -78,6 +78,18 @@ void Devices::set_motion_scale(const std::string& kind, double scale) {
                          std::clamp(scale, ui::least_motion_scale, ui::largest_motion_scale));
 }
 
+static QString ring_key(const std::string& kind) {
+    return QStringLiteral("begin_at_ring/") + QString::fromStdString(kind);
+}
+
+bool Devices::begins_at_ring(const std::string& kind) {
+    return QSettings().value(ring_key(kind), false).toBool();
+}
+
+void Devices::set_begins_at_ring(const std::string& kind, bool wanted) {
+    QSettings().setValue(ring_key(kind), wanted);
+}
+
 ui::SlotChoice Devices::slot_choice(const std::string& kind) {
     const QStringList kept = QSettings().value(slot_key(kind)).toString().split(QLatin1Char(' '));
     int parts[device_slots] = {0, 1, scope_slot}, pedal = ui::pedal_of_each_hand;

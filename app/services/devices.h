@@ -38,6 +38,8 @@ class Devices {
     void stop_calibration() { calibration_.reset(); }
     static double motion_scale(const std::string& kind);
     static void set_motion_scale(const std::string& kind, double scale);
+    static bool begins_at_ring(const std::string& kind);
+    static void set_begins_at_ring(const std::string& kind, bool wanted);
     static ui::SlotChoice slot_choice(const std::string& kind);
     static void set_slot_choice(const std::string& kind, const ui::SlotChoice& choice);
     /// Share of the model's force for devices of this kind, kept in the settings of the program.

@@ -34,9 +34,8 @@ std::vector<Vector3> places_of(const WorldSnapshot& seen, Hand hand) {
 
 }  // namespace
 
-SceneReach scene_reach(const AttemptEngine& engine) {
+SceneReach scene_reach(const Scene& scene, const WorldSnapshot& at_start) {
     SceneReach reach;
-    const Scene& scene = engine.scene();
     for (int h = 0; h < hand_count; ++h) {
         const Hand hand = static_cast<Hand>(h);
         const InstrumentSpec* const spec = scene.instrument(hand);
@@ -44,7 +43,7 @@ SceneReach scene_reach(const AttemptEngine& engine) {
         const Trocar trocar = make_trocar(spec->trocar);
         const Vector3 start = start_reading(trocar.shaft_length, spec->start_insertion, 0).handle;
         std::optional<WorkspaceBox>& box = reach[static_cast<std::size_t>(h)];
-        for (const Vector3& place : places_of(engine.initial_snapshot(), hand)) {
+        for (const Vector3& place : places_of(at_start, hand)) {
             const double insertion = (place - trocar.position).norm();
             if (!place.allFinite() || insertion > trocar.shaft_length - shortest_outside) continue;
             const Vector3 way = handle_for_tip(trocar, place) - start;

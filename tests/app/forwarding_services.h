@@ -50,6 +50,20 @@ class ForwardingServices : public ui::ApplicationServices {
     void open_device() override { own_->open_device(); }
     void choose_device(const std::string& kind) override { own_->choose_device(kind); }
     bool device_can_be_chosen() const override { return own_->device_can_be_chosen(); }
+    std::function<SceneReach()> scene_reach(const std::string& task_id) override {
+        return own_->scene_reach(task_id);
+    }
+    bool can_calibrate(const std::string& kind) const override { return own_->can_calibrate(kind); }
+    std::string calibrated_at(const std::string& kind) const override { return own_->calibrated_at(kind); }
+    void start_calibration(int hand) override { own_->start_calibration(hand); }
+    ui::CalibrationState calibration() override { return own_->calibration(); }
+    void calibration_next() override { own_->calibration_next(); }
+    void calibration_skip() override { own_->calibration_skip(); }
+    void stop_calibration() override { own_->stop_calibration(); }
+    bool begins_at_ring(const std::string& kind) const override { return own_->begins_at_ring(kind); }
+    void set_begins_at_ring(const std::string& kind, bool wanted) override {
+        own_->set_begins_at_ring(kind, wanted);
+    }
     double motion_scale(const std::string& kind) const override { return own_->motion_scale(kind); }
     void set_motion_scale(const std::string& kind, double scale) override {
         own_->set_motion_scale(kind, scale);

@@ -105,6 +105,8 @@ class FakeServices : public ApplicationServices {
     std::function<SceneReach()> scene_reach(const std::string&) override {
         return [found = reach] { return found; };
     }
+    bool begins_at_ring(const std::string&) const override { return at_ring; }
+    void set_begins_at_ring(const std::string&, bool wanted) override { at_ring = wanted; }
     bool can_calibrate(const std::string& kind) const override {
         return kind == "joystick" || kind == "touch";
     }
@@ -150,6 +152,7 @@ class FakeServices : public ApplicationServices {
     std::map<std::string, double> scales, motions;
     SceneReach reach;
     std::string calibrated;
+    bool at_ring = false;
     CalibrationState calibrating;
     std::optional<DeviceReadings> readings_when_open;
     std::string chosen;

@@ -176,6 +176,10 @@ class DeviceService {
     virtual void calibration_skip() {}
     virtual void stop_calibration() {}
     virtual double motion_scale(const std::string& /*kind*/) const { return 1; }
+    /// An attempt with devices of this kind begins when the handle is where the scene is in the middle of its
+    /// workspace; remembered.
+    virtual bool begins_at_ring(const std::string& /*kind*/) const { return false; }
+    virtual void set_begins_at_ring(const std::string& /*kind*/, bool /*wanted*/) {}
     virtual void set_motion_scale(const std::string& /*kind*/, double /*scale*/) {}
     virtual SlotChoice slot_choice(const std::string& /*kind*/) const { return {}; }
     virtual void set_slot_choice(const std::string& /*kind*/, const SlotChoice& /*choice*/) {}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/workspace_fit.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <cmath>
-#include <cstring>
 
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
@@ -13,6 +13,7 @@
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/theatre/begin_place.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -47,6 +48,10 @@ WorkspaceFit::WorkspaceFit(Context& context, std::function<void()> changed)
     row->add(task_);
     fit_ = make_button(tr("Fit the movement to the task"), "fit_motion");
     row->add(fit_);
+    ring_ = new QCheckBox(tr("An attempt begins when the handle is at the ring"));
+    ring_->setObjectName(QStringLiteral("begin_at_ring"));
+    ring_->setAccessibleName(ring_->text());
+    row->add(ring_);
     column->addWidget(row_holder);
     auto* views = new QWidget;
     auto* both = new FlowRow(views);
@@ -62,19 +67,15 @@ WorkspaceFit::WorkspaceFit(Context& context, std::function<void()> changed)
     column->addWidget(lines_);
     connect(task_, QOverload<int>::of(&QComboBox::activated), this, [this] { look(); });
     connect(fit_, &QPushButton::clicked, this, [this] { fit(); });
+    connect(ring_, &QCheckBox::toggled, this, [this](bool wanted) {
+        DeviceService& devices = context_.services();
+        devices.set_begins_at_ring(devices.device_in_use().kind, wanted);
+    });
 }
 
 const DeviceReadings::Slot* WorkspaceFit::slot_of(int hand) const {
     DeviceService& devices = context_.services();
-    const SlotChoice choice = devices.slot_choice(devices.device_in_use().kind);
-    const int part = hand == 0 ? choice.left : choice.right;
-    for (const DeviceReadings::Slot& slot : readings_.held) {
-        const int own = std::strcmp(slot.name, "left") == 0    ? 0
-                        : std::strcmp(slot.name, "right") == 0 ? 1
-                                                               : 2;
-        if (own == part && slot.workspace) return &slot;
-    }
-    return nullptr;
+    return slot_of_hand(readings_, devices.slot_choice(devices.device_in_use().kind), hand);
 }
 
 void WorkspaceFit::show_readings(const DeviceReadings& readings) {
@@ -147,17 +148,16 @@ QString WorkspaceFit::line_of(int hand, const DeviceReadings::Slot& slot, double
     const double now = reached_share(*slot.workspace, *scene, motion, slot.position);
     const Vector3 step = begin - slot.position;
     if (step.norm() <= close_m) return line + QLatin1Char(' ') + tr("The handle is at the ring.");
-    const auto length = [](double metres) { return decimal(1e3 * std::abs(metres), 0); };
     return line + QLatin1Char(' ') +
-           tr("From where the handle is now: %1 %. The ring is %2 mm %3, %4 mm %5, %6 mm %7.")
-               .arg(percent(now), length(step.x()), step.x() > 0 ? tr("to the right") : tr("to the left"),
-                    length(step.y()), step.y() > 0 ? tr("up") : tr("down"), length(step.z()),
-                    step.z() > 0 ? tr("towards you") : tr("away from you"));
+           tr("From where the handle is now: %1 %. The ring is %2.").arg(percent(now), step_words(step));
 }
 
 void WorkspaceFit::draw() {
     DeviceService& devices = context_.services();
-    const double motion = devices.motion_scale(devices.device_in_use().kind);
+    const std::string kind = devices.device_in_use().kind;
+    const double motion = devices.motion_scale(kind);
+    const QSignalBlocker silent(ring_);
+    ring_->setChecked(devices.begins_at_ring(kind));
     QStringList lines;
     bool any = false;
     for (int h = 0; h < hand_count; ++h) {

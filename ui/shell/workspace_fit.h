@@ -9,6 +9,7 @@
 
 #include "ui/page/context.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -45,6 +46,7 @@ class WorkspaceFit : public QWidget {
     WorkspaceView* view_[hand_count];
     QLabel* lines_;
     QPushButton* fit_;
+    QCheckBox* ring_;
     DeviceReadings readings_;
     SceneReach reach_;
     std::string known_;  ///< task that reach_ is of

@@ -64,6 +64,18 @@ bool TheatrePage::takes_hands() const {
            (session_->phase() == AttemptPhase::running || aligning_);
 }
 
+/// False while the person is asked to bring the handles of the device to where the attempt is to begin.
+bool TheatrePage::hands_are_there() {
+    if (watch_ == nullptr || session_->hands_at_start() != nullptr) return true;
+    const QStringList lines =
+        begin_place_.look(context().services(), session_->scene(), session_->snapshot());
+    if (!lines.isEmpty() && !help_shown_)
+        view_->set_cover(tr("Bring the handles to where you begin"),
+                         lines + QStringList(tr("Enter: begin where they are")));
+    if (lines.isEmpty() && !help_shown_ && !view_->cover().isEmpty()) view_->set_cover({}, {});
+    return lines.isEmpty();
+}
+
 bool TheatrePage::key(QKeyEvent* event, bool pressed) {
     if (event->isAutoRepeat()) return true;
     if (!pressed) {
@@ -85,6 +97,7 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         return true;
     }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        if (!has_begun()) begin_place_.skip();
         if (aligning_) {
             session_->resume();
         } else if (help_shown_) {

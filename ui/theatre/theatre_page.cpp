@@ -189,7 +189,7 @@ void TheatrePage::prepare() {
     if (view_->pictures() == 0) {
         view_->set_notice({});
         show_world();
-    } else if (shown_ == Panel::none && isVisible()) {
+    } else if (shown_ == Panel::none && isVisible() && hands_are_there()) {
         mouse_known_ = false;
         since_tick_.restart();
         if (const RigSample* hands = session_->hands_at_start()) input_->begin_from(*hands);
@@ -210,6 +210,7 @@ void TheatrePage::end_session() {
     give_feedback();
     pad_.reset();
     ghost_.reset();
+    begin_place_.reset();
     aligning_ = false;
     view_->unload();
     view_->unsetCursor();

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "ui/page/context.h"
+#include "ui/theatre/begin_place.h"
 #include "ui/theatre/feedback.h"
 #include "ui/theatre/taught_lines.h"
 
@@ -65,6 +66,7 @@ class TheatrePage : public Page {
                            const Scene& scene);
     bool has_begun() const;
     bool takes_hands() const;
+    bool hands_are_there();
     void prepare();
     void align();
     void cancel();
@@ -106,6 +108,7 @@ class TheatrePage : public Page {
     QString hands_title_;  ///< of a device that the daemon reads
     HandDeeds known_;      ///< before this attempt
     std::optional<GhostPace> ghost_;
+    BeginPlace begin_place_;
     Feedback feedback_;
     TheatreView* view_;
     QFrame *panel_, *bar_, *strip_;

@@ -49,6 +49,7 @@ class TheatreView : public QWidget {
     void set_ghost(const GhostPoint* ghost);
     /// Lines over the dimmed picture; none hides them.
     void set_cover(const QString& heading, const QStringList& lines);
+    const QStringList& cover() const { return cover_lines_; }
     /// Why nothing can be drawn here, "" if it can.
     const QString& drawing_error() const { return error_; }
     /// Live: where pictures take too long the scene is drawn coarser, words never (DrawingPace). Else the

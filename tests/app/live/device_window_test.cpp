@@ -154,5 +154,27 @@ TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
     QSettings().clear();
 }
 
+TEST_F(DeviceWindow, AnAttemptWaitsForTheHandleAtTheRingUntilEnter) {
+    QSettings().clear();
+    QSettings().setValue("begin_at_ring/virtual", true);
+    create_programme_and_trainee();
+    ui::window_test::click(window, "briefing_A2");
+    expect_page("briefing_page");
+    ui::window_test::check(window, "mode_practice");
+    ui::window_test::click(window, "start_attempt");
+    expect_page("theatre_page");
+    const QString enter = QStringLiteral("Enter: begin where they are");
+    ASSERT_TRUE(wait_for([&] { return theatre().view()->cover().contains(enter); }, 20000))
+        << static_cast<int>(theatre().session()->phase()) << theatre().view()->cover().join(" / ").toStdString();
+    EXPECT_TRUE(theatre().view()->cover().first().contains("move the handle "));
+    EXPECT_EQ(theatre().session()->phase(), AttemptPhase::ready) << "nothing is on the clock";
+    keep_picture(window, "35-bring-the-handles");
+    QTest::keyClick(theatre().view(), Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }));
+    EXPECT_FALSE(theatre().view()->cover().contains(enter));
+    abandon();
+    QSettings().clear();
+}
+
 }  // namespace
 }  // namespace fulcrum::app::program_test

@@ -115,6 +115,11 @@ TEST_F(DeviceOnThePage, TheReachIsDrawnAndFitChoosesTheScaleWithWhichTheTaskIsRe
     EXPECT_TRUE(waits_for("reach_lines", "From where the handle is now"));
     services.readings->held[0].position = picture().begin;
     EXPECT_TRUE(waits_for("reach_lines", "The handle is at the ring."));
+    EXPECT_TRUE(text_of("reach_lines").contains("The ring is 17 mm down, 5 mm away from you."))
+        << text_of("reach_lines").toStdString();
+    EXPECT_FALSE(services.at_ring);
+    click(*window, "begin_at_ring");
+    EXPECT_TRUE(services.at_ring);
     bring(*find<QWidget>(*window, "workspace_left"));
     keep("device-reach");
     services.readings->held[0].workspace.reset();

@@ -1243,8 +1243,12 @@
         <translation>Dieses Gerät Schritt für Schritt kalibrieren (%1).</translation>
     </message>
     <message>
-        <source>Hand whose instrument is calibrated: left or right.</source>
-        <translation>Hand, deren Instrument kalibriert wird: left oder right.</translation>
+        <source>HAND</source>
+        <translation>HAND</translation>
+    </message>
+    <message>
+        <source>Hand whose instrument is calibrated.</source>
+        <translation>Hand, deren Instrument kalibriert wird.</translation>
     </message>
 </context>
 <context>
@@ -7550,14 +7554,6 @@
         <translation>bei dieser Art von Gerät gibt es nichts zu kalibrieren</translation>
     </message>
     <message>
-        <source>is not a hand</source>
-        <translation>ist keine Hand</translation>
-    </message>
-    <message>
-        <source>use left or right</source>
-        <translation>verwenden Sie left oder right</translation>
-    </message>
-    <message>
         <source>The calibration was ended; nothing is stored.</source>
         <translation>Die Kalibrierung wurde beendet; nichts ist gespeichert.</translation>
     </message>
@@ -7742,6 +7738,49 @@
     <message>
         <source>running</source>
         <translation>läuft</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::begin_place</name>
+    <message>
+        <source>%1 mm to the left</source>
+        <translation>%1 mm nach links</translation>
+    </message>
+    <message>
+        <source>%1 mm to the right</source>
+        <translation>%1 mm nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 mm down</source>
+        <translation>%1 mm nach unten</translation>
+    </message>
+    <message>
+        <source>%1 mm up</source>
+        <translation>%1 mm nach oben</translation>
+    </message>
+    <message>
+        <source>%1 mm away from you</source>
+        <translation>%1 mm von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>%1 mm towards you</source>
+        <translation>%1 mm zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>%1: does not answer</source>
+        <translation>%1: antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: move the handle %2</source>
+        <translation>%1: Griff %2 bewegen</translation>
     </message>
 </context>
 <context>
@@ -16062,6 +16101,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Enter	shows the first steps again</source>
         <translation>Eingabe	zeigt die ersten Schritte erneut</translation>
     </message>
+    <message>
+        <source>Bring the handles to where you begin</source>
+        <translation>Bringen Sie die Griffe dorthin, wo Sie beginnen</translation>
+    </message>
+    <message>
+        <source>Enter: begin where they are</source>
+        <translation>Eingabe: dort beginnen, wo sie sind</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TheatreView</name>
@@ -16526,32 +16573,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Der Griff ist am Ring.</translation>
     </message>
     <message>
-        <source>From where the handle is now: %1 %. The ring is %2 mm %3, %4 mm %5, %6 mm %7.</source>
-        <translation>Von dort, wo der Griff jetzt ist: %1 %. Der Ring liegt %2 mm %3, %4 mm %5, %6 mm %7.</translation>
+        <source>An attempt begins when the handle is at the ring</source>
+        <translation>Ein Versuch beginnt, wenn der Griff am Ring ist</translation>
     </message>
     <message>
-        <source>to the right</source>
-        <translation>nach rechts</translation>
-    </message>
-    <message>
-        <source>to the left</source>
-        <translation>nach links</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>nach oben</translation>
-    </message>
-    <message>
-        <source>down</source>
-        <translation>nach unten</translation>
-    </message>
-    <message>
-        <source>towards you</source>
-        <translation>zu Ihnen hin</translation>
-    </message>
-    <message>
-        <source>away from you</source>
-        <translation>von Ihnen weg</translation>
+        <source>From where the handle is now: %1 %. The ring is %2.</source>
+        <translation>Von dort, wo der Griff jetzt ist: %1 %. Der Ring liegt %2.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/begin_place.h"
+
+#include <QCoreApplication>
+#include <cmath>
+#include <cstring>
+
+#include "ui/language/language.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr double close_to_ring = 0.01;  // m
+
+QString place_text(const char* source) {
+    return QCoreApplication::translate("fulcrum::begin_place", source);
+}
+
+}  // namespace
+
+QString step_words(const Vector3& step) {
+    const char* const ways[3][2] = {{QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1 mm to the left"),
+                                     QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1 mm to the right")},
+                                    {QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1 mm down"),
+                                     QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1 mm up")},
+                                    {QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1 mm away from you"),
+                                     QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1 mm towards you")}};
+    QStringList parts;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double mm = 1e3 * step[axis];
+        if (std::abs(mm) < 1) continue;
+        parts << place_text(ways[axis][mm > 0 ? 1 : 0]).arg(decimal(std::abs(mm), 0));
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+const DeviceReadings::Slot* slot_of_hand(const DeviceReadings& readings, const SlotChoice& choice, int hand) {
+    const int part = hand == 0 ? choice.left : choice.right;
+    for (const DeviceReadings::Slot& slot : readings.held) {
+        const int own = std::strcmp(slot.name, "left") == 0    ? 0
+                        : std::strcmp(slot.name, "right") == 0 ? 1
+                                                               : 2;
+        if (own == part && slot.workspace) return &slot;
+    }
+    return nullptr;
+}
+
+QStringList BeginPlace::look(DeviceService& devices, const Scene& scene, const WorldSnapshot& at_start) {
+    if (done_) return {};
+    const std::string kind = devices.device_in_use().kind;
+    const auto readings = devices.begins_at_ring(kind) ? devices.device_readings() : std::nullopt;
+    if (!readings) {
+        done_ = true;
+        return {};
+    }
+    if (!known_) reach_ = fulcrum::scene_reach(scene, at_start);
+    known_ = true;
+    const double motion = devices.motion_scale(kind);
+    QStringList lines;
+    for (int h = 0; h < hand_count; ++h) {
+        const auto& needs = reach_[static_cast<std::size_t>(h)];
+        const DeviceReadings::Slot* const slot = slot_of_hand(*readings, devices.slot_choice(kind), h);
+        if (slot == nullptr || !needs) continue;
+        const QString name = h == 0 ? place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "Left hand"))
+                                    : place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "Right hand"));
+        if (!slot->present || !slot->position.allFinite()) {
+            lines << place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1: does not answer")).arg(name);
+            continue;
+        }
+        const Vector3 step = place_to_begin(*slot->workspace, *needs, motion) - slot->position;
+        if (step.norm() > close_to_ring)
+            lines << place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1: move the handle %2"))
+                         .arg(name, step_words(step));
+    }
+    done_ = lines.isEmpty();
+    return lines;
+}
+
+}  // namespace fulcrum::ui
