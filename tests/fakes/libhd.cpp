@@ -185,6 +185,7 @@ Error hdGetError() {
     return first;
 }
 const char* hdGetErrorString(std::uint32_t code) {
+    if (page()->old_firmware == 1) return "Firmware version is not supported";
     return code == 0x0302 ? "Communication error" : "";
 }
 std::uint32_t hdCheckCalibration() {

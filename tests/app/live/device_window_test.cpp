@@ -141,6 +141,8 @@ TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
         ASSERT_TRUE(device.has_value());
         EXPECT_DOUBLE_EQ(device->scale, 0.4);
     }
+    EXPECT_TRUE(find<QLabel>(window, "debrief_notes")->text().contains("Device: a scripted hand; "));
+    EXPECT_TRUE(find<QLabel>(window, "debrief_notes")->text().contains("readings per second (1000 stated)."));
     EXPECT_TRUE(find<QLabel>(window, "debrief_notes")->text().contains("Force was felt at 40 %."))
         << find<QLabel>(window, "debrief_notes")->text().toStdString();
     expect_replays(attempt.meta.id);
@@ -165,7 +167,8 @@ TEST_F(DeviceWindow, AnAttemptWaitsForTheHandleAtTheRingUntilEnter) {
     expect_page("theatre_page");
     const QString enter = QStringLiteral("Enter: begin where they are");
     ASSERT_TRUE(wait_for([&] { return theatre().view()->cover().contains(enter); }, 20000))
-        << static_cast<int>(theatre().session()->phase()) << theatre().view()->cover().join(" / ").toStdString();
+        << static_cast<int>(theatre().session()->phase())
+        << theatre().view()->cover().join(" / ").toStdString();
     EXPECT_TRUE(theatre().view()->cover().first().contains("move the handle "));
     EXPECT_EQ(theatre().session()->phase(), AttemptPhase::ready) << "nothing is on the clock";
     keep_picture(window, "35-bring-the-handles");

@@ -111,6 +111,26 @@ TEST_F(TouchThroughTheDaemon, WorkspaceAndVersionsAreThoseThatTheLibraryStates) 
     EXPECT_EQ(page->misuse, 0U);
 }
 
+TEST_F(TouchThroughTheDaemon, AFirmwareThatTheLibraryNamesIsTheReasonAndSaysWhatToUpdate) {
+    page->old_firmware = 1;
+    page->init_error = 0x0302;
+    page->init_errors = 3;  // one opening tries three names
+    const std::string refusal = error_of("touch");
+    EXPECT_NE(refusal.find("0x0302 Firmware version is not supported; update the firmware"),
+              std::string::npos)
+        << refusal;
+    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, both);
+    ASSERT_TRUE(until([&] { return is_present(client, 0); }));
+    page->device[0].tick_error = 0x0300;
+    ASSERT_TRUE(until([&] {
+        client.poll();
+        return client.message().words().find("firmware of the device does not suit it") != std::string::npos;
+    })) << client.message().words();
+    EXPECT_FALSE(is_present(client, 0));
+    page->device[0].tick_error = 0;
+    page->old_firmware = 0;
+}
+
 TEST_F(TouchThroughTheDaemon, ForceSentIsForceAskedWithinTheDevicesLimits) {
     page->device[0].max_force = 2.5;
     page->device[0].continuous_force = 0.7;
