@@ -16,6 +16,7 @@
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_sdl.h"
 #include "tests/fakes/fake_touch.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_trainer.h"
 #include "tests/support/own_folder.h"
 
@@ -45,7 +46,7 @@ class Calibrated : public ::testing::Test {
 
 TEST_F(Calibrated, AJoystickBecomesAnInstrumentOfTheHandThatWasCalibrated) {
     FakePage<fulcrum::test::FakeSdlPage> page("FAKE_SDL_PAGE");
-    const Variable library("FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so");
+    const Variable library("FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so"));
     fulcrum::test::FakeSdlController& stick = page->controller[0];
     stick.plugged = 1;
     stick.known = 0;
@@ -96,7 +97,7 @@ TEST_F(Calibrated, AJoystickBecomesAnInstrumentOfTheHandThatWasCalibrated) {
 
 TEST_F(Calibrated, ATouchIsCalibratedInItsInkwellAndTheReadingIsChecked) {
     FakePage<fulcrum::test::FakeTouchPage> page("FAKE_TOUCH_PAGE");
-    const Variable library("FULCRUM_LIBHD", std::string(FULCRUM_FAKES) + "/libHD.so");
+    const Variable library("FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so"));
     page->device[1].calibration = 0x5002;  // by hand: the stylus is not in the inkwell
     const auto calibration = begin_calibration("touch", 1, nullptr);
     ASSERT_TRUE(until(
@@ -144,7 +145,7 @@ TEST_F(Calibrated, TheZeroOfATrainerIsStoredForItsHandAndUsedWhenItIsOpened) {
 
 TEST_F(Calibrated, AWornControllerReachesItsEndsAgain) {
     FakePage<fulcrum::test::FakeSdlPage> page("FAKE_SDL_PAGE");
-    const Variable library("FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so");
+    const Variable library("FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so"));
     fulcrum::test::FakeSdlController& pad = page->controller[0];
     pad.plugged = 1;
     {
@@ -245,7 +246,7 @@ TEST_F(DevicesCommand, ListsCalibrationAndRulesAndRefusesToCalibrateWhatNeedsNon
 
 TEST_F(DevicesCommand, CalibratesInTheTerminalAndStoresNothingWhereTheInputEnds) {
     FakePage<fulcrum::test::FakeTouchPage> page("FAKE_TOUCH_PAGE");
-    const Variable library("FULCRUM_LIBHD", std::string(FULCRUM_FAKES) + "/libHD.so");
+    const Variable library("FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so"));
     EXPECT_EQ(run({"devices", "--calibrate", "touch"}), 1);
     EXPECT_TRUE(output.contains("1/2  Put the stylus into the inkwell")) << output.toStdString();
     EXPECT_TRUE(output.contains("nothing is stored")) << output.toStdString();

@@ -14,6 +14,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_sdl.h"
+#include "tests/support/built.h"
 #include "tests/support/own_folder.h"
 
 #if __has_include(<SDL2/SDL.h>)
@@ -59,7 +60,7 @@ class JoystickOfTheDaemon : public ::testing::Test {
     }
     std::string refusal(const std::string& specification) {
         try {
-            const DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+            const DaemonClient client(test::hapticd_program(), specification);
         } catch (const InputError& error) {
             return error.what();
         }
@@ -72,7 +73,7 @@ class JoystickOfTheDaemon : public ::testing::Test {
 };
 
 TEST_F(JoystickOfTheDaemon, AnglesMoveTheHandleAsThoseOfATrainerDo) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "joystick:" + file);
+    DaemonClient client(test::hapticd_program(), "joystick:" + file);
     EXPECT_EQ(client.facts().kind, "joystick");
     EXPECT_EQ(client.facts().title, "Odd Stick");
     EXPECT_TRUE(client.facts().slot[1] && client.facts().clutch[1]);
@@ -100,7 +101,7 @@ TEST_F(JoystickOfTheDaemon, AnglesMoveTheHandleAsThoseOfATrainerDo) {
 }
 
 TEST_F(JoystickOfTheDaemon, RawAxesAreForACalibrationAndComeBackWhole) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "joystick:raw,Odd Stick");
+    DaemonClient client(test::hapticd_program(), "joystick:raw,Odd Stick");
     for (int i = 0; i < 6; ++i) page->controller[0].axis[i] = 3000 * (i + 1);
     page->controller[0].buttons = 1U << 5U;
     ASSERT_TRUE(until([&] { return pose(client, 1).buttons != 0 && pose(client, 1).position[0] != 0; }));
@@ -111,7 +112,7 @@ TEST_F(JoystickOfTheDaemon, RawAxesAreForACalibrationAndComeBackWhole) {
 }
 
 TEST_F(JoystickOfTheDaemon, UnpluggedOrWithALibraryThatHangsItsHandIsAbsentAndSaysWhatToDo) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "joystick:" + file);
+    DaemonClient client(test::hapticd_program(), "joystick:" + file);
     ASSERT_TRUE(until([&] { return pose(client).present == 1; }));
     page->controller[0].plugged = 0;
     ASSERT_TRUE(until([&] {

@@ -6,15 +6,16 @@
 #include "sim_core/devices/daemon_client.h"
 #include "tests/fakes/fake_force_dimension.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/support/built.h"
 
 namespace fulcrum {
 namespace {
 
 TEST(ReachOfForceDimension, IsThatOfItsModelAndTheFreeButtonIsTheClutch) {
     test::FakePage<test::FakeForceDimensionPage> page("FAKE_FORCE_DIMENSION_PAGE");
-    const test::Variable library("FULCRUM_LIBDRD", std::string(FULCRUM_FAKES) + "/libdrd.so");
+    const test::Variable library("FULCRUM_LIBDRD", test::fake_library("libdrd.so"));
     page->device[0].has_gripper = 0;
-    const DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension");
+    const DaemonClient client(test::hapticd_program(), "force-dimension");
     ASSERT_TRUE(client.facts().workspace[0] && client.facts().workspace[1]);
     EXPECT_TRUE(client.facts().workspace[1]->size().isApprox(Vector3(0.16, 0.16, 0.11))) << "an omega.7";
     EXPECT_TRUE(client.facts().clutch[0] && client.facts().clutch[1]);
