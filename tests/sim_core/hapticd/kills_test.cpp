@@ -19,6 +19,7 @@
 #include "sim_core/devices/packets.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum {
 namespace {
@@ -251,20 +252,8 @@ TEST_F(HapticdKills, TheClientReportsWhatHappenedToTheDaemon) {
 
 TEST_F(HapticdKills, TheDeviceProcessOpensNoSocketAndStartsNoProgram) {
     DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "virtual:" + script);
-    std::ifstream status("/proc/" + std::to_string(client.device_process()) + "/status");
-    std::string line;
-    int seen = 0;
-    while (std::getline(status, line)) {
-        if (line.rfind("NoNewPrivs:", 0) == 0) {
-            EXPECT_EQ(line.back(), '1');
-            ++seen;
-        }
-        if (line.rfind("Seccomp:", 0) == 0) {
-            EXPECT_EQ(line.back(), '2') << "filtered";
-            ++seen;
-        }
-    }
-    EXPECT_EQ(seen, 2);
+    EXPECT_TRUE(test::is_filtered(client.device_process()));
+    EXPECT_FALSE(test::is_filtered(getpid())) << "what is not filtered is seen";
 }
 
 }  // namespace
