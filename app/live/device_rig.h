@@ -10,6 +10,9 @@
 // on both sides; seen from the instrument its damping and stiffness are those of the device over m^2, its
 // forces over m.
 //
+// While the overseer of the device gives no sign of itself, the force is 0 and the device counts as absent:
+// an attempt does not continue without force.
+//
 // Real-time loop: no lock, allocation, system call (but the clock) or exception.
 #pragma once
 
@@ -62,6 +65,7 @@ class DeviceRig : public Rig {
         bool keys_begun = false;
         std::int32_t keys_roll = 0, keys_head = 0;  ///< of the other rig at its first tick
     };
+    void see_overseer() noexcept;
     void read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept;
     /// The keys of turning, jaws, pedal and exchange work with every device: for what it cannot do.
     static void add_keys(Driven& driven, bool is_scope, const DeviceSample& keys,
@@ -76,6 +80,8 @@ class DeviceRig : public Rig {
     int pedal_;
     bool has_pedal_;
     Driven driven_[device_slots];  // left, right, scope
+    std::int64_t overseer_time_ = -1;
+    int overseer_same_ = 0;  // ticks since it last said that it runs
     std::optional<ForceOutput> force_[hand_count];
     ForceCommand sent_[hand_count];
 };
