@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <random>
 #include <set>
@@ -37,6 +38,7 @@ using fulcrum::test::Variable;
 constexpr std::int64_t ms_in_ns = 1'000'000, force_kill_limit = 50 * ms_in_ns;
 constexpr double pressing_n = 0.05;
 constexpr int force_kill_patience_ms = 120000;
+constexpr unsigned longest_press_ms = 2500;  // before a signal: long enough to break a limit
 enum Victim { the_device_process, the_overseer, the_window, victims };
 constexpr const char* victim_names[victims] = {"device process", "overseer", "window"};
 
@@ -224,7 +226,7 @@ void KillsWithForce::round(Victim victim, int signal, int number) {
     int status = 0;
     const auto ended = [&] { return ::waitpid(window, &status, WNOHANG) == window; };
     ASSERT_TRUE(wait_until_so([&] { return presses() || ended(); }) && presses()) << "round " << number;
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 1000));
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % longest_press_ms));
     // It also travels, and begins another attempt: at a moment at which it presses.
     ASSERT_TRUE(wait_until_so([&] { return (presses() && find_daemon() && presses()) || ended(); }) &&
                 presses())
@@ -385,7 +387,7 @@ TEST_F(KillsWithForce, ForceIsZeroWithin50MillisecondsAndNothingIsLost) {
         // 3 rounds: the device process is killed, the overseer stopped, the window killed.
         const bool stop = (i / victims + victim) % 2 == 1;
         round(victim, stop ? SIGSTOP : SIGKILL, i);
-        if (asked != nullptr && i % 10 == 9) std::printf("%d rounds\n", i + 1), std::fflush(stdout);
+        if (asked != nullptr && i % 10 == 9) std::cout << i + 1 << " rounds" << std::endl;
     }
     if (window != 0) {
         end_window();
@@ -397,6 +399,8 @@ TEST_F(KillsWithForce, ForceIsZeroWithin50MillisecondsAndNothingIsLost) {
     EXPECT_EQ(missing, 0U);
     EXPECT_EQ(finished_lost, 0U);
     EXPECT_EQ(broken, broken_kept);
+    // A machine that starves the recorder's thread for seconds loses those.
+    for (const std::uint32_t ticks : lost_ticks) EXPECT_LE(ticks, 5000U);
     for (int victim = 0; victim < victims; ++victim)
         for (const auto& one : took[victim])
             if (!one.empty())

@@ -21,6 +21,7 @@ namespace {
 using namespace ui;
 using namespace ui::window_test;
 constexpr int pressing_patience_ms = 120000;
+constexpr double longest_press_s = 15;
 constexpr double breaks_n = 4.5;                      // A2 gates 4 N
 constexpr std::int64_t recorded_after = 500'000'000;  // ns: the recorder looks every 100 ms
 
@@ -84,7 +85,7 @@ class PressingWindow {
     void rest() {
         for (int hand = 0; hand < hand_count; ++hand) put(hand, Vector3::Zero());
     }
-    /// Until the device is lost, or for a random time; every other attempt presses too hard.
+    /// Until the device is lost or it has had its time; every other attempt presses too hard.
     void press() {
         const Cheat* heavy = nullptr;
         for (const Cheat& one : cheats())
@@ -96,7 +97,6 @@ class PressingWindow {
         const auto mind = too_hard ? make_cheat(*heavy, task, session.scene(), random_())
                                    : make_operator(OperatorLevel::expert, task, session.scene(), random_());
         PosedHand hand(*theatre_, *mind, [this](int h, const Vector3& position) { put(h, position); });
-        const double length = 3 + static_cast<double>(random_() % 4000) / 1000;  // s
         std::int64_t broken_at = 0;
         hand.work_until(
             [&] {
@@ -104,7 +104,7 @@ class PressingWindow {
                 const double most = std::max(display.force[0], display.force[1]);
                 if (broken_at == 0 && most > breaks_n) broken_at = monotonic_ns();
                 if (broken_at != 0 && monotonic_ns() - broken_at > recorded_after) counters_.broken.store(1);
-                return session.phase() != AttemptPhase::running || display.elapsed_s > length;
+                return session.phase() != AttemptPhase::running || display.elapsed_s > longest_press_s;
             },
             pressing_patience_ms);
     }
