@@ -12,6 +12,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_force_dimension.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_haply.h"
 #include "tests/support/fake_spacenavd.h"
 #include "tests/support/fake_tracker.h"
@@ -65,7 +66,7 @@ class BreakableForceDimension : public Breakable {
 
   private:
     fulcrum::test::FakePage<fulcrum::test::FakeForceDimensionPage> page_{"FAKE_FORCE_DIMENSION_PAGE"};
-    Variable library_{"FULCRUM_LIBDRD", std::string(FULCRUM_FAKES) + "/libdrd.so"};
+    Variable library_{"FULCRUM_LIBDRD", test::fake_library("libdrd.so")};
     Variable device_{"FULCRUM_DEVICE", "force-dimension"};
 };
 

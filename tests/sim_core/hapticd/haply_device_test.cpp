@@ -15,6 +15,7 @@
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_haply.h"
 #include "tests/support/process_rights.h"
 
@@ -72,7 +73,7 @@ class HaplyPush {
 
 std::string haply_error(const std::string& specification) {
     try {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+        DaemonClient client(test::hapticd_program(), specification);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -103,7 +104,7 @@ TEST(HaplyOfService, PositionsRollButtonsAndForceGoTheRightWayRound) {
     FakeHaply haply(two_devices, 2);
     haply.move(0, Vector3(0.01, 0.02, 0.03));
     haply.move(1, Vector3(-0.04, -0.05, 0.06));
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+    DaemonClient client(test::hapticd_program(), haply.specification());
     EXPECT_EQ(client.facts().title, "Haply Inverse3 with VerseGrip");
     EXPECT_TRUE(client.facts().slot[0] && client.facts().slot[1]) << "by their handedness";
     ASSERT_TRUE(client.facts().force[0] && client.facts().force[1]);
@@ -136,7 +137,7 @@ TEST(HaplyOfService, ForceIsRenderedInTheFormThatEachVersionTakes) {
     for (const Form form : {Form::values, Form::refuses_vector}) {
         FakeHaply haply(one_device);
         haply.form = form;
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+        DaemonClient client(test::hapticd_program(), haply.specification());
         HaplyPush push;
         EXPECT_TRUE(push.until_holds(client, Vector3(0.5, 0, 0), [&] { return haply.force(0).x() == 0.5; }))
             << static_cast<int>(form);
@@ -145,7 +146,7 @@ TEST(HaplyOfService, ForceIsRenderedInTheFormThatEachVersionTakes) {
 
 TEST(HaplyThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
     FakeHaply haply(one_device);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+    DaemonClient client(test::hapticd_program(), haply.specification());
     HaplyPush push;
     const Vector3 wanted(0, 0.5, 0);
     const auto works = [&] {
@@ -201,7 +202,7 @@ TEST(HaplyThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
 TEST(HaplyThroughTheDaemon, EachReasonOfASafetyEventAndADisconnectionStopForceAndHand) {
     FakeHaply haply(one_device);
     for (const char* const reason : {"stall_detected", "stability_ceiling", ""}) {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+        DaemonClient client(test::hapticd_program(), haply.specification());
         HaplyPush push;
         const Vector3 wanted(0, 0.5, 0);
         ASSERT_TRUE(push.until_holds(client, wanted, [&] {
@@ -230,7 +231,7 @@ TEST(HaplyThroughTheDaemon, EachReasonOfASafetyEventAndADisconnectionStopForceAn
 
 TEST(HaplyThroughTheDaemon, ASlowServiceIsUsedAndNeverGetsTwoCommands) {
     FakeHaply haply(one_device);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+    DaemonClient client(test::hapticd_program(), haply.specification());
     HaplyPush push;
     const Vector3 wanted(0, 0.5, 0);
     haply.mode = Mode::slow;
@@ -288,7 +289,7 @@ TEST(HaplyOfService, TheFakeSeesASecondCommandThatDoesNotWait) {
 TEST(HaplyThroughTheDaemon, ForceIsZeroAfterTheProgramOrTheDeviceProcessDies) {
     FakeHaply haply(one_device);
     const auto push_for_ever = [&](int control) {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+        DaemonClient client(test::hapticd_program(), haply.specification());
         const pid_t device = client.device_process();
         if (write(control, &device, sizeof device) != sizeof device) _exit(1);
         HaplyPush push;
@@ -369,7 +370,7 @@ TEST(HaplyDevice, ThePortAfterTheFirstIsUsedWhereNobodyOrAnotherProgramAnswersTh
 TEST(HaplyOfService, AServiceThatStallsEndsOrLosesTheDeviceIsOpenedAgain) {
     auto haply = std::make_unique<FakeHaply>(one_device);
     const int port = haply->port();
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "haply:" + std::to_string(port) + ",events=0");
+    DaemonClient client(test::hapticd_program(), "haply:" + std::to_string(port) + ",events=0");
     HaplyPush push;
     const Vector3 wanted(0, 0.5, 0);
     const auto works = [&] {
@@ -465,13 +466,13 @@ TEST(HaplyOfService, WhatDoesNotOpenSaysWhyAndWhatToDo) {
 TEST(HaplyOfService, OneOfTwoCanBeNamedAndBothOfOneSideAreSharedOut) {
     FakeHaply haply({{"A", "right"}, {"B", "right"}});
     const auto hands = [&](const std::string& more) {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification() + more);
+        DaemonClient client(test::hapticd_program(), haply.specification() + more);
         return std::pair(client.facts().slot[0], client.facts().slot[1]);
     };
     EXPECT_EQ(hands(""), std::pair(true, true));
     EXPECT_EQ(hands(",left=B"), std::pair(true, false));
     haply.move(1, Vector3(0.09, 0, 0));
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification() + ",left=B");
+    DaemonClient client(test::hapticd_program(), haply.specification() + ",left=B");
     EXPECT_TRUE(until([&] { return haply_pose(client, 0).position[0] == 0.09; }));
 }
 

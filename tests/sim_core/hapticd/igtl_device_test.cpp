@@ -10,6 +10,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_tracker.h"
 #include "tests/support/process_rights.h"
 
@@ -34,7 +35,7 @@ bool tracked_present(const DaemonClient& client, int slot) {
 }
 std::string opening_error(const std::string& specification) {
     try {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+        DaemonClient client(test::hapticd_program(), specification);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -99,7 +100,7 @@ TEST(IgtlTracker, PosesJawsAndButtonsArriveFromEachKindOfMessage) {
     const double jaw[] = {0.25, 4};
     igtl::append_sensor(image_and_jaw, "RightJaw", 0, jaw, 2, 0);
     tracker.also_send(image_and_jaw);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address() + ",left=" +
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker.address() + ",left=" +
                                                      two_tools[0] + ",right=" + two_tools[1] + ",length=0");
     EXPECT_EQ(client.facts().kind, "openigtlink");
     EXPECT_TRUE(client.facts().slot[0] && client.facts().slot[1]);
@@ -129,7 +130,7 @@ TEST(IgtlTracker, PosesJawsAndButtonsArriveFromEachKindOfMessage) {
 
 TEST(IgtlTracker, AFaultThatPassesMakesTheHandAbsentAndSaysWhatToDo) {
     FakeTracker tracker(two_tools);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address());
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker.address());
     struct Case {
         Mode mode;
         DeviceFault fault;
@@ -170,7 +171,7 @@ TEST(IgtlTracker, AServerThatGreetsWithAStatusOfVersion2IsUnderstood) {
     igtl::append_status(greeting, "Slicer", 0, {1, 0, "", "ready"}, 2);
     igtl::append_status(greeting, "Tracker", 0, {13, 7, "NotReady", "the camera is warming up"}, 2);
     FakeTracker tracker(two_tools, 0, 100, greeting);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address() + ",length=0");
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker.address() + ",length=0");
     igtl::Pose pose;
     pose.place = Vector3(0.01, 0.02, 0.03);
     tracker.move(0, pose);
@@ -186,7 +187,7 @@ TEST(IgtlTracker, AServerThatGreetsWithAStatusOfVersion2IsUnderstood) {
 TEST(IgtlTracker, AConnectionThatEndsIsOpenedAgain) {
     auto tracker = std::make_unique<FakeTracker>(two_tools);
     const int port = tracker->port();
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker->address());
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker->address());
     ASSERT_TRUE(until([&] { return tracked_present(client, 1); }));
     tracker.reset();
     EXPECT_TRUE(until([&] { return !tracked_present(client, 0) && !tracked_present(client, 1); }));
