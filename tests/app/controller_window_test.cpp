@@ -16,6 +16,7 @@
 #include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/support/built.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -31,7 +32,7 @@ using ui::window_test::wait_for;
 struct FakeController {
     FakeController() { page->controller[0].plugged = 1; }
     fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
-    fulcrum::test::Variable library{"FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so"};
+    fulcrum::test::Variable library{"FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so")};
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "controller"};
 };
 

@@ -9,6 +9,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_touch.h"
+#include "tests/support/built.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -26,7 +27,7 @@ struct FakeTouch {
         return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
     }
     fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
-    fulcrum::test::Variable library{"FULCRUM_LIBHD", std::string(FULCRUM_FAKES) + "/libHD.so"};
+    fulcrum::test::Variable library{"FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so")};
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
     fulcrum::test::Variable program{"FULCRUM_HAPTICD", daemon()};
 };

@@ -15,6 +15,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_sdl.h"
+#include "tests/support/built.h"
 
 #if __has_include(<SDL2/SDL.h>)
 #define SDL_MAIN_HANDLED
@@ -58,7 +59,7 @@ class GameControllers : public ::testing::Test {
     }
 
     FakePage<FakeSdlPage> page{"FAKE_SDL_PAGE"};
-    Variable library{"FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so"};
+    Variable library{"FULCRUM_LIBSDL2", test::fake_library("libSDL2.so")};
 };
 
 TEST_F(GameControllers, SticksAddUpTheTimeAtTheSpeedThatTheyAskFor) {
@@ -243,11 +244,11 @@ TEST_F(GameControllers, EachReasonForWhichNoneOpensIsNamedWithWhatToDo) {
     };
     EXPECT_NE(with_library("/nowhere/libSDL2.so").find("is not installed (/nowhere/libSDL2.so"),
               std::string::npos);
-    const std::string old = with_library((std::string(FULCRUM_FAKES) + "/libSDL2_old.so").c_str());
+    const std::string old = with_library(test::fake_library("libSDL2_old.so").c_str());
     EXPECT_NE(old.find("lacks a function that Fulcrum needs (SDL_GameControllerRumble)"), std::string::npos)
         << old;
     EXPECT_NE(old.find("libsdl2-2.0-0"), std::string::npos);
-    setenv("FULCRUM_LIBSDL2", (std::string(FULCRUM_FAKES) + "/libSDL2.so").c_str(), 1);
+    setenv("FULCRUM_LIBSDL2", test::fake_library("libSDL2.so").c_str(), 1);
 }
 
 TEST_F(GameControllers, AreListedWhileOneIsReadAndWhileNoneIs) {

@@ -15,6 +15,7 @@
 #include "tests/fakes/fake_force_dimension.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/built.h"
 
 namespace fulcrum {
 namespace {
@@ -26,7 +27,7 @@ constexpr int force_status = 5, force_off_cause = 14;
 
 class ForceDimensionThroughTheDaemon : public ::testing::Test {
   protected:
-    static std::string fake(const char* name) { return std::string(FULCRUM_FAKES) + "/" + name; }
+    static std::string fake(const char* name) { return test::fake_library(name); }
     static DevicePose pose(const DaemonClient& client, int hand) {
         DevicePose newest;
         client.state().pose[hand].read(newest);
@@ -51,7 +52,7 @@ class ForceDimensionThroughTheDaemon : public ::testing::Test {
     }
     static std::string error_of(const std::string& specification) {
         try {
-            DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+            DaemonClient client(test::hapticd_program(), specification);
         } catch (const InputError& error) {
             return error.what();
         }
@@ -63,7 +64,7 @@ class ForceDimensionThroughTheDaemon : public ::testing::Test {
 };
 
 TEST_F(ForceDimensionThroughTheDaemon, PosesAreTurnedIntoTheDeviceFrame) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension");
+    DaemonClient client(test::hapticd_program(), "force-dimension");
     EXPECT_EQ(client.facts().title, "omega.7");
     EXPECT_EQ(client.facts().kind, "force-dimension");
     for (int n = 0; n < 2; ++n) {
@@ -95,7 +96,7 @@ TEST_F(ForceDimensionThroughTheDaemon, PosesAreTurnedIntoTheDeviceFrame) {
 TEST_F(ForceDimensionThroughTheDaemon, ADeviceWithoutAGripperClosesJawsWithItsFirstButton) {
     page->count = 1;
     page->device[0].has_gripper = 0;
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension");
+    DaemonClient client(test::hapticd_program(), "force-dimension");
     EXPECT_FALSE(client.facts().slot[0]) << "one device moves the right hand";
     page->device[0].buttons = 7;
     EXPECT_TRUE(until([&] {
@@ -107,7 +108,7 @@ TEST_F(ForceDimensionThroughTheDaemon, ADeviceWithoutAGripperClosesJawsWithItsFi
 }
 
 TEST_F(ForceDimensionThroughTheDaemon, ForceSentIsForceAskedInTheLibrarysFrame) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension:1,0");
+    DaemonClient client(test::hapticd_program(), "force-dimension:1,0");
     ASSERT_TRUE(client.facts().force[0] && client.facts().force[1]);
     EXPECT_EQ(page->device[0].max_force, client.facts().force[1]->peak);
     page->device[0].saturated = 1;  // not a fault
@@ -127,7 +128,7 @@ TEST_F(ForceDimensionThroughTheDaemon, ForceSentIsForceAskedInTheLibrarysFrame) 
 }
 
 TEST_F(ForceDimensionThroughTheDaemon, AFaultStopsForceAndHandAndSaysWhatToDo) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension:,0");
+    DaemonClient client(test::hapticd_program(), "force-dimension:,0");
     test::FakeForceDimensionDevice& device = page->device[0];
     const Vector3 gentle(0, 0.5, 0);
     const auto force_comes = [&] {
@@ -165,7 +166,7 @@ TEST_F(ForceDimensionThroughTheDaemon, AFaultStopsForceAndHandAndSaysWhatToDo) {
 }
 
 TEST_F(ForceDimensionThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension:,0");
+    DaemonClient client(test::hapticd_program(), "force-dimension:,0");
     test::FakeForceDimensionDevice& device = page->device[0];
     const auto lost_and_back = [&](DeviceFault fault, const std::function<void(int)>& set) {
         const std::uint32_t closed = device.closed;
@@ -213,7 +214,7 @@ TEST_F(ForceDimensionThroughTheDaemon, WhatKeepsItFromOpeningIsNamedWithWhatToDo
     for (const char* const wrong : {"force-dimension:", "force-dimension:1", "force-dimension:1,1",
                                     "force-dimension:a,1", "force-dimension:1,22"})
         refused(wrong, "write force-dimension:LEFT,RIGHT");
-    EXPECT_EQ(look_at_library(FULCRUM_HAPTICD_PROGRAM, "force-dimension").state, LibraryState::ready);
+    EXPECT_EQ(look_at_library(test::hapticd_program(), "force-dimension").state, LibraryState::ready);
 }
 
 TEST_F(ForceDimensionThroughTheDaemon, ForceIsZeroAndDevicesAreClosedAfterTheProgramDies) {
@@ -221,7 +222,7 @@ TEST_F(ForceDimensionThroughTheDaemon, ForceIsZeroAndDevicesAreClosedAfterThePro
         const std::uint32_t closed = page->device[0].closed;
         const pid_t child = fork();
         if (child == 0) {
-            DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension");
+            DaemonClient client(test::hapticd_program(), "force-dimension");
             push_until(client, Vector3(0, 0.5, 0), [] { return false; });
             _exit(0);
         }

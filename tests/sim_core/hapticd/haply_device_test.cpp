@@ -13,6 +13,7 @@
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_haply.h"
 
 namespace fulcrum {
@@ -56,7 +57,7 @@ class HaplyPush {
 
 std::string haply_error(const std::string& specification) {
     try {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+        DaemonClient client(test::hapticd_program(), specification);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -87,7 +88,7 @@ TEST(HaplyOfService, PositionsRollButtonsAndForceGoTheRightWayRound) {
     FakeHaply haply(two_devices, 2);
     haply.move(0, Vector3(0.01, 0.02, 0.03));
     haply.move(1, Vector3(-0.04, -0.05, 0.06));
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+    DaemonClient client(test::hapticd_program(), haply.specification());
     EXPECT_EQ(client.facts().title, "Haply Inverse3 with VerseGrip");
     EXPECT_TRUE(client.facts().slot[0] && client.facts().slot[1]) << "by their handedness";
     ASSERT_TRUE(client.facts().force[0] && client.facts().force[1]);
@@ -120,7 +121,7 @@ TEST(HaplyOfService, ForceIsRenderedInTheFormThatEachVersionTakes) {
     for (const Form form : {Form::values, Form::refuses_vector}) {
         FakeHaply haply(one_device);
         haply.form = form;
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+        DaemonClient client(test::hapticd_program(), haply.specification());
         HaplyPush push;
         EXPECT_TRUE(push.until_holds(client, Vector3(0.5, 0, 0), [&] { return haply.force(0).x() == 0.5; }))
             << static_cast<int>(form);
@@ -129,7 +130,7 @@ TEST(HaplyOfService, ForceIsRenderedInTheFormThatEachVersionTakes) {
 
 TEST(HaplyOfService, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
     FakeHaply haply(one_device);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification());
+    DaemonClient client(test::hapticd_program(), haply.specification());
     HaplyPush push;
     const Vector3 wanted(0, 0.5, 0);
     const auto works = [&] {
@@ -175,7 +176,7 @@ TEST(HaplyOfService, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
 TEST(HaplyOfService, AServiceThatStallsEndsOrLosesTheDeviceIsOpenedAgain) {
     auto haply = std::make_unique<FakeHaply>(one_device);
     const int port = haply->port();
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "haply:" + std::to_string(port) + ",events=0");
+    DaemonClient client(test::hapticd_program(), "haply:" + std::to_string(port) + ",events=0");
     HaplyPush push;
     const Vector3 wanted(0, 0.5, 0);
     const auto works = [&] {
@@ -271,13 +272,13 @@ TEST(HaplyOfService, WhatDoesNotOpenSaysWhyAndWhatToDo) {
 TEST(HaplyOfService, OneOfTwoCanBeNamedAndBothOfOneSideAreSharedOut) {
     FakeHaply haply({{"A", "right"}, {"B", "right"}});
     const auto hands = [&](const std::string& more) {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification() + more);
+        DaemonClient client(test::hapticd_program(), haply.specification() + more);
         return std::pair(client.facts().slot[0], client.facts().slot[1]);
     };
     EXPECT_EQ(hands(""), std::pair(true, true));
     EXPECT_EQ(hands(",left=B"), std::pair(true, false));
     haply.move(1, Vector3(0.09, 0, 0));
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, haply.specification() + ",left=B");
+    DaemonClient client(test::hapticd_program(), haply.specification() + ",left=B");
     EXPECT_TRUE(until([&] { return haply_pose(client, 0).position[0] == 0.09; }));
 }
 

@@ -8,6 +8,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_tracker.h"
 
 namespace fulcrum {
@@ -31,7 +32,7 @@ bool tracked_present(const DaemonClient& client, int slot) {
 }
 std::string opening_error(const std::string& specification) {
     try {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+        DaemonClient client(test::hapticd_program(), specification);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -96,7 +97,7 @@ TEST(IgtlTracker, PosesJawsAndButtonsArriveFromEachKindOfMessage) {
     const double jaw[] = {0.25, 4};
     igtl::append_sensor(image_and_jaw, "RightJaw", 0, jaw, 2, 0);
     tracker.also_send(image_and_jaw);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address() + ",left=" +
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker.address() + ",left=" +
                                                      two_tools[0] + ",right=" + two_tools[1] + ",length=0");
     EXPECT_EQ(client.facts().kind, "openigtlink");
     EXPECT_TRUE(client.facts().slot[0] && client.facts().slot[1]);
@@ -126,7 +127,7 @@ TEST(IgtlTracker, PosesJawsAndButtonsArriveFromEachKindOfMessage) {
 
 TEST(IgtlTracker, AFaultThatPassesMakesTheHandAbsentAndSaysWhatToDo) {
     FakeTracker tracker(two_tools);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker.address());
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker.address());
     struct Case {
         Mode mode;
         DeviceFault fault;
@@ -165,7 +166,7 @@ TEST(IgtlTracker, AFaultThatPassesMakesTheHandAbsentAndSaysWhatToDo) {
 TEST(IgtlTracker, AConnectionThatEndsIsOpenedAgain) {
     auto tracker = std::make_unique<FakeTracker>(two_tools);
     const int port = tracker->port();
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "openigtlink:" + tracker->address());
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker->address());
     ASSERT_TRUE(until([&] { return tracked_present(client, 1); }));
     tracker.reset();
     EXPECT_TRUE(until([&] { return !tracked_present(client, 0) && !tracked_present(client, 1); }));

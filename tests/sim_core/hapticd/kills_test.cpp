@@ -18,6 +18,7 @@
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/devices/packets.h"
 #include "sim_core/numerics/input_error.h"
+#include "tests/support/built.h"
 #include "tests/support/own_folder.h"
 
 namespace fulcrum {
@@ -117,7 +118,7 @@ class Program {
   private:
     [[noreturn]] void run(const std::string& script, Behaviour later) {
         try {
-            DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "virtual:" + script);
+            DaemonClient client(test::hapticd_program(), "virtual:" + script);
             send_packet(ends_[1], {{"overseer", client.overseer()}, {"device", client.device_process()}},
                         {client.state_descriptor()});
             ForceCommand command;
@@ -206,7 +207,7 @@ TEST_F(HapticdKills, AnErrorOfTheScriptIsReportedWithPlaceAndHint) {
     const auto error_of = [&](const std::string& text) -> std::string {
         std::ofstream(script) << text;
         try {
-            DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "virtual:" + script);
+            DaemonClient client(test::hapticd_program(), "virtual:" + script);
         } catch (const InputError& error) {
             return error.what();
         }
@@ -221,15 +222,15 @@ TEST_F(HapticdKills, AnErrorOfTheScriptIsReportedWithPlaceAndHint) {
         std::string::npos);
     EXPECT_NE(error_of(R"({"format": "fulcrum-device-script", "lefd": {}})").find("/lefd"),
               std::string::npos);
-    EXPECT_THROW(DaemonClient(FULCRUM_HAPTICD_PROGRAM, "touch"), InputError);
+    EXPECT_THROW(DaemonClient(test::hapticd_program(), "touch"), InputError);
     EXPECT_THROW(DaemonClient((folder / "none").string(), "virtual:" + script), InputError);
     EXPECT_THROW(DaemonClient("/bin/true", "virtual:" + script), InputError);
-    EXPECT_THROW(DaemonClient(FULCRUM_HAPTICD_PROGRAM, "virtual:" + folder.path().string()), InputError);
+    EXPECT_THROW(DaemonClient(test::hapticd_program(), "virtual:" + folder.path().string()), InputError);
 }
 
 TEST_F(HapticdKills, TheClientReportsWhatHappenedToTheDaemon) {
     std::ofstream(script) << script_text;
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "virtual:" + script);
+    DaemonClient client(test::hapticd_program(), "virtual:" + script);
     EXPECT_EQ(client.poll(), DaemonClient::Health::good);
     const auto wait_for = [&client](DaemonClient::Health wanted) {
         const std::int64_t until = monotonic_ns() + 8'000'000'000;
@@ -250,7 +251,7 @@ TEST_F(HapticdKills, TheClientReportsWhatHappenedToTheDaemon) {
 }
 
 TEST_F(HapticdKills, TheDeviceProcessOpensNoSocketAndStartsNoProgram) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "virtual:" + script);
+    DaemonClient client(test::hapticd_program(), "virtual:" + script);
     std::ifstream status("/proc/" + std::to_string(client.device_process()) + "/status");
     std::string line;
     int seen = 0;

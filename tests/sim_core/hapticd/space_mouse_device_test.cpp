@@ -13,6 +13,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_spacenavd.h"
 #include "tests/support/own_folder.h"
 
@@ -39,7 +40,7 @@ class SpaceMouseOfSpacenavd : public ::testing::Test {
 TEST_F(SpaceMouseOfSpacenavd, TheCapMovesTheHandleAndTurnsTheRollInBothProtocols) {
     for (const int protocol : {1, 0}) {
         FakeSpacenavd daemon(path, protocol);
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse");
+        DaemonClient client(test::hapticd_program(), "space-mouse");
         EXPECT_EQ(client.facts().kind, "space-mouse");
         EXPECT_TRUE(client.facts().slot[scope_slot]);
         EXPECT_FALSE(client.facts().slot[0]);
@@ -67,7 +68,7 @@ TEST_F(SpaceMouseOfSpacenavd, TheCapMovesTheHandleAndTurnsTheRollInBothProtocols
 
 TEST_F(SpaceMouseOfSpacenavd, AfterAHangUpOrRubbishTheHandIsAbsentUntilItIsOpenedAgain) {
     FakeSpacenavd daemon(path, 1);
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse:right");
+    DaemonClient client(test::hapticd_program(), "space-mouse:right");
     ASSERT_TRUE(until([&] { return daemon.connected() && pose(client, 1).present == 1; }));
     for (const bool rubbish : {false, true}) {
         const auto process = client.device_process();
@@ -91,7 +92,7 @@ TEST_F(SpaceMouseOfSpacenavd, AfterAHangUpOrRubbishTheHandIsAbsentUntilItIsOpene
 
 TEST_F(SpaceMouseOfSpacenavd, WithoutSpacenavdItSaysWhatToDo) {
     try {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "space-mouse");
+        DaemonClient client(test::hapticd_program(), "space-mouse");
         FAIL();
     } catch (const InputError& error) {
         const std::string what = error.what();

@@ -14,6 +14,7 @@
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_touch.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/built.h"
 
 namespace fulcrum {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::int64_t limit = 50'000'000;  // ns
 constexpr const char* both = "touch:Left Device,Right Device";
 
 std::string fake(const char* name) {
-    return std::string(FULCRUM_FAKES) + "/" + name;
+    return test::fake_library(name);
 }
 
 class TouchThroughTheDaemon : public ::testing::Test {
@@ -53,7 +54,7 @@ class TouchThroughTheDaemon : public ::testing::Test {
     }
     std::string error_of(const std::string& specification) const {
         try {
-            DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+            DaemonClient client(test::hapticd_program(), specification);
         } catch (const InputError& error) {
             return error.what();
         }
@@ -65,7 +66,7 @@ class TouchThroughTheDaemon : public ::testing::Test {
 };
 
 TEST_F(TouchThroughTheDaemon, PosesOfTwoDevicesComeInMetresWithRollJawAndButtons) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, both);
+    DaemonClient client(test::hapticd_program(), both);
     EXPECT_EQ(client.facts().title, "3D Systems Touch");
     EXPECT_EQ(client.facts().kind, "touch");
     EXPECT_FALSE(client.facts().slot[scope_slot]);
@@ -101,7 +102,7 @@ TEST_F(TouchThroughTheDaemon, ForceSentIsForceAskedWithinTheDevicesLimits) {
     page->device[0].continuous_force = 0.7;
     page->device[0].max_stiffness = 0.6;
     page->device[1].max_force = 0;  // not possible: the limits of the smallest device
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, both);
+    DaemonClient client(test::hapticd_program(), both);
     ASSERT_TRUE(client.facts().force[0] && client.facts().force[1]);
     EXPECT_EQ(client.facts().force[0]->peak, 2.5);
     EXPECT_EQ(client.facts().force[0]->continuous, 0.7);
@@ -131,7 +132,7 @@ TEST_F(TouchThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) 
         std::uint32_t code;
         DeviceFault fault;
     };
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, both);
+    DaemonClient client(test::hapticd_program(), both);
     for (const Case& one : {Case{0x0200, DeviceFault::warm_motors}, Case{0x0201, DeviceFault::too_much_force},
                             Case{0x0202, DeviceFault::too_much_force}, Case{0x0203, DeviceFault::too_fast},
                             Case{0x0204, DeviceFault::too_much_force}}) {
@@ -155,7 +156,7 @@ TEST_F(TouchThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) 
 }
 
 TEST_F(TouchThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "touch");
+    DaemonClient client(test::hapticd_program(), "touch");
     for (const std::uint32_t code : {0x0300U, 0x0302U, 0x0304U, 0x0103U}) {
         const std::uint32_t inits = page->inits;
         const Vector3 gentle(0, 0.5, 0);
@@ -182,7 +183,7 @@ TEST_F(TouchThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
 }
 
 TEST_F(TouchThroughTheDaemon, AnUnpluggedDeviceIsTriedAgainUntilItIsBack) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "touch");
+    DaemonClient client(test::hapticd_program(), "touch");
     page->init_error = 0x0302;
     page->init_errors = 3;  // one opening tries three names
     page->device[1].tick_error = 0x0302;
@@ -197,7 +198,7 @@ TEST_F(TouchThroughTheDaemon, AnUnpluggedDeviceIsTriedAgainUntilItIsBack) {
 }
 
 TEST_F(TouchThroughTheDaemon, AServoLoopThatStopsIsNoticed) {
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "touch");
+    DaemonClient client(test::hapticd_program(), "touch");
     ASSERT_TRUE(until([&] { return is_present(client, 1); }));
     page->hang = 1;
     const std::int64_t begin = monotonic_ns();
@@ -212,7 +213,7 @@ TEST_F(TouchThroughTheDaemon, AServoLoopThatStopsIsNoticed) {
 
 TEST_F(TouchThroughTheDaemon, NoForceBeforeTheDeviceIsCalibrated) {
     page->device[1].calibration = 0x5002;  // needs a hand
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "touch");
+    DaemonClient client(test::hapticd_program(), "touch");
     const Vector3 gentle(0, 0.5, 0);
     std::uint64_t begin = page->device[1].frames;
     EXPECT_TRUE(push_until(client, gentle, [&] { return page->device[1].frames > begin + 800; }));
@@ -272,7 +273,7 @@ TEST_F(TouchThroughTheDaemon, ForceIsZeroAndDevicesAreClosedInOrderAfterTheProgr
         const std::uint32_t closed = page->closed_in_order;
         const pid_t child = fork();
         if (child == 0) {
-            DaemonClient client(FULCRUM_HAPTICD_PROGRAM, both);
+            DaemonClient client(test::hapticd_program(), both);
             push_until(client, Vector3(0, 0.5, 0), [] { return false; });
             _exit(0);
         }
@@ -302,12 +303,12 @@ TEST_F(TouchThroughTheDaemon, WhatTheLibraryPrintsDisturbsNothingAndItsNumbersHa
 }
 
 TEST_F(TouchThroughTheDaemon, TheLookAtTheLibraryLoadsItInAnotherProcess) {
-    EXPECT_EQ(look_at_library(FULCRUM_HAPTICD_PROGRAM, "touch").state, LibraryState::ready);
+    EXPECT_EQ(look_at_library(test::hapticd_program(), "touch").state, LibraryState::ready);
     for (const auto& [name, state] : {std::pair("libHD_old.so", LibraryState::outdated),
                                       std::pair("libHD_part.so", LibraryState::incomplete),
                                       std::pair("none.so", LibraryState::missing)}) {
         setenv("FULCRUM_LIBHD", fake(name).c_str(), 1);
-        const LibraryLook look = look_at_library(FULCRUM_HAPTICD_PROGRAM, "touch");
+        const LibraryLook look = look_at_library(test::hapticd_program(), "touch");
         EXPECT_EQ(look.state, state) << name << look.detail;
         EXPECT_NE(look.detail, "");
     }

@@ -10,6 +10,7 @@
 #include "tests/fakes/arduino.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/built.h"
 #include "tests/support/fake_trainer.h"
 
 namespace fulcrum::test::arduino {
@@ -59,7 +60,7 @@ bool trainer_present(const DaemonClient& client, int slot) {
 
 std::string trainer_error(const std::string& specification) {
     try {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, specification);
+        DaemonClient client(test::hapticd_program(), specification);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -186,7 +187,7 @@ TEST(TrainerDevice, SpecificationsAndHandles) {
 
 TEST(TrainerOnAPort, MovesItsPartsAndPressesTheirButtons) {
     FakeTrainer trainer("LRS");
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, trainer.specification());
+    DaemonClient client(test::hapticd_program(), trainer.specification());
     EXPECT_EQ(client.facts().kind, "trainer");
     EXPECT_EQ(client.facts().title, "Box");
     for (int slot = 0; slot < device_slots; ++slot) {
@@ -209,7 +210,7 @@ TEST(TrainerOnAPort, MovesItsPartsAndPressesTheirButtons) {
 
 TEST(TrainerOnAPort, EachFaultMakesTheHandAbsentSaysWhatToDoAndPasses) {
     FakeTrainer trainer("LR");
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, trainer.specification());
+    DaemonClient client(test::hapticd_program(), trainer.specification());
     ASSERT_TRUE(until([&] { return trainer_present(client, 0) && trainer_present(client, 1); }));
     const auto process = client.device_process();
     const std::pair<Mode, DeviceFault> faults[] = {{Mode::silent, DeviceFault::trainer_silent},
@@ -246,7 +247,7 @@ TEST(TrainerOnAPort, EachFaultMakesTheHandAbsentSaysWhatToDoAndPasses) {
 
 TEST(TrainerOnAPort, UnpluggedInTheMiddleOfALineItIsOpenedAgainWhenItIsPluggedIn) {
     FakeTrainer trainer("R");
-    DaemonClient client(FULCRUM_HAPTICD_PROGRAM, trainer.specification());
+    DaemonClient client(test::hapticd_program(), trainer.specification());
     ASSERT_TRUE(until([&] { return trainer_present(client, 1); }));
     const auto process = client.device_process();
     trainer.send("F1,P,77,");
@@ -272,7 +273,7 @@ TEST(TrainerOnAPort, WhatKeepsItFromOpeningSaysWhatToDo) {
     says(trainer_error("trainer:/none"), "does not open: No such file", "plug the trainer in");
     FakeTrainer trainer("LR");
     {
-        const DaemonClient first(FULCRUM_HAPTICD_PROGRAM, trainer.specification());
+        const DaemonClient first(test::hapticd_program(), trainer.specification());
         says(trainer_error(trainer.specification()), "Device or resource busy", "end the other program");
     }
     const test::OwnFolder folder;

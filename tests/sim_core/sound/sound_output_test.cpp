@@ -13,6 +13,7 @@
 #include "sim_core/sound/synthesiser.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_sdl.h"
+#include "tests/support/built.h"
 
 #if __has_include(<SDL2/SDL.h>)
 #define SDL_MAIN_HANDLED
@@ -50,7 +51,7 @@ class SoundOutputs : public ::testing::Test {
         return play_until(output, [&] { return sound().plays == 1U && sound().blocks > before + 2; });
     }
     FakePage<FakeSdlPage> page{"FAKE_SDL_PAGE"};
-    Variable library{"FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2.so"};
+    Variable library{"FULCRUM_LIBSDL2", test::fake_library("libSDL2.so")};
     SoundState state;
 };
 
@@ -169,7 +170,7 @@ TEST_F(SoundOutputs, ALibraryThatIsMissingOrTooOldIsNamed) {
             << why;
         EXPECT_NE(why.find("To hear it, install the newest libSDL2-2.0.so.0"), std::string::npos) << why;
     }
-    const Variable old("FULCRUM_LIBSDL2", std::string(FULCRUM_FAKES) + "/libSDL2_old.so");
+    const Variable old("FULCRUM_LIBSDL2", test::fake_library("libSDL2_old.so"));
     const SoundOutput output;
     EXPECT_NE(output.trouble().words().find("lacks a function that Fulcrum needs (SDL_OpenAudioDevice)"),
               std::string::npos)
