@@ -32,7 +32,7 @@ using ui::window_test::wait_for;
 struct FakeController {
     FakeController() { page->controller[0].plugged = 1; }
     fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
-    fulcrum::test::Variable library{"FULCRUM_LIBSDL2", test::fake_library("libSDL2.so")};
+    fulcrum::test::Variable library{"FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so")};
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "controller"};
 };
 

@@ -87,7 +87,7 @@ struct PressingDevice {
         return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
     }
     fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
-    Variable library{"FULCRUM_LIBHD", test::fake_library("libHD.so")};
+    Variable library{"FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so")};
     Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
     Variable program{"FULCRUM_HAPTICD", daemon()};
 };

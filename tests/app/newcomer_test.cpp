@@ -152,7 +152,7 @@ TEST_F(NewcomerWithMice, TouchesTheFirstTarget) {
 struct NewcomersPad {
     NewcomersPad() { page->controller[0].plugged = 1; }
     fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
-    Variable library{"FULCRUM_LIBSDL2", test::fake_library("libSDL2.so")};
+    Variable library{"FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so")};
     Variable device{"FULCRUM_DEVICE", "controller"};
     FakePad pad{page->controller[0]};
 };
@@ -173,7 +173,7 @@ std::string newcomers_daemon() {
 struct NewcomersTouch {
     Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
     fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
-    Variable library{"FULCRUM_LIBHD", test::fake_library("libHD.so")};
+    Variable library{"FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so")};
     Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
 };
 class NewcomerWithTouch : public NewcomersTouch, public Newcomer {};
@@ -211,7 +211,7 @@ TEST_F(NewcomerWithHaply, TouchesTheFirstTarget) {
 struct NewcomersForceDimension {
     Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
     fulcrum::test::FakePage<fulcrum::test::FakeForceDimensionPage> page{"FAKE_FORCE_DIMENSION_PAGE"};
-    Variable library{"FULCRUM_LIBDRD", test::fake_library("libdrd.so")};
+    Variable library{"FULCRUM_LIBDRD", fulcrum::test::fake_library("libdrd.so")};
     Variable device{"FULCRUM_DEVICE", "force-dimension"};
 };
 class NewcomerWithForceDimension : public NewcomersForceDimension, public Newcomer {};

@@ -66,7 +66,7 @@ class BreakableForceDimension : public Breakable {
 
   private:
     fulcrum::test::FakePage<fulcrum::test::FakeForceDimensionPage> page_{"FAKE_FORCE_DIMENSION_PAGE"};
-    Variable library_{"FULCRUM_LIBDRD", test::fake_library("libdrd.so")};
+    Variable library_{"FULCRUM_LIBDRD", fulcrum::test::fake_library("libdrd.so")};
     Variable device_{"FULCRUM_DEVICE", "force-dimension"};
 };
 

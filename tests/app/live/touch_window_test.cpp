@@ -27,7 +27,7 @@ struct FakeTouch {
         return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
     }
     fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
-    fulcrum::test::Variable library{"FULCRUM_LIBHD", test::fake_library("libHD.so")};
+    fulcrum::test::Variable library{"FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so")};
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
     fulcrum::test::Variable program{"FULCRUM_HAPTICD", daemon()};
 };
