@@ -28,6 +28,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # Without the time of each header in it, a precompiled header is the same in every clone, so ccache finds what was compiled with it.
     target_compile_options(fulcrum_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
 endif()
+# Assertions print the path of their source; without the clone's folder in it, ccache finds in one clone what another compiled.
+target_compile_options(fulcrum_flags INTERFACE $<$<NOT:$<CONFIG:Release>>:-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=>)
 if(FULCRUM_SANITIZE)
     target_compile_options(fulcrum_flags INTERFACE -fsanitize=${FULCRUM_SANITIZE} -fno-omit-frame-pointer -g1)
     target_link_options(fulcrum_flags INTERFACE -fsanitize=${FULCRUM_SANITIZE})

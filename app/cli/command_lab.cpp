@@ -73,6 +73,9 @@ std::vector<Command> laboratory_commands() {
                  {"--replays", "N", "Attempts of each preset that are also replayed (1)."},
                  {"--retests", "N", "Individuals of each preset that make a second attempt (0)."}},
                 page)},
+        {"lab passes", "[TASK...]", 0, 20,
+         "Counts which synthetic operators pass each task with each class of devices.",
+         joined({{"--seeds", "N", "Attempts of each preset: 6 to 1000 (20)."}}, page)},
         {"lab invariance", "", 0, 0,
          "Measures what metrics make of the same attempts recorded otherwise: turned, later, at half the "
          "rate, with noise.",

@@ -131,6 +131,14 @@ int operators(const Arguments& arguments) {
     return measured.document["identical"] == measured.document["replayed"] ? 0 : 1;
 }
 
+int passes(const Arguments& arguments) {
+    const auto seeds = static_cast<int>(arguments.integer("--seeds", 20, 6, 1000));
+    make_output(arguments);
+    const Measured measured =
+        measure_passes(arguments.words().empty() ? task_ids() : arguments.words(), seeds);
+    return deliver(arguments, measured.page, measured.document);
+}
+
 int invariance(const Arguments& arguments) {
     make_output(arguments);
     const Measured measured = measure_invariance();
@@ -183,6 +191,7 @@ const std::map<std::string, std::function<int(const Arguments&)>>& code() {
         {"lab strokes", strokes},
         {"lab experiment", run_experiments},
         {"lab operators", operators},
+        {"lab passes", passes},
         {"lab invariance", invariance},
         {"lab seek", seek},
         {"lab hapticd", hapticd},

@@ -40,10 +40,11 @@ struct Outcome {
     std::map<RowName, bool> gates;  ///< judged gates: met or not
 };
 
-Outcome attempt(const LoadedTask& loaded, const Limits& limits, OperatorLevel level, std::uint64_t seed,
-                bool replayed, std::uint64_t individual) {
+Outcome attempt(const LoadedTask& loaded, const Limits& limits, DeviceClass device_class, OperatorLevel level,
+                std::uint64_t seed, bool replayed, std::uint64_t individual) {
     PerformRequest request;
     request.loaded = loaded;
+    request.device_class = device_class;
     request.operator_level = level;
     request.seed = seed;
     request.individual = individual;
@@ -101,6 +102,7 @@ struct Summary {
 /// `retests` individuals of each group.
 struct Plan {
     int seeds = 0, replays = 0, retests = 0;
+    DeviceClass device_class = DeviceClass::synthetic;
     int attempts() const { return groups * (seeds + retests); }
     bool again(int k) const { return k >= groups * seeds; }
     int group(int k) const { return again(k) ? (k - groups * seeds) / retests : k / seeds; }
@@ -110,7 +112,8 @@ struct Plan {
 Outcome perform_one(const LoadedTask& loaded, const Limits& limits, const Plan& plan, int k) {
     constexpr std::uint64_t apart = 500000;  // from the seeds of the first attempts
     const auto individual = static_cast<std::uint64_t>(operators_first_seed + plan.number(k));
-    return attempt(loaded, limits, operator_levels[static_cast<std::size_t>(plan.group(k))].kind,
+    return attempt(loaded, limits, plan.device_class,
+                   operator_levels[static_cast<std::size_t>(plan.group(k))].kind,
                    individual + (plan.again(k) ? apart : 0), !plan.again(k) && plan.number(k) < plan.replays,
                    individual);
 }
@@ -253,7 +256,70 @@ lab::ResultTable gate_table(const TaskDefinition& task, const Summary& summary, 
     return table;
 }
 
+/// Who passes of each group is right: experts in 80 to 95 % of attempts, intermediates in 5 to 40 %, novices
+/// in less than 3 %.
+bool in_the_bands(const std::array<int, groups>& passed, int seeds) {
+    const auto share = [&](int group) {
+        return 100.0 * passed[static_cast<std::size_t>(group)] / std::max(1, seeds);
+    };
+    return share(expert) >= 80 && share(expert) <= 95 && share(1) >= 5 && share(1) <= 40 && share(novice) < 3;
+}
+
+/// One row a task and class of devices; adds the same to `document`.
+std::vector<std::string> passes_row(const LoadedTask& loaded, DeviceClass device_class, int seeds,
+                                    nlohmann::json& document) {
+    const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
+    const std::string name = row_of(device_classes, device_class).name;
+    std::vector<std::string> row = {loaded.task.id, name};
+    if (limits.comparable() == nullptr) {
+        row.insert(row.end(), {"no set", "", "", ""});
+        return row;
+    }
+    const Summary summary = perform_all(loaded, limits, {seeds, 0, 0, device_class});
+    for (const int passed : summary.passed)
+        row.push_back(std::to_string(passed) + " (" + short_number(100.0 * passed / seeds, 3) + " %)");
+    const bool right = in_the_bands(summary.passed, seeds);
+    row.push_back(right ? "yes" : "**no**");
+    document.push_back({{"task", loaded.task.id},
+                        {"device_class", name},
+                        {"seeds", seeds},
+                        {"passed", summary.passed},
+                        {"completed", summary.completed},
+                        {"right", right}});
+    return row;
+}
+
 }  // namespace
+
+Measured measure_passes(const std::vector<std::string>& tasks, int seeds) {
+    Measured measured{
+        lab::ResultPage("passes_by_device",
+                        "Who passes each task with each class of devices, " + std::to_string(seeds) +
+                            " seeds from " + std::to_string(operators_first_seed),
+                        "fulcrum lab passes --seeds " + std::to_string(seeds) + " --output docs/results"),
+        nlohmann::json::array()};
+    lab::ResultTable table;
+    table.name = "passes_by_device";
+    table.columns = {"task", "device class", "experts", "intermediates", "novices", "within the ranges"};
+    for (const std::string& task : tasks) {
+        const LoadedTask loaded = load_task_and_scene(task);
+        const std::vector<GateSpec>& gates = loaded.task.gates;
+        if (std::none_of(gates.begin(), gates.end(),
+                         [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; }))
+            continue;  // B0: the same for every class
+        for (const DeviceClass device_class : loaded.task.device_classes)
+            if (device_class != DeviceClass::haptic)
+                table.rows.push_back(passes_row(loaded, device_class, seeds, measured.document));
+    }
+    measured.page.paragraph(
+        "Attempts that pass with the delivered benchmark set of the task and class. Operators work through a "
+        "model of the device (DECISIONS.md). Devices with force have no such model: the pages of operators "
+        "count those attempts. Expected: 80 to 95 % of experts, 5 to 40 % of intermediates, less than 3 % of "
+        "novices.");
+    measured.page.table(table);
+    measured.page.document(measured.document);
+    return measured;
+}
 
 Measured measure_operators(const std::string& task, int seeds, int replays, int retests) {
     const LoadedTask loaded = load_task_and_scene(task);

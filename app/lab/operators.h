@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/lab/measure.h"
 
@@ -16,5 +17,9 @@ inline constexpr int operators_first_seed = 2000;
 /// document counts those that replay bit for bit, out of `replayed`. The first `retests` individuals of each
 /// preset make a second attempt. Throws InputError for an unknown task.
 Measured measure_operators(const std::string& task, int seeds, int replays, int retests);
+
+/// How many of `seeds` attempts of each preset pass each task with each class of devices that it names.
+/// Throws InputError for an unknown task.
+Measured measure_passes(const std::vector<std::string>& tasks, int seeds);
 
 }  // namespace fulcrum::app

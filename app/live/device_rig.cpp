@@ -12,6 +12,8 @@ namespace {
 
 // Two clocks of 1 kHz meet with a few ticks of delay; a device that is silent for longer did not answer.
 constexpr int late_ticks = 5;
+// The overseer says that it runs every 5 ms.
+constexpr int overseer_ticks = 100;
 
 }  // namespace
 
@@ -82,6 +84,12 @@ double DeviceRig::damping(Hand hand) const {
     return force ? force->damping : -1;
 }
 
+void DeviceRig::see_overseer() noexcept {
+    const std::int64_t time = state_.overseer_time.load(std::memory_order_relaxed);
+    overseer_same_ = time != overseer_time_ ? 0 : std::min(overseer_same_ + 1, overseer_ticks + 1);
+    overseer_time_ = time;
+}
+
 void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept {
     DevicePose pose = driven.newest;
     const bool got = state_.pose[driven.slot].read(pose);
@@ -94,7 +102,7 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) n
     driven.newest = pose;
     DeviceReading reading = driven.start;
     const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);
-    const bool answers = pose.present != 0 && driven.same <= late_ticks;
+    const bool answers = pose.present != 0 && driven.same <= late_ticks && overseer_same_ <= overseer_ticks;
     if (!driven.begun && answers && position.allFinite() && std::isfinite(pose.roll)) {
         driven.begun = true;
         driven.origin = position;
@@ -164,6 +172,7 @@ void DeviceRig::add_keys(Driven& driven, bool is_scope, const DeviceSample& keys
 void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
     others_->read(tick, sample);
     sample.tick = tick;
+    see_overseer();
     DeviceSample* const samples[device_slots] = {&sample.hand[0], &sample.hand[1], &sample.camera};
     for (int i = 0; i < device_slots; ++i) {
         if (driven_[i].slot < 0 || !driven_[i].exists) continue;

@@ -11,6 +11,9 @@
 // forces over m. While the clutch of a slot is pressed its instrument stays, without force, and the device is
 // moved to a better place; the clutch is a button of the sample, so a replay has it too.
 //
+// While the overseer of the device gives no sign of itself, the force is 0 and the device counts as absent:
+// an attempt does not continue without force.
+//
 // Real-time loop: no lock, allocation, system call (but the clock) or exception.
 #pragma once
 
@@ -69,6 +72,7 @@ class DeviceRig : public Rig {
         bool keys_begun = false;
         std::int32_t keys_roll = 0, keys_head = 0;  ///< of the other rig at its first tick
     };
+    void see_overseer() noexcept;
     void read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept;
     void clutch(Driven& driven, bool pressed, DeviceReading& reading) const noexcept;
     /// The keys of turning, jaws, pedal and exchange work with every device: for what it cannot do.
@@ -84,6 +88,8 @@ class DeviceRig : public Rig {
     int pedal_;
     bool has_pedal_;
     Driven driven_[device_slots];  // left, right, scope
+    std::int64_t overseer_time_ = -1;
+    int overseer_same_ = 0;  // ticks since it last said that it runs
     std::optional<ForceOutput> force_[hand_count];
     ForceCommand sent_[hand_count];
 };

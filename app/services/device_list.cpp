@@ -176,8 +176,13 @@ void see_spacenavd(const DeviceRow& row, const Machine& machine, ListedDevice& l
         can_be_used(row.name, listed);
         return;
     }
-    listed.detail = machine.spacenavd + ": " + std::strerror(errno);
+    const int why = errno;
+    listed.detail = machine.spacenavd + ": " + std::strerror(why);
     not_found(row, listed);
+    if (why != EACCES) return;
+    listed.why = QT_TRANSLATE_NOOP("fulcrum::device_list", "you have no permission to use its socket");
+    listed.what_to_do = QT_TRANSLATE_NOOP("fulcrum::device_list",
+                                          "ask the administrator for the right to read and write the socket");
 }
 
 /// Whether it is a trainer is known when it is opened: nothing is sent to a board that may be another's.

@@ -49,7 +49,10 @@ void Devices::open() {
     if (specification_.empty() || specification_ == two_mice || specification_ == virtual_mice ||
         is_controller(specification_))
         return;
-    if (client_ != nullptr && client_->poll() != DaemonClient::Health::ended) return;
+    // One whose overseer is stopped does not come back by itself.
+    const auto health = client_ != nullptr ? client_->poll() : DaemonClient::Health::ended;
+    const bool runs = health == DaemonClient::Health::good || health == DaemonClient::Health::restarting;
+    if (runs && client_->wait_for_sign()) return;
     test_.reset();
     client_.reset();  // the one that ended, before another takes the device
     calibration_.reset();

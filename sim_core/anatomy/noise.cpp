@@ -66,6 +66,36 @@ double TiledNoise::operator()(double u, double v) const {
     return sum;
 }
 
+void TiledNoise::row(double v, int width, double* out) const {
+    std::fill(out, out + width, 0.0);
+    v -= std::floor(v);
+    for (const Octave& octave : octaves_) {
+        const int cells = octave.cells_x;
+        const double y = v * octave.cells_y, strength = octave.strength;
+        const int y0 = std::min(static_cast<int>(y), octave.cells_y - 1);
+        const int y1 = y0 + 1 == octave.cells_y ? 0 : y0 + 1;
+        const double t = fade(y - y0);
+        const float* low = octave.values.data() + y0 * cells;
+        const float* high = octave.values.data() + y1 * cells;
+        const auto place = [&](int i) { return (i + 0.5) / width * cells; };
+        for (int i = 0, end = 0; i < width; i = end) {
+            // The pixels of one cell: the lattice is read once for them, and the loop over them has no
+            // branch.
+            const int x0 = std::min(static_cast<int>(place(i)), cells - 1), x1 = x0 + 1 == cells ? 0 : x0 + 1;
+            end = std::clamp(static_cast<int>((x0 + 1.0) * width / cells - 0.5), i + 1, width);
+            while (end < width && place(end) < x0 + 1) ++end;
+            while (end > i + 1 && place(end - 1) >= x0 + 1) --end;
+            if (x0 == cells - 1) end = width;
+            const double a0 = low[x0], a1 = low[x1] - low[x0], b0 = high[x0], b1 = high[x1] - high[x0];
+            for (int k = i; k < end; ++k) {
+                const double s = fade(place(k) - x0);
+                const double a = a0 + s * a1, b = b0 + s * b1;
+                out[k] += strength * (a + t * (b - a));
+            }
+        }
+    }
+}
+
 TiledCells::TiledCells(int cells, std::uint64_t seed) : cells_(cells) {
     for (int y = 0; y < cells; ++y) {
         for (int x = 0; x < cells; ++x) {

@@ -45,6 +45,8 @@ class TiledNoise {
     TiledNoise(int cells_x, int cells_y, int octaves, double gain, std::uint64_t seed);
     /// u and v in tiles, periodic with period 1.
     double operator()(double u, double v) const;
+    /// The values at u = (i + 0.5) / width for i = 0 .. width - 1, bit for bit; `out` has width places.
+    void row(double v, int width, double* out) const;
 
   private:
     struct Octave {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "sim_core/anatomy/anatomy.h"
 #include "sim_core/anatomy/noise.h"
@@ -30,15 +32,35 @@ Colour blend(const Colour& a, const Colour& b, double t) {
     return a + std::clamp(t, 0.0, 1.0) * (b - a);
 }
 
+/// Fields of noise at the pixels of the row that is being made: a row at a time costs a third of a pixel at a
+/// time.
+class NoiseRows {
+  public:
+    NoiseRows(int width, std::vector<TiledNoise> fields) : fields_(std::move(fields)) {
+        rows_.assign(fields_.size(), std::vector<double>(static_cast<std::size_t>(width)));
+    }
+    void begin(double v) {
+        for (std::size_t k = 0; k < fields_.size(); ++k)
+            fields_[k].row(v, static_cast<int>(rows_[k].size()), rows_[k].data());
+    }
+    double at(std::size_t field, int i) const { return rows_[field][static_cast<std::size_t>(i)]; }
+
+  private:
+    std::vector<TiledNoise> fields_;
+    std::vector<std::vector<double>> rows_;
+};
+
 // Evaluates texels and turns heights into normals; the tile measures width_mm by height_mm.
 template <typename Shade>
-TissueTexture bake(int width, int height, double width_mm, double height_mm, Shade&& shade) {
+TissueTexture bake(int width, int height, double width_mm, double height_mm, NoiseRows& noise,
+                   Shade&& shade) {
     TissueTexture texture;
     const auto texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     texture.albedo = {width, height, 4, std::vector<std::uint8_t>(4 * texels)};
     texture.normal = {width, height, 4, std::vector<std::uint8_t>(4 * texels)};
     std::vector<float> relief(texels);
     for (int j = 0; j < height; ++j) {
+        noise.begin((j + 0.5) / height);
         for (int i = 0; i < width; ++i) {
             const std::size_t k =
                 static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i);
@@ -99,25 +121,25 @@ TissueTexture serosa(std::uint64_t seed, int size) {
     vessels.grow(growth);
     const Colour pink(216, 118, 106), salmon(196, 86, 72), pale(230, 162, 146), band(240, 208, 188),
         vein(126, 30, 40), artery(176, 34, 30);
-    const TiledNoise field_0(4, 8, 4, 0.55, seed + 1);
-    const TiledNoise field_1(64, 128, 2, 0.6, seed + 2);
-    const TiledNoise field_2(96, 12, 2, 0.6, seed + 3);
-    const TiledNoise field_3(8, 150, 2, 0.5, seed + 4);
-    const TiledNoise field_4(6, 6, 1, 1.0, seed + 5);
-    const TiledNoise field_5(9, 18, 1, 1.0, seed + 6);
-    return bake(width, height, 100, 200, [&](int i, int j, double u, double v) {
+    NoiseRows noise(width, {{4, 8, 4, 0.55, seed + 1},
+                            {64, 128, 2, 0.6, seed + 2},
+                            {96, 12, 2, 0.6, seed + 3},
+                            {8, 150, 2, 0.5, seed + 4},
+                            {6, 6, 1, 1.0, seed + 5},
+                            {9, 18, 1, 1.0, seed + 6}});
+    return bake(width, height, 100, 200, noise, [&](int i, int j, double u, double) {
         Texel texel;
-        const double cloud = field_0(u, v);
-        const double fine = field_1(u, v);
-        const double fibres = field_2(u, v);  // stretched along the tube
-        const double rings = field_3(u, v);   // circular muscle visible through the serosa
-        const double taenia = taenia_at(u, 0.05 * field_4(u, v));
+        const double cloud = noise.at(0, i);
+        const double fine = noise.at(1, i);
+        const double fibres = noise.at(2, i);  // stretched along the tube
+        const double rings = noise.at(3, i);   // circular muscle visible through the serosa
+        const double taenia = taenia_at(u, 0.05 * noise.at(4, i));
         texel.colour = blend(salmon, pink, 0.55 + 0.75 * cloud);
         texel.colour = blend(texel.colour, pale, 0.22 + 0.35 * fine);
         texel.colour *= 1 + 0.035 * rings * (1 - taenia);
         texel.colour = blend(texel.colour, band, taenia * (0.62 + 0.25 * fibres));
         const double vessel = vessels.at(i, j) * (1 - 0.72 * taenia);
-        const double kind = smooth_step(-0.15, 0.15, field_5(u, v));
+        const double kind = smooth_step(-0.15, 0.15, noise.at(5, i));
         texel.colour = blend(texel.colour, blend(artery, vein, kind), 0.62 * vessel);
         // A halo: blood beneath the serosa tints its neighbourhood.
         texel.wetness = 0.86 + 0.14 * fine;
@@ -138,20 +160,18 @@ TissueTexture fat(std::uint64_t seed, int size) {
     vessels.grow(growth);
     const Colour bright(238, 196, 104), deep(206, 142, 58), pale(246, 222, 156), cleft(168, 92, 44),
         blood(150, 40, 34);
-    const TiledNoise field_0(6, 6, 3, 0.5, seed + 22);
-    const TiledNoise field_1(6, 6, 3, 0.5, seed + 23);
-    const TiledNoise field_2(3, 3, 4, 0.5, seed + 26);
+    NoiseRows noise(size, {{6, 6, 3, 0.5, seed + 22}, {6, 6, 3, 0.5, seed + 23}, {3, 3, 4, 0.5, seed + 26}});
     const TiledCells cells_3(14, seed + 24);
     const TiledCells cells_4(38, seed + 25);
-    return bake(size, size, 60, 60, [&](int i, int j, double u, double v) {
+    return bake(size, size, 60, 60, noise, [&](int i, int j, double u, double v) {
         Texel texel;
-        const double wx = 0.055 * field_0(u, v);
-        const double wy = 0.055 * field_1(u, v);
+        const double wx = 0.055 * noise.at(0, i);
+        const double wy = 0.055 * noise.at(1, i);
         const CellDistance lobe = cells_3(u + wx, v + wy);
         const CellDistance lobule = cells_4(u + wx, v + wy);
         const double body = smooth_step(0.0, 0.5, lobe.second - lobe.nearest);
         const double small = smooth_step(0.0, 0.45, lobule.second - lobule.nearest);
-        const double cloud = field_2(u, v);
+        const double cloud = noise.at(2, i);
         texel.colour = blend(deep, bright, 0.55 + 0.5 * cloud + 0.35 * (lobe.value - 0.5));
         texel.colour = blend(texel.colour, pale, 0.30 * small * body);
         texel.colour = blend(cleft, texel.colour, 0.35 + 0.50 * body + 0.15 * small);
@@ -180,19 +200,18 @@ TissueTexture peritoneum(std::uint64_t seed, int size) {
     vessels.grow(growth);
     const Colour grey(200, 150, 140), muscle(166, 74, 66), film(222, 196, 190), vein(104, 66, 92),
         artery(160, 52, 50);
-    const TiledNoise field_0(3, 3, 5, 0.55, seed + 33);
-    const TiledNoise field_1(7, 44, 3, 0.55, seed + 34);
-    const TiledNoise field_2(48, 48, 2, 0.6, seed + 35);
-    const TiledNoise field_3(5, 5, 1, 1.0, seed + 36);
-    return bake(size, size, 120, 120, [&](int i, int j, double u, double v) {
+    const TiledNoise lengthwise(7, 44, 3, 0.55, seed + 34);
+    NoiseRows noise(size,
+                    {{3, 3, 5, 0.55, seed + 33}, {48, 48, 2, 0.6, seed + 35}, {5, 5, 1, 1.0, seed + 36}});
+    return bake(size, size, 120, 120, noise, [&](int i, int j, double u, double v) {
         Texel texel;
-        const double cloud = field_0(u, v);
-        const double strands = field_1(u + 0.04 * cloud, v);
-        const double fine = field_2(u, v);
+        const double cloud = noise.at(0, i);
+        const double strands = lengthwise(u + 0.04 * cloud, v);
+        const double fine = noise.at(1, i);
         texel.colour = blend(grey, muscle, 0.42 + 0.9 * cloud);
         texel.colour = blend(texel.colour, film, 0.26 + 0.30 * strands + 0.12 * fine);
         const double vessel = vessels.at(i, j);
-        const double kind = smooth_step(-0.2, 0.2, field_3(u, v));
+        const double kind = smooth_step(-0.2, 0.2, noise.at(2, i));
         texel.colour = blend(texel.colour, blend(artery, vein, kind), 0.42 * vessel);  // beneath the film
         texel.wetness = 0.9 + 0.1 * fine;
         texel.height = 0.30 * cloud + 0.12 * strands + 0.04 * fine + 0.12 * vessel;
@@ -202,12 +221,11 @@ TissueTexture peritoneum(std::uint64_t seed, int size) {
 
 TissueTexture steel(std::uint64_t seed, int size) {
     const Colour dark(150, 153, 158), light(206, 209, 214);
-    const TiledNoise field_0(size / 4, 3, 2, 0.7, seed + 41);
-    const TiledNoise field_1(4, 4, 3, 0.5, seed + 42);
-    return bake(size, size, 20, 20, [&](int, int, double u, double v) {
+    NoiseRows noise(size, {{size / 4, 3, 2, 0.7, seed + 41}, {4, 4, 3, 0.5, seed + 42}});
+    return bake(size, size, 20, 20, noise, [&](int i, int, double, double) {
         Texel texel;
-        const double brush = field_0(u, v);
-        const double wear = field_1(u, v);
+        const double brush = noise.at(0, i);
+        const double wear = noise.at(1, i);
         texel.colour = blend(dark, light, 0.5 + 0.55 * brush + 0.25 * wear);
         texel.wetness = 0.75 + 0.2 * wear;
         texel.height = 0.006 * brush;
@@ -226,26 +244,25 @@ void check_size(int size) {
 TissueTexture make_areolar_texture(std::uint64_t seed, int size) {
     check_size(size);
     const Colour yellow(212, 164, 92), film(214, 178, 160), fibre(246, 236, 226), deep(172, 92, 70);
-    const TiledNoise cloud(3, 3, 4, 0.55, seed + 51), density(5, 5, 2, 0.5, seed + 55);
+    NoiseRows noise(size,
+                    {{3, 3, 4, 0.55, seed + 51}, {5, 5, 2, 0.5, seed + 55}, {60, 60, 2, 0.6, seed + 54}});
     // Fibres: crests of noise stretched along one direction each, bent by the cloud noise, with varying
     // density.
     const TiledNoise lengthwise(2, 17, 4, 0.62, seed + 52), crosswise(13, 3, 4, 0.62, seed + 53);
-    const TiledNoise fine(60, 60, 2, 0.6, seed + 54);
-    return bake(size, size, 40, 40, [&](int, int, double u, double v) {
+    return bake(size, size, 40, 40, noise, [&](int i, int, double u, double v) {
         const auto crest = [](double n) {
             const double ridge = 1 - std::min(1.0, 4.5 * std::abs(n));
             return ridge * ridge;
         };
         Texel texel;
-        const double wide = cloud(u, v), warp = 0.11 * wide;
-        const double dense = smooth_step(-0.5, 0.6, density(u, v));
+        const double wide = noise.at(0, i), warp = 0.11 * wide, fine = noise.at(2, i);
+        const double dense = smooth_step(-0.5, 0.6, noise.at(1, i));
         const double strands = std::max(crest(lengthwise(u + warp, v - warp)) * (0.35 + 0.65 * dense),
                                         crest(crosswise(u - warp, v + warp)) * (0.85 - 0.6 * dense));
-        texel.colour =
-            blend(blend(deep, yellow, 0.55 + 0.7 * wide), film, 0.28 + 0.20 * dense + 0.10 * fine(u, v));
+        texel.colour = blend(blend(deep, yellow, 0.55 + 0.7 * wide), film, 0.28 + 0.20 * dense + 0.10 * fine);
         texel.colour = blend(texel.colour, fibre, 0.62 * strands);
         texel.wetness = 0.85 + 0.15 * strands;
-        texel.height = 0.12 * wide + 0.10 * strands + 0.02 * fine(u, v);
+        texel.height = 0.12 * wide + 0.10 * strands + 0.02 * fine;
         return texel;
     });
 }

@@ -31,15 +31,18 @@ void VesselField::stroke(const Eigen::Vector2d& centre, double radius) {
     const double drawn = std::max(radius, least_radius);
     const int reach = static_cast<int>(std::ceil(drawn + 1));
     const int ci = static_cast<int>(std::floor(centre.x())), cj = static_cast<int>(std::floor(centre.y()));
+    // A little more than the disc, so that rounding leaves out nothing that the disc covers.
+    const double farthest = (drawn + 0.5) * (drawn + 0.5) * (1 + 1e-9);
     for (int j = cj - reach; j <= cj + reach; ++j) {
+        const double dy = j + 0.5 - centre.y();
+        const auto y = static_cast<std::size_t>(((j % height_) + height_) % height_);
+        float* const row = values_.data() + y * static_cast<std::size_t>(width_);
         for (int i = ci - reach; i <= ci + reach; ++i) {
-            const double dx = i + 0.5 - centre.x(), dy = j + 0.5 - centre.y();
-            const double cover = std::clamp(drawn + 0.5 - std::sqrt(dx * dx + dy * dy), 0.0, 1.0);
-            if (cover <= 0) continue;
-            const auto x = static_cast<std::size_t>(((i % width_) + width_) % width_);
-            const auto y = static_cast<std::size_t>(((j % height_) + height_) % height_);
-            float& value = values_[y * static_cast<std::size_t>(width_) + x];
-            value = std::max(value, static_cast<float>(strength * cover));
+            const double dx = i + 0.5 - centre.x(), squared = dx * dx + dy * dy;
+            if (squared > farthest) continue;
+            const double cover = std::clamp(drawn + 0.5 - std::sqrt(squared), 0.0, 1.0);
+            const int x = i >= 0 && i < width_ ? i : ((i % width_) + width_) % width_;
+            row[x] = std::max(row[x], static_cast<float>(strength * cover));
         }
     }
 }

@@ -170,6 +170,15 @@ DaemonClient::Health DaemonClient::poll() {
     return health_;
 }
 
+bool DaemonClient::wait_for_sign() const {
+    const std::int64_t before = state_->overseer_time.load(), until = monotonic_ns() + overseer_silence;
+    while (state_->overseer_time.load() == before) {
+        if (monotonic_ns() > until) return false;
+        ::poll(nullptr, 0, 1);
+    }
+    return true;
+}
+
 void DaemonClient::end() {
     if (socket_ >= 0) close(socket_);  // the daemon switches the force off and ends
     socket_ = -1;

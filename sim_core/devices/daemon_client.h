@@ -44,6 +44,8 @@ class DaemonClient {
     };
     /// Reads what the daemon reported since the last call. Does not wait.
     Health poll();
+    /// False where the overseer gives no sign of itself in half a second; one that runs gives it in 5 ms.
+    bool wait_for_sign() const;
     /// What happened to the daemon, else the device's fault, and what to do; empty while both are good.
     const Sentence& message() const { return message_.empty() ? fault_ : message_; }
 

@@ -139,8 +139,9 @@ inline constexpr FaultRow device_faults[] = {
                        "power supply.")},
     {DeviceFault::safety_brake,
      QT_TRANSLATE_NOOP("errors",
-                       "The safety brake of the device has triggered. Let go of the handle for "
-                       "three seconds, then resume; move it more slowly."),
+                       "The device stopped its motors for safety: its brake triggered, it stalled or it "
+                       "became unstable. Let go of the handle for three seconds, then resume; move it "
+                       "more slowly."),
      false, 3000},
     {DeviceFault::trainer_unplugged,
      QT_TRANSLATE_NOOP("errors",

@@ -100,34 +100,40 @@ HaplyDevice::HaplyDevice(HaplySpecification specification) : wanted_(std::move(s
     silent_ = DeviceFault::haply_silent;
 }
 
+/// What answers there speaks WebSocket.
+bool HaplyDevice::try_port(int port) {
+    service_ = std::make_unique<WebSocket>(port);
+    const std::int64_t until = monotonic_ns() + connect_limit_ns;
+    while (service_->state() == WebSocket::State::connecting && monotonic_ns() < until)
+        service_->serve(look_ns);
+    return service_->state() == WebSocket::State::open;
+}
+
 void HaplyDevice::connect() {
-    int failed = 0, found = 0;
+    int failed = 0, answering = 0;
     for (const int port : wanted_.ports) {
         const int error = haply::probe(port);
         if (error == 0) {
-            found = port;
-            break;
+            where_ = "127.0.0.1:" + std::to_string(port);
+            if (try_port(port)) return;
+            if (answering == 0) answering = port;
+        } else if (failed == 0) {
+            failed = error;
         }
-        if (failed == 0) failed = error;
     }
-    where_ = "127.0.0.1:" + std::to_string(found != 0 ? found : wanted_.ports.front());
-    if (found == 0)
+    where_ = "127.0.0.1:" + std::to_string(answering != 0 ? answering : wanted_.ports.front());
+    if (answering == 0)
         throw InputError(where_, "",
                          {QT_TRANSLATE_NOOP("errors", "the Inverse service of Haply does not answer: %1"),
                           std::strerror(failed)},
                          QT_TRANSLATE_NOOP("errors",
                                            "install the service from Haply and start it on this computer; "
                                            "haply:PORT names another port"));
-    service_ = std::make_unique<WebSocket>(found);
-    const std::int64_t until = monotonic_ns() + connect_limit_ns;
-    while (service_->state() == WebSocket::State::connecting && monotonic_ns() < until)
-        service_->serve(look_ns);
-    if (service_->state() != WebSocket::State::open)
-        throw InputError(
-            where_, "", QT_TRANSLATE_NOOP("errors", "what answers there is not the Inverse service of Haply"),
-            QT_TRANSLATE_NOOP("errors",
-                              "end the program that listens at this port, or name the port of "
-                              "the service: haply:PORT"));
+    throw InputError(where_, "",
+                     QT_TRANSLATE_NOOP("errors", "what answers there is not the Inverse service of Haply"),
+                     QT_TRANSLATE_NOOP("errors",
+                                       "end the program that listens at this port, or name the port of "
+                                       "the service: haply:PORT"));
 }
 
 /// Throws InputError where none comes that can be used.
@@ -320,7 +326,12 @@ void HaplyDevice::publish_all(std::int64_t now) {
 }
 
 void HaplyDevice::take_event(const haply::Event& event, std::int64_t now) {
-    const bool gone = event.name == "device-disconnected", braked = event.name == "device-safety-triggered";
+    // The reason of a safety event is in its data; a version may also name the event after it.
+    constexpr const char* safety[] = {"device-safety-triggered", "ebrake_triggered", "stall_detected",
+                                      "stability_ceiling"};
+    const bool gone = event.name == "device-disconnected";
+    const bool braked = std::any_of(std::begin(safety), std::end(safety),
+                                    [&event](const char* name) { return event.name == name; });
     if (!gone && !braked) return;
     for (Hand& hand : hands_)
         if (event.device == hand.id || event.device.empty())
@@ -371,6 +382,16 @@ void HaplyDevice::run() {
         see(DeviceFault::haply_ended, now);
         publish_all(now);
         service_->serve(tick_ns);  // waits
+    }
+    end_exchange();
+}
+
+/// The last command is a force of 0. It waits for the answer to the one before, but not for long.
+void HaplyDevice::end_exchange() {
+    const std::int64_t until = monotonic_ns() + servo_silence;
+    while (!answered_ && service_->state() == WebSocket::State::open && monotonic_ns() < until) {
+        service_->serve(tick_ns);
+        take_arrived();
     }
     if (service_->state() == WebSocket::State::open) command();
 }

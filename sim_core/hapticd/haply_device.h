@@ -43,6 +43,8 @@ class HaplyDevice : public ServoBackend {
         FaultMemory memory;
     };
     void connect();
+    bool try_port(int port);
+    void end_exchange();
     haply::Message first_message();
     void choose(const haply::Message& inventory);
     void command();

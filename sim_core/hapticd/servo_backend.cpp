@@ -8,18 +8,26 @@
 
 namespace fulcrum::hapticd {
 
+bool ServoBackend::is_silent(Silence& silence, bool is_new, std::int64_t now) noexcept {
+    if (is_new || silence.new_at == 0) silence.new_at = now;
+    const bool was = silence.now;
+    silence.now = now - silence.new_at > servo_silence;
+    const bool lately = silence.seen_at != 0 && now - silence.seen_at < falls_behind;
+    if (silence.now && !was) silence.again = lately;
+    if (silence.now) silence.seen_at = now;
+    return silence.now || (silence.again && lately);
+}
+
 void ServoBackend::read(std::int64_t now, DevicePose (&poses)[device_slots]) noexcept {
     DeviceFault worst = DeviceFault::none;
     report_ = {};
     for (int h = 0; h < 2; ++h) {
         DevicePose& pose = poses[h];
         if (!facts_.slot[h]) continue;
-        if (new_at_[h] == 0) new_at_[h] = now;
         const std::uint64_t before = newest_[h].sequence;
         const bool got = reading_[h].read(newest_[h]);
-        if (got && newest_[h].sequence != before) new_at_[h] = now;
         auto fault = static_cast<DeviceFault>(newest_[h].fault);
-        if (now - new_at_[h] > servo_silence) fault = silent_;
+        if (is_silent(silence_[h], got && newest_[h].sequence != before, now)) fault = silent_;
         pose.sequence = newest_[h].sequence;
         for (int axis = 0; axis < 3; ++axis) pose.position[axis] = newest_[h].position[axis];
         pose.roll = newest_[h].roll;

@@ -9,7 +9,10 @@
 
 namespace fulcrum::hapticd {
 
-inline constexpr std::int64_t servo_silence = 20'000'000;          ///< ns
+inline constexpr std::int64_t servo_silence = 20'000'000;  ///< ns
+/// ns: two silences that are closer than this are one, until it has kept up for so long. Without that the
+/// hand of a device that answers every 30 ms would be present and absent in turn, and no attempt would pause.
+inline constexpr std::int64_t falls_behind = 200 * 1'000'000;
 inline constexpr std::int64_t time_to_be_lost = 1000 * 1'000'000;  ///< ns with a fault that needs opening
 
 /// What the servo thread read of one hand.
@@ -73,12 +76,17 @@ class ServoBackend : public Backend {
         std::int64_t time = 0;
         double force[3] = {0, 0, 0}, torque = 0;
     };
+    struct Silence {
+        std::int64_t new_at = 0, seen_at = 0;  // ns: newest reading; silence seen last
+        bool now = false, again = false;
+    };
     bool newest(int hand, std::int64_t now, Wanted& wanted) const noexcept;
+    static bool is_silent(Silence& silence, bool is_new, std::int64_t now) noexcept;
     SharedLatest<Wanted> wanted_[2];
     SharedLatest<ServoReading> reading_[2];
     std::atomic<std::uint64_t> count_[2] = {};
     ServoReading newest_[2];
-    std::int64_t new_at_[2] = {};
+    Silence silence_[2];
     std::int64_t faulty_since_ = 0;
     FaultReport report_;
     bool lost_ = false;

@@ -58,6 +58,14 @@ void SpaceMouseDevice::open() {
     if (!fits || socket_ < 0 ||
         connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
         const int why = fits ? errno : ENAMETOOLONG;
+        if (why == EACCES || why == EPERM)
+            throw InputError(
+                path, "",
+                QT_TRANSLATE_NOOP("errors", "you have no permission to use the socket of spacenavd"),
+                {QT_TRANSLATE_NOOP("errors",
+                                   "ask the administrator for the right to it: `sudo chmod a+rw %1`, and a+x "
+                                   "for the folder that it is in"),
+                 path});
         throw InputError(
             path, "",
             {QT_TRANSLATE_NOOP("errors", "spacenavd, which reads the SpaceMouse, does not answer: %1"),

@@ -153,14 +153,19 @@ std::string read_text_file(const std::string& path, std::size_t limit) {
     if (!stream)
         throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be opened"),
                          QT_TRANSLATE_NOOP("errors", "check the path and the permission to read it"));
+    // In blocks: most files are far smaller than what they may be, which is 1 GiB for a trace.
     std::string text;
-    text.resize(limit + 1);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (stream.bad() || (stream.gcount() == 0 && !stream.eof())) {
+    constexpr std::size_t block = std::size_t{1} << 16U;
+    while (text.size() <= limit && stream) {
+        const std::size_t begin = text.size();
+        text.resize(std::min(begin + block, limit + 1));
+        stream.read(text.data() + begin, static_cast<std::streamsize>(text.size() - begin));
+        text.resize(begin + static_cast<std::size_t>(stream.gcount()));
+    }
+    if (stream.bad() || (text.empty() && !stream.eof())) {
         throw InputError(path, "", QT_TRANSLATE_NOOP("errors", "the file cannot be read"),
                          QT_TRANSLATE_NOOP("errors", "give a regular file, not a folder"));
     }
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > limit) {
         throw InputError(path, "", {QT_TRANSLATE_NOOP("errors", "the file is larger than %1 bytes"), limit},
                          QT_TRANSLATE_NOOP("errors", "split it or remove what it does not need"));

@@ -14,6 +14,8 @@ struct Counters {
     std::atomic<std::uint32_t> ticks{0};     ///< of the running attempt
     std::atomic<std::uint32_t> begun{0};     ///< attempts whose first tick was read
     std::atomic<std::uint32_t> finished{0};  ///< attempts whose score was acknowledged as stored
+    std::atomic<std::uint32_t> paused{0};    ///< attempts that lost their device
+    std::atomic<std::uint32_t> broken{0};    ///< 1: a limit of the running attempt is broken, and recorded
 };
 
 /// Null if the file cannot be created.
@@ -33,6 +35,8 @@ class CountingRig : public OwnRig {
     void write_force(Hand hand, const Vector3& force) override { rig_->write_force(hand, force); }
     bool has_force(Hand hand) const override { return rig_->has_force(hand); }
     double damping(Hand hand) const override { return rig_->damping(hand); }
+    void write_torque(Hand hand, double torque) override { rig_->write_torque(hand, torque); }
+    std::optional<ForceOutput> force_output(Hand hand) const override { return rig_->force_output(hand); }
 
   protected:
     std::shared_ptr<OwnRig> rig_;
@@ -46,6 +50,10 @@ class CountingRig : public OwnRig {
 int perform_until_killed(const char* folder, const char* counters, unsigned long seed);
 /// The same through the window: signs in, starts, moves and abandons by mouse and key events.
 int use_window_until_killed(const char* folder, const char* counters, unsigned long seed);
+
+/// The same with a haptic device (FULCRUM_DEVICE, FAKE_TOUCH_PAGE) that presses on the spheres of A2, and no
+/// mouse.
+int press_until_killed(const char* folder, const char* counters, unsigned long seed);
 
 /// Breaks a limit in an assessed attempt, brings it to a moment (escapes_test.cpp), sets `finished` and
 /// waits.

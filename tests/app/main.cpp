@@ -20,6 +20,12 @@ int main(int argc, char** argv) {
         return fulcrum::app::program_test::use_window_until_killed(argv[2], argv[3],
                                                                    std::strtoul(argv[4], nullptr, 10));
     }
+    if (asked("--press-until-killed")) {
+        QApplication application(argc, argv);
+        fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
+        return fulcrum::app::program_test::press_until_killed(argv[2], argv[3],
+                                                              std::strtoul(argv[4], nullptr, 10));
+    }
     if (asked("--perform-until-killed")) {
         QCoreApplication application(argc, argv);
         return fulcrum::app::program_test::perform_until_killed(argv[2], argv[3],

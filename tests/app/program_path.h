@@ -3,8 +3,7 @@
 
 namespace fulcrum::app {
 
-/// Path of the program `fulcrum` that was built with the tests. One source knows it: a path in the command
-/// line of a compiler keeps ccache from finding what another clone compiled.
+/// Path of the program `fulcrum` that was built with the tests (tests/support/built.h).
 const char* program_path();
 
 }  // namespace fulcrum::app

@@ -20,6 +20,7 @@ struct FakeTouchDevice {
     // Seen.
     std::atomic<double> force[3] = {};        ///< N, what the motors got at the last end of a frame
     std::atomic<std::int64_t> force_time{0};  ///< ns, CLOCK_MONOTONIC
+    std::atomic<std::int64_t> zero_time{0};   ///< ns: the first end of a frame with 0 after another force
     std::atomic<std::uint64_t> frames{0};
     std::atomic<std::uint32_t> updates{0};  ///< hdUpdateCalibration
     std::atomic<std::uint32_t> open{0}, enabled{0};

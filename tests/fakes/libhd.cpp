@@ -129,11 +129,15 @@ void hdEndFrame(std::uint32_t handle) {
         std::sqrt(wanted[handle][0] * wanted[handle][0] + wanted[handle][1] * wanted[handle][1] +
                   wanted[handle][2] * wanted[handle][2]);
     if (size > one.max_force * (1 + 1e-9)) push(0x0201, handle);
+    bool was = false, is = false;
     for (int axis = 0; axis < 3; ++axis) {
+        was = was || one.force[axis] != 0;
         one.force[axis] = one.enabled == 1 ? wanted[handle][axis] : 0;
+        is = is || one.force[axis] != 0;
         wanted[handle][axis] = 0;
     }
     one.force_time = now_ns();
+    if (was && !is) one.zero_time = one.force_time.load();
     if (one.tick_error != 0) push(one.tick_error, handle);
     ++one.frames;
 }

@@ -2,11 +2,15 @@
 #include "tests/support/fake_haply.h"
 
 #include <libwebsockets.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <deque>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "sim_core/devices/device_page.h"
 
 namespace fulcrum::test {
 
@@ -39,8 +43,11 @@ struct WebSocketServer::Library {
                 Client& client = clients[socket];
                 client.arriving.append(static_cast<const char*>(in), size);
                 if (lws_is_final_fragment(socket) == 0 || lws_remaining_packet_payload(socket) != 0) return 0;
+                if (!client.leaving.empty()) ++owner.early_;
                 put(socket, owner.answer_(client.arriving));
                 client.arriving.clear();
+                int waiting = 0;
+                if (ioctl(lws_get_socket_fd(socket), FIONREAD, &waiting) == 0 && waiting > 0) ++owner.early_;
                 return 0;
             }
             case LWS_CALLBACK_SERVER_WRITEABLE:
@@ -153,8 +160,16 @@ Vector3 FakeHaply::force(std::size_t device) const {
     return forces_.at(device);
 }
 
-void FakeHaply::event(const std::string& name, const std::string& device) const {
-    events_->say(json{{"name", name}, {"level", "warning"}, {"data", {{"device_id", device}}}}.dump());
+Vector3 FakeHaply::rendered(std::size_t device) const {
+    constexpr std::int64_t one_tick = 20'000'000;  // ns
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return monotonic_ns() - commanded_ > one_tick ? Vector3::Zero() : forces_.at(device);
+}
+
+void FakeHaply::event(const std::string& name, const std::string& device, const std::string& reason) const {
+    json data = {{"device_id", device}};
+    if (!reason.empty()) data["reason"] = reason;
+    events_->say(json{{"name", name}, {"level", "warning"}, {"data", data}}.dump());
 }
 
 std::string FakeHaply::inventory() {
@@ -188,9 +203,22 @@ std::string FakeHaply::state() const {
     return json{{"inverse3", devices}, {"wireless_verse_grip", grips}}.dump();
 }
 
+/// The server's thread waits: as a service does that answers one message after the other.
+void FakeHaply::take_time() {
+    if (mode != Mode::slow && mode != Mode::falling_behind) {
+        answers_ = 0;
+        return;
+    }
+    const int ms = mode == Mode::slow ? 5 + (7 * answers_) % 11 : std::min(5 + answers_, 40);
+    ++answers_;
+    usleep(1000 * static_cast<unsigned>(ms));
+}
+
 std::string FakeHaply::answer(const std::string& command) {
+    take_time();
     const std::lock_guard<std::mutex> lock(mutex_);
     ++commands;
+    commanded_ = monotonic_ns();
     const json document = json::parse(command, nullptr, false);
     const char* const key = form == Form::vector ? "vector" : "values";
     for (const json& one : document.at("inverse3")) {

@@ -27,6 +27,8 @@ class WebSocketServer {
     WebSocketServer& operator=(const WebSocketServer&) = delete;
     int port() const { return port_; }
     int clients() const { return clients_; }
+    /// Messages of a client that came before the answer to the one before had left.
+    int early() const { return early_; }
     /// To every client.
     void say(const std::string& text);
     void hang_up() { hang_up_ = true; }
@@ -38,7 +40,7 @@ class WebSocketServer {
     std::function<std::string(const std::string&)> answer_;
     std::unique_ptr<Library> library_;
     int port_ = 0;
-    std::atomic<int> clients_{0};
+    std::atomic<int> clients_{0}, early_{0};
     std::atomic<bool> stop_{false}, hang_up_{false};
     std::mutex mutex_;
     std::vector<std::string> to_say_;
@@ -58,7 +60,9 @@ class FakeHaply {
         no_device,      ///< an answer without the devices
         other_service,  ///< JSON of something else
         not_calibrated,
-        no_power
+        no_power,
+        slow,           ///< answers after 5 to 15 ms
+        falling_behind  ///< after 5 ms, each 1 ms later than the one before, up to 40 ms
     };
     enum class Form { vector, values, refuses_vector };  ///< what it renders: version 3.5, 3.1, a strict 3.1
     struct Device {
@@ -73,7 +77,12 @@ class FakeHaply {
     void turn(std::size_t grip, const Quaternion& orientation, bool a = false, bool b = false,
               bool c = false);
     Vector3 force(std::size_t device) const;  ///< N, of the newest command that it renders
-    void event(const std::string& name, const std::string& device) const;
+    /// N, at the motors: a command counts for 20 ms, as the service's commands count for a tick of it.
+    Vector3 rendered(std::size_t device) const;
+    /// `reason`: in the data of the event, where there is one.
+    void event(const std::string& name, const std::string& device, const std::string& reason = "") const;
+    int early() const { return service_->early(); }
+    int clients() const { return service_->clients(); }
     void hang_up() { service_->hang_up(); }
     std::atomic<Mode> mode{Mode::good};
     std::atomic<Form> form{Form::vector};
@@ -89,7 +98,10 @@ class FakeHaply {
         bool button[3] = {false, false, false};
     };
     mutable std::mutex mutex_;
+    void take_time();
     std::vector<Vector3> places_, forces_;
+    std::int64_t commanded_ = 0;  // ns
+    int answers_ = 0;             // since it was slow first
     std::vector<Grip> grips_;
     std::unique_ptr<WebSocketServer> service_, events_;
 };

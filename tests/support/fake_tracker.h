@@ -31,10 +31,13 @@ class FakeTracker {
         image
     };
 
-    explicit FakeTracker(std::vector<std::string> tools, int port = 0, double rate = 100)
+    /// `greeting`: what each client gets first.
+    explicit FakeTracker(std::vector<std::string> tools, int port = 0, double rate = 100,
+                         const igtl::Bytes& greeting = {})
         : tools_(std::move(tools)), poses_(tools_.size()), period_ns_(static_cast<std::int64_t>(1e9 / rate)) {
         server_ = std::make_unique<igtl::Server>(igtl::Address{"127.0.0.1", port});
         port_ = server_->port();
+        server_->greet_with(greeting);
         thread_ = std::thread([this] { run(); });
     }
     ~FakeTracker() {

@@ -28,6 +28,7 @@ class FakeTrainer {
         silent,    ///< it answers, and sends nothing
         deaf,      ///< it answers nothing either
         repeated,  ///< the same line again and again
+        gaps,      ///< two of three lines are lost
         wrong_checksum,
         garbage,
         not_a_number,
@@ -87,6 +88,15 @@ class FakeTrainer {
     void send(const std::string& bytes) {
         const std::lock_guard<std::mutex> lock(mutex_);
         put(bytes);
+    }
+    /// The next line has the number after this one.
+    void count_from(std::uint16_t sequence) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        sequence_ = sequence;
+    }
+    std::uint16_t counted() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return sequence_;
     }
     /// As after a press of its reset button: it counts from 0 and waits to be asked.
     void begin_again() {
@@ -149,6 +159,7 @@ class FakeTrainer {
             return;
         due_ = now + period_ns_;
         if (how != Mode::repeated) sequence_ = static_cast<std::uint16_t>(sequence_ + 1);
+        if (how == Mode::gaps && sequence_ % 3 != 0) return;
         for (const char letter : letters_)
             if (letter != hidden) put(pose(letter));
     }

@@ -84,27 +84,31 @@ TEST_F(Screens, FirstStartFitsASmallDisplay) {
 TEST_F(Screens, FollowAThemeSwitchedWhileTheyAreOpen) {
     open({1200, 760});
     const std::string attempt = perform();
-    // A new sign-in makes every page again, and without pages the theme is switched at once.
+    // A new sign-in makes every page again. Each screen is opened in either theme and switched to the other.
     const auto compare = [&](const QString& screen, const std::function<void()>& show) {
-        window->context().sign_out();
-        window->set_theme(Theme::dark);
-        show();
-        const QImage fresh = window->grab().toImage();
-        window->context().sign_out();
-        window->set_theme(Theme::light);
-        show();
-        window->set_theme(Theme::dark);
-        settle();
-        const QImage switched = window->grab().toImage();
-        ASSERT_EQ(fresh.size(), switched.size());
-        int differ = 0;
-        for (int y = 0; y < fresh.height(); ++y) {
-            for (int x = 0; x < fresh.width(); ++x) differ += fresh.pixel(x, y) != switched.pixel(x, y);
+        QImage fresh[2], switched[2];  // light, dark
+        for (const Theme theme : {Theme::light, Theme::dark}) {
+            const int before = theme == Theme::light ? 0 : 1, after = 1 - before;
+            window->context().sign_out();
+            show();
+            fresh[before] = window->grab().toImage();
+            window->set_theme(theme == Theme::light ? Theme::dark : Theme::light);
+            settle();
+            switched[after] = window->grab().toImage();
         }
-        EXPECT_LT(differ, fresh.width() * fresh.height() / 2000) << screen.toStdString();
-        if (differ > 0 && qEnvironmentVariableIsSet("FULCRUM_PICTURES")) {
-            keep(screen + "-switched");
-            fresh.save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + screen + "-fresh.png");
+        for (const int theme : {0, 1}) {
+            const char* name = theme == 0 ? "light" : "dark";
+            const QImage &one = fresh[theme], &other = switched[theme];
+            ASSERT_EQ(one.size(), other.size());
+            if (one == other) continue;
+            int differ = 0;
+            for (int y = 0; y < one.height(); ++y)
+                for (int x = 0; x < one.width(); ++x) differ += one.pixel(x, y) != other.pixel(x, y);
+            EXPECT_LT(differ, one.width() * one.height() / 2000) << screen.toStdString() << ", " << name;
+            if (const QString folder = qEnvironmentVariable("FULCRUM_PICTURES"); !folder.isEmpty()) {
+                one.save(folder + '/' + screen + "-fresh-" + name + ".png");
+                other.save(folder + '/' + screen + "-switched-" + name + ".png");
+            }
         }
     };
     for (const auto& [role, session] : sessions) {
@@ -137,10 +141,7 @@ TEST_F(Screens, FollowAThemeSwitchedWhileTheyAreOpen) {
 }
 
 TEST_F(Screens, AreDrawnInBothThemesAtBothSizes) {
-    // Without FULCRUM_PICTURES the pictures are drawn into a temporary folder.
-    QTemporaryDir own;
     const bool asked = !qEnvironmentVariableIsEmpty("FULCRUM_PICTURES");
-    if (!asked) qputenv("FULCRUM_PICTURES", own.path().toLocal8Bit());
     open({1024, 768});
     const std::string attempt = perform();
     const auto kinds = picture_kinds({{{1024, 768}, Theme::light},
@@ -154,24 +155,21 @@ TEST_F(Screens, AreDrawnInBothThemesAtBothSizes) {
         window->resize(kind.size);
         size_ = kind.size;
         settle();
+        int drawn = 0;
         visit(attempt, [&](const QString& screen) {
-            keep(screen);
+            if (asked) keep(screen);
+            drawn += window->grab().isNull() ? 0 : 1;
             for (const QPushButton* button : window->findChildren<QPushButton*>()) {
                 if (!button->isVisible()) continue;
                 EXPECT_GE(button->width(), button->sizeHint().width())
                     << screen.toStdString() << ": " << button->text().toStdString();
             }
         });
+        EXPECT_GE(drawn, 15) << kind.name().toStdString();
     }
-    const QStringList pictures =
-        QDir(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES"))).entryList({"*.png"}, QDir::Files);
-    for (const PictureKind& kind : kinds)
-        EXPECT_GE(pictures.filter(QRegularExpression('-' + kind.name() + "\\.png$")).size(), 15)
-            << kind.name().toStdString();
     window.reset();
     apply_text_size(*qApp, 100);
     use_language(Language::english);
-    if (!asked) qunsetenv("FULCRUM_PICTURES");
 }
 
 TEST_F(Screens, WindowWithItsFrameStaysWithinTheDisplay) {

@@ -185,7 +185,7 @@ class FidelityCommand : public ::testing::Test {
 };
 
 TEST_F(FidelityCommand, MeasuresTwoTasksAndFindsAShiftThatIsPutIn) {
-    expect_success({"--seeds", "2", "--tasks", "A2,B3", "--output", "page", "--data", "cost.json"});
+    expect_success({"--seeds", "2", "--tasks", "A1,A2", "--output", "page", "--data", "cost.json"});
     nlohmann::json record = json_of("page/fidelity_score.json");
     EXPECT_EQ(record["attempts"].size(), 2U * 2U * 7U);
     const FidelityCosts costs = parse_fidelity_costs(text_of("cost.json"), "cost.json");
@@ -204,23 +204,23 @@ TEST_F(FidelityCommand, MeasuresTwoTasksAndFindsAShiftThatIsPutIn) {
     EXPECT_EQ(text_of("page/fidelity_score.svg"), text_of("again/fidelity_score.svg"));
 
     for (nlohmann::json& attempt : record["attempts"]) {
-        if (attempt["task"] != "B3" || attempt["fidelity"] != "fast") continue;
+        if (attempt["task"] != "A2" || attempt["fidelity"] != "fast") continue;
         double& time = attempt["values"]["time"].get_ref<double&>();
         time *= 1.05;
     }
     std::ofstream(folder_ / "shifted.json") << record.dump();
     expect_success({"--from", "shifted.json", "--output", "shifted"});
-    const auto row_of_b3 = [&](const char* page) {
+    const auto row_of_a2 = [&](const char* page) {
         const std::string text = text_of(page);
-        const std::size_t at = text.find("| B3 | 2 | fast |");
+        const std::size_t at = text.find("| A2 | 2 | fast |");
         return text.substr(at, text.find('\n', at) - at);
     };
-    EXPECT_NE(row_of_b3("page/fidelity_score.md").find("| none moves | 0 of 2 | yes |"), std::string::npos)
-        << row_of_b3("page/fidelity_score.md");
-    const std::string shifted = row_of_b3("shifted/fidelity_score.md");
+    EXPECT_NE(row_of_a2("page/fidelity_score.md").find("| none moves | 0 of 2 | yes |"), std::string::npos)
+        << row_of_a2("page/fidelity_score.md");
+    const std::string shifted = row_of_a2("shifted/fidelity_score.md");
     EXPECT_NE(shifted.find("| time "), std::string::npos) << shifted;
     EXPECT_EQ(shifted.substr(shifted.size() - 6), "| no |") << shifted;
-    EXPECT_NE(text_of("shifted/fidelity_score.md").find("- B3: **standard** is enough."), std::string::npos);
+    EXPECT_NE(text_of("shifted/fidelity_score.md").find("- A2: **standard** is enough."), std::string::npos);
 }
 
 TEST_F(FidelityCommand, GivesTheSameAttemptsEveryTime) {

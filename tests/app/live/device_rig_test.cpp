@@ -64,12 +64,33 @@ struct OnPages {
             state->pose[i].write(pose[i]);
         }
     }
-    void read() { rig->read(++tick, sample); }
+    void read() {
+        if (overseen) ++state->overseer_time;
+        rig->read(++tick, sample);
+    }
+    bool overseen = true;
     Vector3 handle(int hand) const {
         const auto& counts = sample.hand[hand].handle;
         return device_length_unit * Vector3(counts[0], counts[1], counts[2]);
     }
 };
+
+TEST(DeviceRig, IsAbsentWhileTheOverseerGivesNoSignOfItself) {
+    OnPages at;
+    const auto present_after = [&at](int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            at.publish();
+            at.read();
+        }
+        return at.sample.hand[0].present == 1 && at.sample.hand[1].present == 1;
+    };
+    EXPECT_TRUE(present_after(200));
+    at.overseen = false;
+    EXPECT_TRUE(present_after(50));
+    EXPECT_FALSE(present_after(60)) << "although the device is read";
+    at.overseen = true;
+    EXPECT_TRUE(present_after(1));
+}
 
 TEST(DeviceRig, BeginsAtTheStartOfTheSceneAndFollowsTheDeviceInTheFrameOfTheHandle) {
     OnPages at;

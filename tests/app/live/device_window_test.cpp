@@ -107,6 +107,47 @@ TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo
     abandon();
 }
 
+TEST_F(DeviceWindow, AStoppedProcessOfTheDaemonPausesAndNothingIsLost) {
+    create_programme_and_trainee();
+    start("A2", false);
+    const double begun = right_x();
+    ASSERT_TRUE(wait_for([&] { return std::abs(right_x() - begun) > 2e-3; }));
+    const auto phase = [&] { return theatre().session()->phase(); };
+    const pid_t overseer = child_of(getpid()), device = child_of(overseer);
+    ASSERT_GT(device, 0);
+    // The overseer ends a stopped device process and starts another.
+    ASSERT_EQ(kill(device, SIGSTOP), 0);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }, 10000));
+    ASSERT_TRUE(wait_for([&] { return aligned().back; }, 10000));
+    EXPECT_NE(child_of(overseer), device);
+    ASSERT_TRUE(wait_for([&] { return aligned().in_place; }, 10000)) << "the script comes by";
+    QTest::keyClick(theatre().view(), Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }, 10000));
+
+    // Without its overseer a device has no force: the attempt does not go on.
+    ASSERT_EQ(kill(overseer, SIGSTOP), 0);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }, 10000));
+    ASSERT_TRUE(wait_for([&] { return panel().contains("which drives the device, does not answer"); }, 10000))
+        << panel().toStdString();
+    EXPECT_TRUE(panel().contains("check the device's cable and power; the device is opened again"));
+    const double stopped = theatre().session()->display().elapsed_s;
+    ASSERT_EQ(kill(overseer, SIGCONT), 0);
+    ASSERT_TRUE(wait_for([&] { return aligned().back; }, 10000));
+    EXPECT_EQ(theatre().session()->display().elapsed_s, stopped);
+    ASSERT_EQ(kill(overseer, SIGSTOP), 0);
+    ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }, 10000));
+    ui::window_test::click(window, "panel_abandon");
+    wait_for_debrief();
+    expect_replays(newest_attempt().meta.id);
+
+    home();
+    start("A2", false);
+    EXPECT_NE(child_of(getpid()), overseer) << "one that is stopped is opened again";
+    const double again = right_x();
+    EXPECT_TRUE(wait_for([&] { return std::abs(right_x() - again) > 2e-3; }, 10000));
+    abandon();
+}
+
 TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
     QSettings().clear();
     create_programme_and_trainee();

@@ -2,6 +2,9 @@
 #include "app/services/device_list.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -145,6 +148,27 @@ TEST(DeviceList, ASpaceMouseIsUsableWhereSpacenavdListens) {
     EXPECT_EQ(listed().state, DeviceState::usable);
     EXPECT_EQ(listed().found,
               (std::vector<std::string>{"SpaceMouse Compact (256f:c635)", "FULCRUM_DEVICE=space-mouse"}));
+}
+
+TEST(DeviceList, ASocketOfSpacenavdWithoutPermissionIsNamedAsSuch) {
+    const fulcrum::test::OwnFolder usb;
+    Machine machine = machine_with(usb.path(), "/bin/sh");
+    machine.spacenavd = (usb.path() / "spnav.sock").string();
+    std::ofstream(machine.spacenavd) << "";
+    ASSERT_EQ(chmod(machine.spacenavd.c_str(), 0), 0);
+    const pid_t child = fork();
+    if (child == 0) {  // root may use any socket
+        if (getuid() == 0 && setuid(65534) != 0) _exit(2);
+        const ListedDevice listed = row(list_devices(machine), "space-mouse");
+        _exit(listed.why.find("no permission to use its socket") != std::string::npos &&
+                      listed.what_to_do.find("read and write the socket") != std::string::npos &&
+                      listed.detail == machine.spacenavd + ": Permission denied"
+                  ? 0
+                  : 1);
+    }
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
 }
 
 TEST(DeviceList, ATrainerIsUsableWhereOneSerialPortOfABoardMayBeOpened) {

@@ -5,7 +5,9 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <signal.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -15,6 +17,7 @@
 #include "tests/fakes/fake_page.h"
 #include "tests/support/built.h"
 #include "tests/support/fake_haply.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum {
 namespace {
@@ -27,6 +30,19 @@ using Form = FakeHaply::Form;
 
 const std::vector<FakeHaply::Device> one_device = {{"049D", "right"}};
 const std::vector<FakeHaply::Device> two_devices = {{"0A11", "right"}, {"0B22", "left"}};
+
+constexpr std::int64_t haply_limit = 50'000'000;  // ns
+
+/// Looks every half millisecond, for so long.
+template <typename Condition>
+bool until_ms(int milliseconds, Condition&& holds) {
+    const std::int64_t last = monotonic_ns() + milliseconds * 1'000'000LL;
+    while (monotonic_ns() < last) {
+        if (holds()) return true;
+        usleep(500);
+    }
+    return false;
+}
 
 DevicePose haply_pose(const DaemonClient& client, int hand) {
     DevicePose newest;
@@ -128,7 +144,7 @@ TEST(HaplyOfService, ForceIsRenderedInTheFormThatEachVersionTakes) {
     }
 }
 
-TEST(HaplyOfService, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
+TEST(HaplyThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
     FakeHaply haply(one_device);
     DaemonClient client(test::hapticd_program(), haply.specification());
     HaplyPush push;
@@ -137,7 +153,11 @@ TEST(HaplyOfService, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
         client.poll();
         return haply_present(client, 1) && haply.force(0).z() == 0.5 && client.message().empty();
     };
-    const auto expect_fault = [&](DeviceFault fault, const char* what) {
+    const auto expect_fault = [&](DeviceFault fault, const char* what, std::int64_t begin) {
+        EXPECT_TRUE(push.until_holds(client, wanted, [&] {
+            return haply.force(0) == Vector3::Zero() && !haply_present(client, 1);
+        })) << what;
+        EXPECT_LE(monotonic_ns() - begin, haply_limit) << what;
         EXPECT_TRUE(push.until_holds(client, wanted,
                                      [&] {
                                          client.poll();
@@ -161,16 +181,190 @@ TEST(HaplyOfService, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) {
                             {Mode::other_service, DeviceFault::haply_message},
                             {Mode::not_calibrated, DeviceFault::needs_calibration},
                             {Mode::no_power, DeviceFault::no_power}}) {
+        const std::int64_t begin = monotonic_ns();
         haply.mode = one.mode;
-        expect_fault(one.fault, std::to_string(static_cast<int>(one.mode)).c_str());
+        expect_fault(one.fault, std::to_string(static_cast<int>(one.mode)).c_str(), begin);
         haply.mode = Mode::good;
         EXPECT_TRUE(push.until_holds(client, wanted, works)) << client.message().words();
     }
+    EXPECT_TRUE(test::is_filtered(client.device_process())) << "while both connections are open";
     haply.event("device-battery-low", "049D");
     haply.event("device-safety-triggered", "0000");
-    haply.event("device-safety-triggered", "049D");
-    expect_fault(DeviceFault::safety_brake, "brake");
+    EXPECT_FALSE(until_ms(100, [&] { return !haply_present(client, 1); })) << "another device";
+    ASSERT_TRUE(push.until_holds(client, wanted, works));
+    const std::int64_t begin = monotonic_ns();
+    haply.event("device-safety-triggered", "049D", "ebrake_triggered");
+    expect_fault(DeviceFault::safety_brake, "brake", begin);
     EXPECT_EQ(client.device_process(), process) << "none of these opens it again";
+    EXPECT_EQ(haply.early(), 0) << "never two commands without an answer";
+}
+
+TEST(HaplyThroughTheDaemon, EachReasonOfASafetyEventAndADisconnectionStopForceAndHand) {
+    FakeHaply haply(one_device);
+    for (const char* const reason : {"stall_detected", "stability_ceiling", ""}) {
+        DaemonClient client(test::hapticd_program(), haply.specification());
+        HaplyPush push;
+        const Vector3 wanted(0, 0.5, 0);
+        ASSERT_TRUE(push.until_holds(client, wanted, [&] {
+            return haply_present(client, 1) && haply.force(0).z() == 0.5;
+        })) << reason;
+        const bool gone = *reason == '\0';
+        const std::int64_t begin = monotonic_ns();
+        haply.event(gone ? "device-disconnected" : "device-safety-triggered", "049D", reason);
+        ASSERT_TRUE(push.until_holds(client, wanted, [&] {
+            return haply.force(0) == Vector3::Zero() && !haply_present(client, 1);
+        })) << reason;
+        EXPECT_LE(monotonic_ns() - begin, haply_limit) << reason;
+        client.poll();
+        EXPECT_EQ(client.message().words(),
+                  words_of(gone ? DeviceFault::no_answer : DeviceFault::safety_brake));
+        if (!gone) continue;
+        const auto process = client.device_process();
+        EXPECT_TRUE(push.until_holds(client, wanted, [&] {
+            client.poll();
+            return client.device_process() != process && haply_present(client, 1) &&
+                   haply.force(0).z() == 0.5;
+        })) << "connected again";
+    }
+    EXPECT_EQ(haply.early(), 0);
+}
+
+TEST(HaplyThroughTheDaemon, ASlowServiceIsUsedAndNeverGetsTwoCommands) {
+    FakeHaply haply(one_device);
+    DaemonClient client(test::hapticd_program(), haply.specification());
+    HaplyPush push;
+    const Vector3 wanted(0, 0.5, 0);
+    haply.mode = Mode::slow;
+    ASSERT_TRUE(push.until_holds(client, wanted, [&] { return haply.force(0).z() == 0.5; }));
+    const std::uint64_t before = haply.commands;
+    const auto process = client.device_process();
+    ASSERT_TRUE(push.until_holds(client, wanted, [&] { return haply.commands > before + 20; }));
+    client.poll();
+    EXPECT_TRUE(haply_present(client, 1)) << client.message().words();
+    EXPECT_EQ(haply.force(0).z(), 0.5);
+    EXPECT_EQ(client.device_process(), process);
+    EXPECT_EQ(haply.early(), 0);
+    // A service that falls further and further behind is not: the hand stays absent, so an attempt pauses.
+    haply.mode = Mode::falling_behind;
+    EXPECT_TRUE(push.until_holds(client, wanted, [&] {
+        client.poll();
+        return !haply_present(client, 1) && haply.force(0) == Vector3::Zero() &&
+               client.message().words() == words_of(DeviceFault::haply_silent);
+    })) << client.message().words();
+    // From the second silence on, although every answer comes after all.
+    const std::uint64_t answers = haply.commands;
+    ASSERT_TRUE(push.until_holds(client, wanted, [&] { return haply.commands > answers + 1; }));
+    const std::uint64_t counted = haply.commands;
+    bool came = false, pushed = false;
+    push.until_holds(client, wanted, [&] {
+        came = came || haply_present(client, 1);
+        pushed = pushed || haply.force(0) != Vector3::Zero();
+        return haply.commands > counted + 4;
+    });
+    EXPECT_FALSE(came || pushed);
+    EXPECT_EQ(haply.early(), 0);
+    haply.mode = Mode::good;
+    EXPECT_TRUE(push.until_holds(client, wanted, [&] {
+        client.poll();
+        return haply_present(client, 1) && haply.force(0).z() == 0.5;
+    })) << client.message().words();
+}
+
+TEST(HaplyOfService, TheFakeSeesASecondCommandThatDoesNotWait) {
+    FakeHaply haply(one_device);
+    haply.mode = Mode::slow;
+    haply::WebSocket hasty(haply.port());
+    ASSERT_TRUE(until([&] {
+        hasty.serve(1'000'000);
+        return hasty.state() == haply::WebSocket::State::open;
+    }));
+    const std::string command = haply::force_command({{"049D", Vector3(0, 0, 0)}}, haply::ForceForm::vector);
+    EXPECT_TRUE(until([&] {
+        hasty.send(command);
+        hasty.serve(1'000'000);
+        return haply.early() > 0;
+    }));
+}
+
+TEST(HaplyThroughTheDaemon, ForceIsZeroAfterTheProgramOrTheDeviceProcessDies) {
+    FakeHaply haply(one_device);
+    const auto push_for_ever = [&](int control) {
+        DaemonClient client(test::hapticd_program(), haply.specification());
+        const pid_t device = client.device_process();
+        if (write(control, &device, sizeof device) != sizeof device) _exit(1);
+        HaplyPush push;
+        push.until_holds(client, Vector3(0, 0.5, 0), [] { return false; });
+        _exit(0);
+    };
+    for (const bool of_device : {false, true}) {
+        for (const int number : {SIGKILL, SIGSTOP}) {
+            int ends[2];
+            ASSERT_EQ(pipe(ends), 0);
+            const pid_t child = fork();
+            if (child == 0) push_for_ever(ends[1]);
+            pid_t device = 0;
+            ASSERT_EQ(read(ends[0], &device, sizeof device), static_cast<ssize_t>(sizeof device));
+            close(ends[0]);
+            close(ends[1]);
+            ASSERT_TRUE(until([&] { return haply.force(0).z() == 0.5; })) << of_device << number;
+            const std::int64_t begin = monotonic_ns();
+            kill(of_device ? device : child, number);
+            // Without its client the service's motors stop; with it, a command says so.
+            ASSERT_TRUE(
+                until([&] { return (of_device ? haply.rendered(0) : haply.force(0)) == Vector3::Zero(); }));
+            EXPECT_LE(monotonic_ns() - begin, haply_limit) << of_device << strsignal(number);
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+            EXPECT_TRUE(until([&] { return haply.clients() == 0; })) << "nothing is left";
+        }
+    }
+}
+
+TEST(HaplyDevice, ThePortAfterTheFirstIsUsedWhereNobodyOrAnotherProgramAnswersThere) {
+    FakeHaply haply(one_device);
+    FakeHaply other(std::vector<FakeHaply::Device>{{"0C33", "right"}});
+    int closed = 0;
+    {
+        const FakeHaply ended(one_device);
+        closed = ended.port();
+    }
+    const auto place = [](const std::vector<int>& ports) {
+        hapticd::HaplySpecification wanted = haply_specification("haply:events=0");
+        wanted.ports = ports;
+        hapticd::HaplyDevice device(wanted);
+        device.open();
+        DevicePose poses[device_slots];
+        EXPECT_TRUE(until([&] {
+            device.read(monotonic_ns(), poses);
+            return poses[1].present == 1;
+        }));
+        device.close();
+        return poses[1].position[0];
+    };
+    haply.move(0, Vector3(0.02, 0, 0.1));
+    other.move(0, Vector3(0.05, 0, 0.1));
+    EXPECT_EQ(place({haply.port(), other.port()}), 0.02) << "the first one where both answer";
+    EXPECT_EQ(place({closed, other.port()}), 0.05);
+    // Something that takes the connection and speaks another protocol.
+    const int listening = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    ASSERT_EQ(bind(listening, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    ASSERT_EQ(listen(listening, 4), 0);
+    getsockname(listening, reinterpret_cast<sockaddr*>(&address), &size);
+    std::atomic<bool> stop{false};
+    std::thread closes([&] {
+        while (!stop) {
+            pollfd one{listening, POLLIN, 0};
+            if (poll(&one, 1, 10) > 0) close(accept(listening, nullptr, nullptr));
+        }
+    });
+    EXPECT_EQ(place({ntohs(address.sin_port), haply.port()}), 0.02);
+    stop = true;
+    closes.join();
+    close(listening);
 }
 
 TEST(HaplyOfService, AServiceThatStallsEndsOrLosesTheDeviceIsOpenedAgain) {

@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/built.h"
 #include "tests/support/fake_tracker.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum {
 namespace {
@@ -161,6 +164,24 @@ TEST(IgtlTracker, AFaultThatPassesMakesTheHandAbsentAndSaysWhatToDo) {
         return client.state().fault.read(report) && report.hands == 2U && !tracked_present(client, 1) &&
                tracked_present(client, 0);
     }));
+}
+
+TEST(IgtlTracker, AServerThatGreetsWithAStatusOfVersion2IsUnderstood) {
+    igtl::Bytes greeting;
+    igtl::append_status(greeting, "Slicer", 0, {1, 0, "", "ready"}, 2);
+    igtl::append_status(greeting, "Tracker", 0, {13, 7, "NotReady", "the camera is warming up"}, 2);
+    FakeTracker tracker(two_tools, 0, 100, greeting);
+    DaemonClient client(test::hapticd_program(), "openigtlink:" + tracker.address() + ",length=0");
+    igtl::Pose pose;
+    pose.place = Vector3(0.01, 0.02, 0.03);
+    tracker.move(0, pose);
+    EXPECT_TRUE(until([&] {
+        const DevicePose now = tracked_pose(client, 0);
+        return now.present == 1 && std::abs(now.position[0] - 0.01) < 1e-7 && tracked_present(client, 1);
+    }));
+    client.poll();
+    EXPECT_TRUE(client.message().empty()) << client.message().words();
+    EXPECT_TRUE(test::is_filtered(client.device_process())) << "while its connection is open";
 }
 
 TEST(IgtlTracker, AConnectionThatEndsIsOpenedAgain) {

@@ -3,6 +3,8 @@
 #include "sim_core/hapticd/space_mouse_device.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -102,6 +104,34 @@ TEST_F(SpaceMouseOfSpacenavd, WithoutSpacenavdItSaysWhatToDo) {
         EXPECT_NE(what.find("systemctl restart spacenavd"), std::string::npos);
     }
     EXPECT_THROW(hapticd::space_mouse_slot("space-mouse:middle"), InputError);
+}
+
+TEST_F(SpaceMouseOfSpacenavd, ASocketThatThisAccountMayNotUseIsNamedWithWhatToDo) {
+    FakeSpacenavd daemon(path, 1);
+    ASSERT_EQ(chmod(path.c_str(), 0), 0);
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    if (child == 0) {  // root may use any socket
+        if (getuid() == 0 && setuid(65534) != 0) _exit(1);
+        std::string what = "opened";
+        try {
+            SpaceMouseDevice device(hapticd::space_mouse_slot("space-mouse"));
+            device.open();
+        } catch (const InputError& error) {
+            what = error.what();
+        }
+        _exit(write(ends[1], what.data(), what.size()) == static_cast<ssize_t>(what.size()) ? 0 : 1);
+    }
+    close(ends[1]);
+    std::string what(2000, '\0');
+    const ssize_t size = read(ends[0], what.data(), what.size());
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    ASSERT_GT(size, 0);
+    what.resize(static_cast<std::size_t>(size));
+    EXPECT_EQ(what.find(path + ": you have no permission to use the socket of spacenavd"), 0U) << what;
+    EXPECT_NE(what.find("sudo chmod a+rw " + path), std::string::npos) << what;
 }
 
 TEST(SpaceMouseDevice, ACapThatWasHeldStopsWhenNothingMoreComesAndTheLoopAllocatesNothing) {

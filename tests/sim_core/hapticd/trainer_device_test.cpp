@@ -363,6 +363,34 @@ TEST(TrainerDevice, ALineThatIsRepeatedIsNothingNewAlsoAfterAnAnswer) {
     EXPECT_TRUE(until([&] { return read() == 1; })) << "it counts from 0 again";
 }
 
+TEST(TrainerDevice, LinesThatAreLostLeaveGapsAndTheHandFollowsAlsoWhereTheNumbersBeginAgain) {
+    FakeTrainer trainer("R");
+    trainer.count_from(65530);
+    TrainerDevice device(trainer_specification(trainer.specification()));
+    device.open();
+    trainer.mode = Mode::gaps;
+    DevicePose poses[device_slots];
+    const auto read = [&] {
+        usleep(1000);
+        device.read(monotonic_ns(), poses);
+        return poses[1];
+    };
+    ASSERT_TRUE(until([&] { return read().present == 1; }));
+    bool always = true;
+    double x = 0;
+    for (int i = 0; i < 6; ++i) {  // more than the numbers that are left before 0
+        trainer.move('R', Vector3(x += 0.005, 0, 0.24));
+        EXPECT_TRUE(until([&] {
+            const DevicePose now = read();
+            always = always && now.present == 1;
+            return std::abs(now.position[0] - x) < 1e-4;
+        })) << i;
+    }
+    EXPECT_TRUE(always);
+    EXPECT_EQ(device.fault().fault, 0U);
+    EXPECT_LT(trainer.counted(), 60000) << "the numbers began again";
+}
+
 /// What the sketch sends within `us`, message by message.
 std::vector<TrainerMessage> run_sketch(void (*loop)(), std::uint32_t us) {
     test::arduino::board.sent.clear();

@@ -175,13 +175,13 @@ class Comparing : public ::testing::Test {
         return {};
     }
     void keep(const QString& name) {
+        if (qEnvironmentVariableIsEmpty("FULCRUM_PICTURES")) return;
         for (const Theme theme : {Theme::light, Theme::dark}) {
             window->set_theme(theme);
-            QTest::qWait(qEnvironmentVariableIsEmpty("FULCRUM_PICTURES") ? 0 : 300);
+            QTest::qWait(300);
             keep_picture(*window, name + (theme == Theme::light ? "-light" : "-dark"));
-            if (!qEnvironmentVariableIsEmpty("FULCRUM_PICTURES"))
-                keep_body(*window, *window->current_page(),
-                          name + "-whole" + (theme == Theme::light ? "-light" : "-dark"));
+            keep_body(*window, *window->current_page(),
+                      name + "-whole" + (theme == Theme::light ? "-light" : "-dark"));
         }
         window->set_theme(Theme::light);
     }

@@ -6850,10 +6850,6 @@
         <translation>Das Gerät hat kein Netzteil und gibt daher keine Kraft. Schließen Sie sein Netzteil an.</translation>
     </message>
     <message>
-        <source>The safety brake of the device has triggered. Let go of the handle for three seconds, then resume; move it more slowly.</source>
-        <translation>Die Sicherheitsbremse des Geräts hat ausgelöst. Lassen Sie den Griff drei Sekunden lang los und machen Sie dann weiter; bewegen Sie ihn langsamer.</translation>
-    </message>
-    <message>
         <source>libwebsockets, which speaks with it, does not start</source>
         <translation>libwebsockets, das mit ihm spricht, startet nicht</translation>
     </message>
@@ -7693,6 +7689,18 @@
         <source>name a device: --calibrate DEVICE</source>
         <translation>nennen Sie ein Gerät: --calibrate DEVICE</translation>
     </message>
+    <message>
+        <source>The device stopped its motors for safety: its brake triggered, it stalled or it became unstable. Let go of the handle for three seconds, then resume; move it more slowly.</source>
+        <translation>Das Gerät hat seine Motoren zur Sicherheit angehalten: Seine Bremse hat ausgelöst, es ist blockiert oder wurde instabil. Lassen Sie den Griff drei Sekunden lang los und machen Sie dann weiter; bewegen Sie ihn langsamer.</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the socket of spacenavd</source>
+        <translation>Sie haben keine Berechtigung, den Socket von spacenavd zu benutzen</translation>
+    </message>
+    <message>
+        <source>ask the administrator for the right to it: `sudo chmod a+rw %1`, and a+x for the folder that it is in</source>
+        <translation>bitten Sie die Administration um das Recht dazu: `sudo chmod a+rw %1`, und a+x für seinen Ordner</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -7971,6 +7979,14 @@
     <message>
         <source>choose it here and calibrate it, or run `fulcrum devices --calibrate joystick`</source>
         <translation>wählen Sie ihn hier und kalibrieren Sie ihn, oder führen Sie `fulcrum devices --calibrate joystick` aus</translation>
+    </message>
+    <message>
+        <source>you have no permission to use its socket</source>
+        <translation>Sie haben keine Berechtigung, seinen Socket zu benutzen</translation>
+    </message>
+    <message>
+        <source>ask the administrator for the right to read and write the socket</source>
+        <translation>bitten Sie die Administration um das Recht, den Socket zu lesen und zu schreiben</translation>
     </message>
 </context>
 <context>

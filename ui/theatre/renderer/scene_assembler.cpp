@@ -12,6 +12,7 @@
 #include "ui/theatre/renderer/field_drawing.h"
 #include "ui/theatre/renderer/hollow_drawing.h"
 #include "ui/theatre/renderer/objects_drawing.h"
+#include "ui/theatre/renderer/shared_textures.h"
 #include "ui/theatre/renderer/structures_drawing.h"
 
 namespace fulcrum::ui {
@@ -57,7 +58,7 @@ void follow(const std::vector<MembraneView>& membranes, const std::vector<Triang
 
 struct SceneAssembler::Impl {
     Scene scene;
-    AnatomyTextures textures;
+    std::shared_ptr<const AnatomyTextures> textures;
     std::unique_ptr<CavityShape> cavity;
     std::shared_ptr<const TissueTexture> wall, areolar;
     std::unique_ptr<BowelShape> bowel;
@@ -78,13 +79,13 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     : impl_(std::make_unique<Impl>()) {
     Impl& i = *impl_;
     i.scene = scene;
-    i.textures = make_textures(scene.cavity ? scene.cavity->seed : 1, scene.bowel ? 1024 : 128);
+    i.textures = shared_textures(scene.cavity ? scene.cavity->seed : 1, scene.bowel ? 1024 : 128);
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
     if (i.cavity)
-        i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures.peritoneum));
+        i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures->peritoneum));
     const bool rectum = scene.bowel && scene.bowel->layout == BowelLayout::rectum && scene.presacral;
     if (rectum) i.hollow = std::make_unique<HollowDrawing>(scene, first);
-    if (scene.sheet || scene.septa) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
+    if (scene.sheet || scene.septa) i.areolar = shared_areolar_texture();
     if (!scene.bowel || !(i.cavity || rectum) || first.bowel.rings.size() < 3) return;
     i.bowel = std::make_unique<BowelShape>(rectum ? make_rectum(rectum_parameters(scene))
                                                   : make_bowel(bowel_parameters(*scene.bowel), *i.cavity));

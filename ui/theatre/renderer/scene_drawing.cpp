@@ -5,6 +5,7 @@
 #include "ui/theatre/renderer/edge_smoothing.h"
 #include "ui/theatre/renderer/scene_renderer_parts.h"
 #include "ui/theatre/renderer/scene_views.h"
+#include "ui/theatre/renderer/shared_textures.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -28,7 +29,7 @@ void SceneRenderer::Impl::take(Geometry& geometry, std::unique_ptr<GlSurface>& s
 }
 
 void SceneRenderer::Impl::upload_changes() {
-    if (!textures) textures = make_textures(1, options.texture_size);
+    if (!textures) textures = shared_textures(1, options.texture_size);
     if (textures_changed) {
         serosa = upload(textures->serosa);
         fat = upload(textures->fat);

@@ -42,8 +42,8 @@ SceneRenderer::SceneRenderer(const RendererOptions& options) : impl_(std::make_u
 }
 SceneRenderer::~SceneRenderer() = default;
 
-void SceneRenderer::set_textures(const AnatomyTextures& textures) {
-    impl_->textures = textures;
+void SceneRenderer::set_textures(std::shared_ptr<const AnatomyTextures> textures) {
+    impl_->textures = std::move(textures);
     impl_->textures_changed = true;
 }
 

@@ -137,7 +137,7 @@ class SceneRenderer {
     ~SceneRenderer();
 
     // What the scene is made of. May be called before there is a context; each replaces what was set before.
-    void set_textures(const AnatomyTextures& textures);
+    void set_textures(std::shared_ptr<const AnatomyTextures> textures);
     /// wall: what make_wall_texture gives for it; without it the renderer makes its own at the next picture.
     void set_cavity(const CavityShape& cavity, std::shared_ptr<const TissueTexture> wall = nullptr);
     /// domes: its rounded ends are seen (make_bowel_surface).

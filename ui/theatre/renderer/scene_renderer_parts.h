@@ -26,7 +26,7 @@ struct SceneRenderer::Impl {
     QString error;
 
     // What was set; uploaded at the next picture.
-    std::optional<AnatomyTextures> textures;
+    std::shared_ptr<const AnatomyTextures> textures;
     bool textures_changed = false;
     std::shared_ptr<const TissueTexture> given_wall;
     std::shared_ptr<const TissueTexture> sheet_texture;
