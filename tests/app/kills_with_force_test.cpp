@@ -80,10 +80,10 @@ SharedPage<StatePage> state_page_of(pid_t process) {
     return {};
 }
 
-/// By the record: a tip pressed clearly harder than A2 allows (4 N), for longer than a filter needs.
+/// By the record: a tip pressed clearly harder than A2 allows (4 N), and not for a tick alone.
 bool breaks_the_limit(const database::Trace& trace) {
     constexpr double clearly = 4.5;  // N
-    constexpr int ticks = 200;
+    constexpr int ticks = 20;
     int above = 0;
     for (const TickSample& sample : trace.samples) {
         double most = 0;
