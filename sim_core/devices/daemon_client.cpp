@@ -183,6 +183,7 @@ void DaemonClient::end() {
     if (socket_ >= 0) close(socket_);  // the daemon switches the force off and ends
     socket_ = -1;
     if (overseer_ == 0) return;
+    kill(overseer_, SIGCONT);  // one that is stopped closes the device too, so that another can open it
     const std::int64_t until = monotonic_ns() + end_limit;
     int status = 0;
     while (waitpid(overseer_, &status, WNOHANG) == 0) {

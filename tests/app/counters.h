@@ -15,7 +15,6 @@ struct Counters {
     std::atomic<std::uint32_t> begun{0};     ///< attempts whose first tick was read
     std::atomic<std::uint32_t> finished{0};  ///< attempts whose score was acknowledged as stored
     std::atomic<std::uint32_t> paused{0};    ///< attempts that lost their device
-    std::atomic<std::uint32_t> broken{0};    ///< 1: a limit of the running attempt is broken, and recorded
 };
 
 /// Null if the file cannot be created.

@@ -239,6 +239,21 @@ TEST_F(ForceDimensionThroughTheDaemon, ForceIsZeroAndDevicesAreClosedAfterThePro
     EXPECT_EQ(page->misuse, 0U);
 }
 
+TEST_F(ForceDimensionThroughTheDaemon, AfterAnOverseerThatWasStoppedTheDeviceCanBeOpenedAtOnce) {
+    for (int i = 0; i < 2; ++i) {
+        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension");
+        EXPECT_TRUE(client.wait_for_sign());
+        ASSERT_EQ(kill(client.overseer(), SIGSTOP), 0);
+        EXPECT_EQ(page->device[1].open, 1U);
+        if (i == 1) {
+            EXPECT_TRUE(until([&] { return !client.wait_for_sign(); }));
+        }
+    }
+    EXPECT_EQ(page->device[0].open, 0U);
+    EXPECT_EQ(page->device[0].closed, 2U);
+    EXPECT_EQ(page->misuse, 0U);
+}
+
 TEST_F(ForceDimensionThroughTheDaemon, TheServoThreadAllocatesNothing) {
     hapticd::ForceDimensionDevice device(hapticd::force_dimension_numbers("force-dimension"));
     device.open();
