@@ -241,7 +241,7 @@ TEST_F(ForceDimensionThroughTheDaemon, ForceIsZeroAndDevicesAreClosedAfterThePro
 
 TEST_F(ForceDimensionThroughTheDaemon, AfterAnOverseerThatWasStoppedTheDeviceCanBeOpenedAtOnce) {
     for (int i = 0; i < 2; ++i) {
-        DaemonClient client(FULCRUM_HAPTICD_PROGRAM, "force-dimension");
+        DaemonClient client(test::hapticd_program(), "force-dimension");
         EXPECT_TRUE(client.wait_for_sign());
         ASSERT_EQ(kill(client.overseer(), SIGSTOP), 0);
         EXPECT_EQ(page->device[1].open, 1U);

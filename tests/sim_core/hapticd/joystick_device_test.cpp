@@ -67,7 +67,7 @@ class JoystickOfTheDaemon : public ::testing::Test {
         return {};
     }
     test::FakePage<test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
-    test::Variable library{"FULCRUM_LIBSDL2", FULCRUM_FAKES "/libSDL2.so"};
+    test::Variable library{"FULCRUM_LIBSDL2", test::fake_library("libSDL2.so")};
     test::OwnFolder folder;
     const std::string file = (folder.path() / "joystick.json").string();
 };
