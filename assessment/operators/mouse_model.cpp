@@ -149,9 +149,9 @@ class MouseModel : public ObservingRig {
     void press(std::size_t h) {
         Arm& arm = arms_[h];
         const DeviceSample& wish = wish_.hand[h];
-        const bool closed = (wish.buttons & button_primary) != 0 ||
-                            (type_of(arm.spec.kind).jaws && !arm.spec.cuts() &&
-                             device_angle_unit * wish.jaw < closed_share * arm.spec.jaw_opening);
+        const bool closed =
+            (wish.buttons & button_primary) != 0 ||
+            (jaws_press(arm.spec.kind) && device_angle_unit * wish.jaw < closed_share * arm.spec.jaw_opening);
         arm.target.jaw = closed ? 0 : arm.spec.jaw_opening * open_jaw_share;
         arm.target.grip = closed ? arm.spec.grip_force : 0;
         unsigned buttons = closed ? button_primary : button_none;

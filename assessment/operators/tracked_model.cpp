@@ -36,8 +36,8 @@ class TrackedHandle {
         seen.roll = device_angle_unit * wish.roll + angle_noise * random.normal();
         seen.jaw = device_angle_unit * wish.jaw;
         if (spec_ == nullptr) seen.jaw += angle_noise * random.normal();  // the turn of the camera head
-        const bool closed = spec_ != nullptr && type_of(spec_->kind).jaws && !spec_->cuts() &&
-                            seen.jaw < closed_jaws * spec_->jaw_opening;
+        const bool closed =
+            spec_ != nullptr && jaws_press(spec_->kind) && seen.jaw < closed_jaws * spec_->jaw_opening;
         seen.grip = closed ? spec_->grip_force : 0;
         seen.buttons = wish.buttons;
         next_ = (next_ + 1) % frames_.size();

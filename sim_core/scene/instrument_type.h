@@ -75,6 +75,11 @@ static_assert(in_order(instrument_types));
 constexpr const InstrumentType& type_of(InstrumentKind kind) {
     return row_of(instrument_types, kind);
 }
+/// Its jaws press on what is between them when they close; scissors cut it.
+constexpr bool jaws_press(InstrumentKind kind) {
+    const InstrumentType& type = type_of(kind);
+    return type.jaws && (type.grasps || type.grasps_strands || type.clips);
+}
 constexpr bool gives_energy(InstrumentKind kind) {
     return type_of(kind).energy != InstrumentEnergy::none;
 }

@@ -48,8 +48,9 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
     start("A2", false);
     EXPECT_TRUE(theatre().session()->health().force_felt[0] && theatre().session()->health().force_felt[1]);
     const double begun = theatre().session()->snapshot().tools[1].tip.x();
-    page->device[1].position[0] = 20;
+    // Where the first reading finds the handle, it begins: it is moved until the instrument follows.
     ASSERT_TRUE(wait_for([&] {
+        page->device[1].position[0] = std::fmod(page->device[1].position[0] + 1, 40);
         return std::abs(theatre().session()->snapshot().tools[1].tip.x() - begun) > 2e-3;
     })) << "the device moves the instrument";
     struct Case {

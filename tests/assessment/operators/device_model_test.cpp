@@ -115,6 +115,25 @@ TEST(TrackedModel, ComesLateWithNoiseAndMeasuresNoFingers) {
     EXPECT_NEAR(device_force_unit * sample.hand[0].grip, scene.instruments[0].grip_force, 1e-3);
 }
 
+// B3's experts never held a band with the shears, and so never divided one, before shears counted as jaws.
+TEST(DeviceModels, ClosedShearsPressAndScissorsCut) {
+    for (const DeviceClass kind : {DeviceClass::tracked, DeviceClass::mouse_keyboard}) {
+        for (const auto& [name, presses] : {std::pair{"b3_bands.json", true}, {"b2_plane.json", false}}) {
+            const Scene scene = load_scene(test::source_path("assets/scenes/" + std::string(name)));
+            auto hands = std::make_unique<Impatient>(scene, Vector3::Zero());
+            for (DeviceSample& hand : hands->wish().hand) hand.jaw = 0;
+            const auto rig = through_device(std::move(hands), kind, scene, 7);
+            RigSample sample;
+            bool pressed = false;  // with the mouse one hand after the other
+            for (std::uint32_t tick = 0; tick < 1500; ++tick) {
+                rig->read(tick, sample);
+                pressed = pressed || sample.hand[1].grip > 0;
+            }
+            EXPECT_EQ(pressed, presses) << name << ' ' << row_of(device_classes, kind).name;
+        }
+    }
+}
+
 TEST(TrackedModel, IsTheSameForTheSameAttemptOnly) {
     const Scene scene = load_scene(test::source_path("assets/scenes/a2_targets.json"));
     const auto pose_after = [&](std::uint64_t attempt) {
