@@ -205,7 +205,8 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactIsFeltAndHear
                              monotonic_ns() - std::int64_t{1'000'000} * theatre().session()->health().ticks);
             if (rumbled == 0 && pad().slow > 0U) rumbled = pad().rumble_time;
             return rumbled != 0 && sound.heard_at != 0 &&
-                   (!a2 || theatre().session()->display().goal_progress > 0.05);
+                   (a2 ? theatre().session()->display().goal_progress > 0.05
+                       : theatre().view()->pale_at() != 0);
         };
         ASSERT_TRUE(hand.work_until(done, 240000)) << task;
         const std::int64_t pale = theatre().view()->pale_at();
