@@ -35,6 +35,15 @@ class FakeTrainer {
         out_of_range,
         other_version
     };
+    /// False on a machine that gives no pseudo-terminals: tests of trainers are left out there.
+    static bool is_possible() {
+        const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+        char name[64] = {};
+        const bool usable = terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0 &&
+                            ptsname_r(terminal, name, sizeof name) == 0 && access(name, R_OK | W_OK) == 0;
+        if (terminal >= 0) close(terminal);
+        return usable;
+    }
     /// `letters`: its parts, "LR".
     explicit FakeTrainer(std::string letters, double rate = 200)
         : letters_(std::move(letters)), period_ns_(static_cast<std::int64_t>(1e9 / rate)) {

@@ -186,6 +186,7 @@ TEST(TrainerDevice, SpecificationsAndHandles) {
 }
 
 TEST(TrainerOnAPort, MovesItsPartsAndPressesTheirButtons) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     FakeTrainer trainer("LRS");
     DaemonClient client(test::hapticd_program(), trainer.specification());
     EXPECT_EQ(client.facts().kind, "trainer");
@@ -209,6 +210,7 @@ TEST(TrainerOnAPort, MovesItsPartsAndPressesTheirButtons) {
 }
 
 TEST(TrainerOnAPort, EachFaultMakesTheHandAbsentSaysWhatToDoAndPasses) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     FakeTrainer trainer("LR");
     DaemonClient client(test::hapticd_program(), trainer.specification());
     ASSERT_TRUE(until([&] { return trainer_present(client, 0) && trainer_present(client, 1); }));
@@ -246,6 +248,7 @@ TEST(TrainerOnAPort, EachFaultMakesTheHandAbsentSaysWhatToDoAndPasses) {
 }
 
 TEST(TrainerOnAPort, UnpluggedInTheMiddleOfALineItIsOpenedAgainWhenItIsPluggedIn) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     FakeTrainer trainer("R");
     DaemonClient client(test::hapticd_program(), trainer.specification());
     ASSERT_TRUE(until([&] { return trainer_present(client, 1); }));
@@ -266,6 +269,7 @@ TEST(TrainerOnAPort, UnpluggedInTheMiddleOfALineItIsOpenedAgainWhenItIsPluggedIn
 }
 
 TEST(TrainerOnAPort, WhatKeepsItFromOpeningSaysWhatToDo) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     const auto says = [](const std::string& what, const char* problem, const char* hint) {
         EXPECT_NE(what.find(problem), std::string::npos) << what;
         EXPECT_NE(what.find(hint), std::string::npos) << what;
@@ -293,6 +297,7 @@ TEST(TrainerOnAPort, WhatKeepsItFromOpeningSaysWhatToDo) {
 }
 
 TEST(TrainerDevice, AnswersThatAreNoneAreNamedWithWhatToDo) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     const std::tuple<Mode, const char*, const char*> answers[] = {
         {Mode::deaf, "no trainer answers", "load the sketch"},
         {Mode::silent, "sends no pose", "reset button"},
@@ -318,6 +323,7 @@ TEST(TrainerDevice, AnswersThatAreNoneAreNamedWithWhatToDo) {
 }
 
 TEST(TrainerDevice, TheLoopAllocatesNothingWhateverArrives) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     FakeTrainer trainer("R");
     TrainerDevice device(trainer_specification(trainer.specification()));
     device.open();
@@ -340,6 +346,7 @@ TEST(TrainerDevice, TheLoopAllocatesNothingWhateverArrives) {
 }
 
 TEST(TrainerDevice, ALineThatIsRepeatedIsNothingNewAlsoAfterAnAnswer) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     FakeTrainer trainer("R");
     TrainerDevice device(trainer_specification(trainer.specification()));
     device.open();
@@ -364,6 +371,7 @@ TEST(TrainerDevice, ALineThatIsRepeatedIsNothingNewAlsoAfterAnAnswer) {
 }
 
 TEST(TrainerDevice, LinesThatAreLostLeaveGapsAndTheHandFollowsAlsoWhereTheNumbersBeginAgain) {
+    if (!FakeTrainer::is_possible()) GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
     FakeTrainer trainer("R");
     trainer.count_from(65530);
     TrainerDevice device(trainer_specification(trainer.specification()));
