@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/live/attempt_recording.h"
+#include "app/live/device_rig.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
 #include "app/live/world_products.h"
@@ -493,6 +494,7 @@ LoopStatistics LiveAttempt::statistics() const {
     statistics.ticks = state.tick_count.load();
     statistics.lost_samples =
         state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
+    if (state.request.device != nullptr) statistics.device = state.request.device->timing();
     return statistics;
 }
 
