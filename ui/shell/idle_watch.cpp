@@ -9,7 +9,7 @@ namespace fulcrum::ui {
 IdleWatch::IdleWatch(QObject* parent, int lock_ms, int close_ms)
     : QObject(parent), lock_ms_(lock_ms), close_ms_(close_ms) {
     since_input_.start();
-    timer_.setInterval(qBound(10, lock_ms / 20, 1000));
+    lock_after(lock_ms);
     connect(&timer_, &QTimer::timeout, this, &IdleWatch::look);
     QCoreApplication::instance()->installEventFilter(this);
 }
@@ -23,6 +23,11 @@ void IdleWatch::set_active(bool active) {
     } else {
         timer_.stop();
     }
+}
+
+void IdleWatch::lock_after(int milliseconds) {
+    lock_ms_ = milliseconds;
+    timer_.setInterval(qBound(10, milliseconds / 20, 1000));
 }
 
 void IdleWatch::note_input() {

@@ -21,6 +21,8 @@ class IdleWatch : public QObject {
     /// Watches only while someone is signed in.
     void set_active(bool active);
     void note_input();
+    /// From now on, ms without input.
+    void lock_after(int milliseconds);
     /// The lock was lifted.
     void unlocked();
     bool locked() const { return locked_; }

@@ -13,6 +13,7 @@ namespace {
 constexpr double least_swing = 0.035;                             // rad, of the shaft
 constexpr double least_depth = 5e-3;                              // m
 constexpr double least_turn = 0.2;                                // rad
+constexpr double least_use = 5e-3;                                // m, of the handle
 constexpr double deed_open_share = 0.5, deed_closed_share = 0.3;  // of the opening
 
 template <typename Test>
@@ -25,6 +26,10 @@ bool any_kind(const InstrumentSpec* spec, Test&& test) {
 
 bool has_jaws(const InstrumentSpec* spec) {
     return any_kind(spec, [](const InstrumentType& type) { return type.jaws; });
+}
+
+Vector3 place_of(const DeviceSample& sample) {
+    return device_length_unit * Vector3(sample.handle[0], sample.handle[1], sample.handle[2]);
 }
 
 /// Its tip is not the same all around.
@@ -82,16 +87,27 @@ HandWatch::HandWatch(const Scene& scene) : scope_alone_(scene.instruments.empty(
     part_[hand_count].exists = scene.camera.has_value();
 }
 
+bool HandWatch::is_use(Part& part, const DeviceSample& sample) noexcept {
+    if (!part.marked) {
+        part.marked = true;
+        part.mark = sample;
+        return false;
+    }
+    const double moved = (place_of(sample) - place_of(part.mark)).norm();
+    if (moved < least_use && sample.buttons == part.mark.buttons) return false;
+    part.mark = sample;
+    return true;
+}
+
 void HandWatch::see_part(Part& part, const DeviceSample& sample) noexcept {
     if (!part.exists || sample.present == 0 || sample.faulty != 0) return;
+    if (is_use(part, sample))
+        uses_.store(uses_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     if (!part.begun) {
         part.begun = true;
         part.first = sample;
     }
-    const auto place = [](const DeviceSample& of) -> Vector3 {
-        return device_length_unit * Vector3(of.handle[0], of.handle[1], of.handle[2]);
-    };
-    const Vector3 now = place(sample), then = place(part.first);
+    const Vector3 now = place_of(sample), then = place_of(part.first);
     const double reach = now.norm() * then.norm();
     const auto note = [&part](HandDeed deed) { part.mask |= 1U << bit_of(deed); };
     if (reach > 0 && now.cross(then).norm() > least_swing * reach) note(HandDeed::moved);

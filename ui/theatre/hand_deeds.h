@@ -47,6 +47,8 @@ class HandWatch {
     void see(const RigSample& sample) noexcept;
     /// Done since it was made or restart() was called.
     HandDeeds done(bool one_mouse) const;
+    /// Rises when a hand moves by more than one that rests, or uses a button: somebody is there. Any thread.
+    std::uint32_t uses() const { return uses_.load(std::memory_order_relaxed); }
     /// Forgets what was done, from the next reading on.
     void restart() { restarts_.fetch_add(1, std::memory_order_relaxed); }
 
@@ -57,12 +59,15 @@ class HandWatch {
         bool begun = false, was_open = false;
         DeviceSample first;
         std::uint32_t mask = 0;
+        bool marked = false;
+        DeviceSample mark;  ///< at the last use
     };
+    bool is_use(Part& part, const DeviceSample& sample) noexcept;
     void see_part(Part& part, const DeviceSample& sample) noexcept;
 
     std::array<Part, hand_count + 1> part_;  ///< left, right, scope
     std::array<std::atomic<std::uint32_t>, hand_count + 1> done_;
-    std::atomic<std::uint32_t> restarts_{0}, seen_restarts_{0};
+    std::atomic<std::uint32_t> restarts_{0}, seen_restarts_{0}, uses_{0};
     bool scope_alone_ = false;
 };
 

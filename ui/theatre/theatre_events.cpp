@@ -175,6 +175,13 @@ void TheatrePage::read_controller() {
     if (takes_hands()) input_->move_by_controller(motion);
 }
 
+/// Who works with a device that is not mouse or keyboard is there too: the window does not lock.
+void TheatrePage::note_use() {
+    if (watch_ == nullptr || watch_->uses() == seen_uses_) return;
+    seen_uses_ = watch_->uses();
+    context().note_input();
+}
+
 /// Rumble, an intensity and no force, and sound: of a task that runs and is shown, also of a demonstration.
 void TheatrePage::give_feedback() {
     const bool runs =

@@ -344,6 +344,7 @@ void TheatrePage::tick() {
     const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.4);
     if (mice_ != nullptr) read_mice();
     if (pad_ != nullptr) read_controller();
+    note_use();
     if (session_ == nullptr) return;
     if (session_->phase() == AttemptPhase::running || aligning_) input_->advance(dt);
     world_is_new_ = session_->update() || world_is_new_;

@@ -96,6 +96,7 @@ class TheatrePage : public Page {
     void mouse_move(QMouseEvent* event);
     void read_mice();
     void read_controller();
+    void note_use();
     void give_feedback();
     void keep_pointer(const QPoint& now);
 
@@ -104,6 +105,7 @@ class TheatrePage : public Page {
     std::unique_ptr<TwoMice> mice_;        ///< null: one mouse and the keyboard
     std::shared_ptr<GameController> pad_;  ///< null: no game controller
     std::shared_ptr<HandWatch> watch_;     ///< null: nobody moves the hands here
+    std::uint32_t seen_uses_ = 0;
     TaughtHands hands_;
     QString hands_title_;  ///< of a device that the daemon reads
     HandDeeds known_;      ///< before this attempt

@@ -3,6 +3,7 @@
 // attempt with force 0 and says what to do; when it has passed, the attempt resumes.
 #include <gtest/gtest.h>
 
+#include <QElapsedTimer>
 #include <cmath>
 
 #include "tests/app/program_path.h"
@@ -10,6 +11,7 @@
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_touch.h"
 #include "tests/support/built.h"
+#include "ui/shell/idle_watch.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -81,6 +83,25 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
     EXPECT_EQ(attempt.meta.force_devices[1]->peak, 3.3);
     expect_replays(attempt.meta.id);
     EXPECT_EQ(page->misuse, 0U);
+}
+
+TEST_F(TouchWindow, LocksWhenTheDeviceRestsAndNotWhileAHandMovesIt) {
+    create_programme_and_trainee();
+    start("A2", false);
+    constexpr int idle_ms = 700;
+    auto* idle = window.findChild<ui::IdleWatch*>();
+    ASSERT_NE(idle, nullptr);
+    idle->lock_after(idle_ms);
+    QElapsedTimer clock;
+    clock.start();
+    ASSERT_TRUE(wait_for([&] {
+        page->device[1].position[0] = std::fmod(page->device[1].position[0] + 1, 40);
+        return sees(window, "unlock") || clock.elapsed() > 3 * idle_ms;
+    }));
+    EXPECT_FALSE(sees(window, "unlock")) << "no mouse, no key: the device is used";
+    EXPECT_EQ(phase(), AttemptPhase::running);
+    EXPECT_TRUE(wait_for([&] { return sees(window, "unlock"); })) << "nobody is there";
+    EXPECT_NE(phase(), AttemptPhase::running);
 }
 
 }  // namespace

@@ -123,6 +123,31 @@ TEST(HandDeeds, JawsThatWereNeverOpenAndReadingsThatAreNoneDoNotCount) {
     EXPECT_EQ(names(watch.done(false)), "moved in");
 }
 
+TEST(HandDeeds, AHandThatMovesOrPressesIsInUseAndOneThatRestsIsNot) {
+    const Scene scene = scene_of("b1_bowel");
+    HandWatch watch(scene);
+    Readings now(scene);
+    const auto uses = [&] {
+        watch.see(now.sample());
+        return watch.uses();
+    };
+    EXPECT_EQ(uses(), 0U);
+    for (int i = 0; i < 50; ++i) {
+        now.hand[0].handle.x() += (i % 2 == 0 ? 1 : -1) * 0.003;  // a hand that trembles
+        ASSERT_EQ(uses(), 0U) << i;
+    }
+    now.hand[0].handle.x() += 0.006;
+    EXPECT_EQ(uses(), 1U);
+    EXPECT_EQ(uses(), 1U);
+    now.hand[1].buttons = button_primary;
+    EXPECT_EQ(uses(), 2U);
+    now.hand[1].buttons = 0;
+    EXPECT_EQ(uses(), 3U);
+    now.hand[1].present = false;
+    now.hand[1].handle.x() += 0.1;
+    EXPECT_EQ(uses(), 3U);
+}
+
 TEST(HandDeeds, OfTheScopeAloneAreItsOwn) {
     const Scene scene = scene_of("a1_camera");
     HandWatch watch(scene);
