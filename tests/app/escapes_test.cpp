@@ -258,7 +258,7 @@ bool failed_after_kill(int kill_after_ms, double& stored_ms) {
 TEST_F(Escapes, ABrokenLimitIsInTheStoreAtOnce) {
     const char* const asked = std::getenv("FULCRUM_LIMIT_ROUNDS");
     const int rounds = asked != nullptr ? std::max(1, std::atoi(asked)) : 3;
-    const int kill_after_ms = asked != nullptr ? 1500 : 150;
+    const int kill_after_ms = asked != nullptr ? 60 : 150;
     int failed = 0;
     std::vector<double> stored;
     for (int i = 0; i < rounds && (asked != nullptr || failed == 0); ++i) {
@@ -269,8 +269,8 @@ TEST_F(Escapes, ABrokenLimitIsInTheStoreAtOnce) {
     EXPECT_EQ(failed, asked != nullptr ? rounds : 1);
     std::sort(stored.begin(), stored.end());
     if (asked != nullptr)
-        std::cout << rounds << " rounds, in the store after " << stored[stored.size() / 2] << " ms (median), "
-                  << stored.back() << " ms (largest)\n";
+        std::cout << rounds << " rounds, " << failed << " failed; in the store after "
+                  << stored[stored.size() / 2] << " ms (median), " << stored.back() << " ms (largest)\n";
 }
 
 class KilledAt : public Escapes, public ::testing::WithParamInterface<int> {};
