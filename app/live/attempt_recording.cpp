@@ -11,34 +11,23 @@ namespace {
 
 constexpr std::uint32_t flush_every_ticks = 700;
 
-/// Events that can fail an attempt: a crash a moment later must not take them back.
-bool can_fail(EventKind kind) {
-    switch (kind) {
-        case EventKind::perforation:
-        case EventKind::tear:
-        case EventKind::drop:
-        case EventKind::vessel_injury:
-        case EventKind::nerve_injury:
-        case EventKind::over_force_begin:
-        case EventKind::jaw_pressure:
-        case EventKind::device_lost:
-        case EventKind::simulator_fault:
-            return true;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
 
 AttemptRecording::AttemptRecording(const LiveRequest& request, std::vector<TargetSphere> targets)
     : request_(request),
       targets_(std::move(targets)),
-      recorder_(request.store_path, *request.session, request.meta) {}
+      recorder_(request.store_path, *request.session, request.meta),
+      watch_(request.loaded.task, request.loaded.scene,
+             judged_limits(request.loaded.task, request.limits.comparable())) {}
+
+void AttemptRecording::append(const TickSample& sample) {
+    recorder_.append(sample);
+    watch_.see(sample);
+}
 
 void AttemptRecording::append(const Event& event) {
     recorder_.append(event);
-    keep_now_ = keep_now_ || can_fail(event.kind);
+    watch_.see(event);
     if (!request_.assessed) return;
     if (event.kind == EventKind::device_lost) lost_now_ = true;
     if (event.kind == EventKind::device_back) came_back_ = true;
@@ -52,11 +41,13 @@ void AttemptRecording::stood_still(double seconds) {
 }
 
 void AttemptRecording::keep(std::uint32_t tick) {
-    if (keep_now_ || tick >= flushed_tick_ + flush_every_ticks) {
+    const std::uint32_t since = tick - flushed_tick_;
+    if (keep_now_ || since >= flush_every_ticks || watch_.due(since)) {
         try {
             recorder_.flush();
             flushed_tick_ = tick;
             keep_now_ = false;
+            watch_.written();
         } catch (const database::StoreError& locked) {
             if (locked.kind() != database::StoreErrorKind::locked) throw;
             return;

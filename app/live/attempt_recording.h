@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/live/live_attempt.h"
+#include "assessment/scoring/limit_watch.h"
 
 namespace fulcrum::app {
 
@@ -19,14 +20,14 @@ class AttemptRecording {
     AttemptRecording(const LiveRequest& request, std::vector<TargetSphere> targets);
 
     void append(const RigSample& input) { recorder_.append(input); }
-    void append(const TickSample& sample) { recorder_.append(sample); }
+    void append(const TickSample& sample);
     void append(const StepRecord& step) { recorder_.append(step); }
     void append(const Event& event);
     /// The program stood still for this long while an assessed attempt ran: it becomes practice, as after a
     /// lost device.
     void stood_still(double seconds);
     /// After everything up to `tick` was appended: writes it at least once a second, and at once where it can
-    /// fail the attempt.
+    /// fail the attempt (LimitWatch).
     void keep(std::uint32_t tick);
     /// Before the end: writes all of it, and settles what a lost device did.
     void settle();
@@ -45,6 +46,7 @@ class AttemptRecording {
     const LiveRequest& request_;
     std::vector<TargetSphere> targets_;
     database::Recorder recorder_;
+    LimitWatch watch_;
     std::uint32_t flushed_tick_ = 0;
     bool keep_now_ = false, lost_now_ = false, came_back_ = false, practice_ = false;
     Statement why_practice_ = StatementId::practice_device_lost;

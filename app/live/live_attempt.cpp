@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t world_ring_ticks =
     512;  // half a second: a world that stalls longer loses ticks, counted
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
-constexpr int catch_up_ticks = 20;               // above this delay the deadline is moved instead
+constexpr int recorder_pace_ms = 20;  // a broken limit is stored within 50 ms: the rest is to write
+constexpr int catch_up_ticks = 20;    // above this delay the deadline is moved instead
 constexpr std::int64_t longest_gap_ns =
     1000LL * 1'000'000;  // stopped for longer, an assessed attempt is practice: there was time to think
 
@@ -279,7 +280,7 @@ void LiveAttempt::State::run_recorder() {
     Signal pace;
     try {
         while (!world_stopped.load()) {
-            pace.wait_for_ms(100);
+            pace.wait_for_ms(recorder_pace_ms);
             drain();
         }
         haptic_thread.join();

@@ -238,8 +238,19 @@ ui::DeviceInUse Devices::in_use() const {
     if (client_ == nullptr) return device;
     const ui::SlotChoice use = slot_choice(device.kind);
     const int parts[device_slots] = {use.left, use.right, use.scope};
-    for (int i = 0; i < device_slots; ++i)
-        device.drives[i] = parts[i] >= 0 && parts[i] < device_slots && client_->facts().slot[parts[i]];
+    device.pedal = use.pedal;
+    for (int i = 0; i < device_slots; ++i) {
+        const int part = parts[i];
+        device.drives[i] = part >= 0 && part < device_slots && client_->facts().slot[part];
+        if (!device.drives[i]) continue;
+        const bool has_pedal = row != nullptr && (row->moves & moves_pedal) != 0;
+        if (client_->facts().clutch[part]) {
+            device.clutch = ui::ClutchButton::own;
+        } else if (device.clutch == ui::ClutchButton::none && has_pedal &&
+                   use.pedal != ui::pedal_of_each_hand && use.pedal != part) {
+            device.clutch = ui::ClutchButton::energy;
+        }
+    }
     return device;
 }
 

@@ -22,6 +22,9 @@ double z_of(const MetricDescriptor& descriptor, const BenchmarkLevel& level, dou
 double limit_of(const MetricDescriptor& descriptor, const BenchmarkLevel& level, double k);
 /// True where the value keeps the limit in the metric's direction.
 bool keeps_limit(const MetricDescriptor& descriptor, double value, double limit);
+/// A value of this metric that a part of an attempt has already broken stays broken however the attempt would
+/// have gone on.
+bool stays_broken(const std::string& metric);
 /// 100 clamp((z_novice - z) / z_novice, 0, 1); absent without z_novice above 0.5.
 std::optional<double> points_of(const BenchmarkLevel& level, double z);
 /// The worst that happened and one thing to try, and where to look.

@@ -14,16 +14,6 @@ namespace {
 constexpr double best_failed =
     pass_mark - 1;  // points of a failed attempt whose benchmark gates are all at their best
 
-/// A value that a part of an attempt has already broken stays broken however the attempt would have gone on.
-bool stays_broken(const std::string& metric) {
-    const MetricDescriptor* d = find_metric(metric);
-    if (d == nullptr) return false;
-    if (d->direction == Direction::higher) return d->aggregation == Aggregation::minimum;
-    if (d->direction != Direction::lower) return false;
-    return d->aggregation == Aggregation::total || d->aggregation == Aggregation::maximum ||
-           d->aggregation == Aggregation::count;
-}
-
 /// Whether the recorded part of an attempt breaks a gate for good.
 bool broke_for_good(const std::vector<GateResult>& gates) {
     return std::any_of(gates.begin(), gates.end(), [](const GateResult& gate) {
@@ -84,6 +74,15 @@ std::optional<double> attempt_points(const ScoreInput& input, const Score& score
 }
 
 }  // namespace
+
+bool stays_broken(const std::string& metric) {
+    const MetricDescriptor* d = find_metric(metric);
+    if (d == nullptr) return false;
+    if (d->direction == Direction::higher) return d->aggregation == Aggregation::minimum;
+    if (d->direction != Direction::lower) return false;
+    return d->aggregation == Aggregation::total || d->aggregation == Aggregation::maximum ||
+           d->aggregation == Aggregation::count;
+}
 
 AttemptState attempt_state(const std::vector<Event>& events) {
     AttemptState state = AttemptState::interrupted;

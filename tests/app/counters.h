@@ -15,6 +15,10 @@ struct Counters {
     std::atomic<std::uint32_t> begun{0};     ///< attempts whose first tick was read
     std::atomic<std::uint32_t> finished{0};  ///< attempts whose score was acknowledged as stored
     std::atomic<std::uint32_t> paused{0};    ///< attempts that lost their device
+    /// Of the running attempt, once the display shows a limit that stays broken: when (monotonic ns; 0: it
+    /// does not), and the newest tick then.
+    std::atomic<std::int64_t> broken{0};
+    std::atomic<std::uint32_t> broken_tick{0};
 };
 
 /// Null if the file cannot be created.
@@ -54,8 +58,8 @@ int use_window_until_killed(const char* folder, const char* counters, unsigned l
 /// mouse.
 int press_until_killed(const char* folder, const char* counters, unsigned long seed);
 
-/// Breaks a limit in an assessed attempt, brings it to a moment (escapes_test.cpp), sets `finished` and
-/// waits.
+/// Breaks a limit in an assessed attempt, sets `broken`, brings it to a moment (escapes_test.cpp), sets
+/// `finished` and waits.
 int break_limit_until_killed(const char* folder, const char* counters, int moment);
 
 inline constexpr const char* trainee_login = "tara";

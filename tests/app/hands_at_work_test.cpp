@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// B1, B2 and C4 completed through the window by two mice of the X server and by a virtual game controller of
-// SDL 2: minutes, because the window's clock is real. FULCRUM_HANDS_PAGE=docs/results does it and writes the
-// page; the small forms are in newcomer_test.cpp and controller_window_test.cpp.
+// B1, B2 and C4 completed through the window by mouse and keyboard, after the first steps, by two mice of the
+// X server and by a virtual game controller of SDL 2: minutes, because the window's clock is real.
+// FULCRUM_HANDS_PAGE=docs/results does it and writes the page; the small forms are in newcomer_test.cpp and
+// controller_window_test.cpp.
 #include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QMouseEvent>
 
 #include "sim_core/lab/result_page.h"
 #include "tests/app/controller_hand.h"
+#include "tests/app/mouse_hand.h"
 #include "tests/app/two_mice_hand.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
@@ -24,17 +29,21 @@ std::vector<std::vector<std::string>>& rows_of_page() {
 }
 
 void write_page() {
-    lab::ResultPage page("hands", "Tasks completed by two mice and by a game controller",
+    lab::ResultPage page("hands",
+                         "Tasks completed by mouse and keyboard, by two mice and by a game controller",
                          std::string(work_page_variable) +
                              "=docs/results xvfb-run -a -s '-screen 0 1280x800x24 -noreset' test_app "
                              "--gtest_filter=HandsAtWork*");
     page.paragraph(
         "The program's window under Xvfb (software rendering) with its own services, threads, world, "
         "recorder "
-        "and store. A synthetic expert decides where the instruments go; raw events of two pointers of the X "
-        "server (XInput 2), or sticks, triggers and buttons of a virtual controller of SDL 2, bring them "
-        "there. "
-        "Each attempt is made in practice mode, and each record is replayed bit for bit.");
+        "and store. A synthetic expert decides where the instruments go; events of one mouse and the "
+        "keyboard, "
+        "raw events of two pointers of the X server (XInput 2), or sticks, triggers and buttons of a virtual "
+        "controller of SDL 2, bring them there. With mouse and keyboard the trainee does the first steps of "
+        "the "
+        "theatre before, in C4, until each line is marked. Each attempt is made in practice mode, and each "
+        "record is replayed bit for bit.");
     lab::ResultTable table;
     table.columns = {"device", "task", "how it ended", "time", "points of 100", "input events"};
     table.rows = rows_of_page();
@@ -48,7 +57,6 @@ class AtWork : public Window {
     template <typename Make>
     void complete_all(const char* device, Make&& make) {
         const QStringList tasks = qEnvironmentVariable(task_variable, "B1,B2,C4").split(QLatin1Char(','));
-        create_programme_and_trainee();
         for (const QString& name : tasks) {
             const QByteArray task = name.toLatin1();
             start(task.constData(), false);
@@ -79,6 +87,80 @@ class AtWork : public Window {
     bool theatre_ended() { return window.current_page()->objectName() != QLatin1String("theatre_page"); }
 };
 
+/// A trainee who has never used the window: the first steps by mouse and keys, then the tasks.
+class HandsAtWorkMouse : public AtWork {
+  protected:
+    QString strip() {
+        return ui::window_test::find<QFrame>(window, "theatre_keys")->findChild<QLabel*>()->text();
+    }
+    bool learns() { return ui::window_test::sees(window, "theatre_keys") && strip().contains("Enter"); }
+    void move(const QPoint& by, Qt::KeyboardModifiers with = Qt::NoModifier) {
+        ui::TheatreView* const view = theatre().view();
+        const QPoint from = view->mapFromGlobal(QCursor::pos());
+        constexpr int parts = 10;
+        for (int i = 1; i <= parts; ++i) {
+            const QPoint to = from + by * i / parts;
+            QMouseEvent event(QEvent::MouseMove, to, view->mapToGlobal(to), Qt::NoButton, Qt::NoButton, with);
+            QApplication::sendEvent(view, &event);
+            QTest::qWait(16);
+            ++events_;
+        }
+    }
+    void key(Qt::Key key, int milliseconds) {
+        QTest::keyPress(theatre().view(), key);
+        QTest::qWait(milliseconds);
+        QTest::keyRelease(theatre().view(), key);
+        ++events_;
+    }
+    void button(Qt::MouseButton button, int milliseconds) {
+        ui::TheatreView* const view = theatre().view();
+        QTest::mousePress(view, button, {}, view->rect().center());
+        QTest::qWait(milliseconds);
+        QTest::mouseRelease(view, button, {}, view->rect().center());
+        ++events_;
+    }
+    /// What each line says, until all are marked.
+    void do_first_steps() {
+        start("C4", false);
+        QTest::mouseMove(theatre().view(), theatre().view()->rect().center());
+        ASSERT_TRUE(ui::window_test::wait_for([this] { return learns(); }, 30000));
+        const double begun = theatre().session()->display().elapsed_s;
+        for (int again = 0; again < 3 && learns(); ++again) {
+            for (int hand = 0; hand < hand_count; ++hand) {
+                move({60, 20});
+                move({-60, -20});
+                button(Qt::RightButton, 50);
+            }
+            turn_wheel(*theatre().view(), -240);
+            QTest::qWait(300);
+            turn_wheel(*theatre().view(), 240);
+            events_ += 2;
+            move({160, 0}, Qt::ShiftModifier);
+            move({-160, 0}, Qt::ShiftModifier);
+            button(Qt::LeftButton, 500);
+            key(Qt::Key_B, 200);
+            key(Qt::Key_T, 200);
+            key(Qt::Key_Left, 600);
+            key(Qt::Key_Right, 600);
+            ui::window_test::wait_for([this] { return !learns(); }, 2000);
+        }
+        EXPECT_FALSE(learns()) << strip().toStdString();
+        const double took = theatre().session()->display().elapsed_s - begun;
+        abandon();
+        rows_of_page().push_back({newest_attempt().meta.device, "first steps, in C4", "each line marked",
+                                  ui::plain(ui::clock_text(took)), "", std::to_string(events_)});
+    }
+    int events_ = 0;
+};
+
+TEST_F(HandsAtWorkMouse, CompletesTheTasksAfterTheFirstSteps) {
+    if (!qEnvironmentVariableIsSet(work_page_variable)) GTEST_SKIP() << work_page_variable << " is not set";
+    create_programme_and_trainee();
+    ASSERT_NO_FATAL_FAILURE(do_first_steps());
+    home();
+    complete_all("mouse", [](ui::TheatrePage& page, ObservingRig& mind) { return MouseHand(page, mind); });
+}
+
 struct WorksWithMice {
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "two-mice:virtual"};
     VirtualMice mice;
@@ -87,6 +169,7 @@ class HandsAtWorkMice : public WorksWithMice, public AtWork {};
 
 TEST_F(HandsAtWorkMice, CompleteTheTasks) {
     if (!qEnvironmentVariableIsSet(work_page_variable)) GTEST_SKIP() << work_page_variable << " is not set";
+    create_programme_and_trainee();
     complete_all("two-mice",
                  [this](ui::TheatrePage& page, ObservingRig& mind) { return TwoMiceHand(page, mind, mice); });
 }
@@ -102,6 +185,7 @@ class HandsAtWorkController : public WorksWithPad, public AtWork {};
 TEST_F(HandsAtWorkController, CompletesTheTasks) {
     if (!qEnvironmentVariableIsSet(work_page_variable)) GTEST_SKIP() << work_page_variable << " is not set";
     ASSERT_NE(pad, nullptr) << "needs SDL 2 with virtual controllers, and libsdl2-dev when it is compiled";
+    create_programme_and_trainee();
     complete_all("controller", [this](ui::TheatrePage& page, ObservingRig& mind) {
         return ControllerHand(page, mind, *pad);
     });

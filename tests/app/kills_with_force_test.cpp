@@ -39,6 +39,8 @@ using fulcrum::test::Variable;
 constexpr std::int64_t ms_in_ns = 1'000'000, force_kill_limit = 50 * ms_in_ns;
 constexpr double pressing_n = 0.05;
 constexpr int force_kill_patience_ms = 120000;
+/// After it, a broken limit that the screen shows has to be in the store.
+constexpr std::int64_t at_once_ns = 50 * ms_in_ns;
 // Before a signal; long enough to break a limit, and in the ordinary run.
 constexpr unsigned long_press_ms = 2500, short_press_ms = 300;
 enum Victim { the_device_process, the_overseer, the_window, victims };
@@ -52,6 +54,12 @@ bool wait_until_so(Condition condition, int milliseconds = force_kill_patience_m
         std::this_thread::sleep_for(std::chrono::microseconds(500));
     }
     return true;
+}
+
+std::string in_ms(std::int64_t ns) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", static_cast<double>(ns) / 1e6);
+    return text;
 }
 
 /// A process of the daemon whose parent is `parent`; 0: none.
@@ -121,7 +129,7 @@ class KillsWithForce : public PressingDevice, public ::testing::Test {
     /// ns from `begin` until the motors of both hands got 0; the largest number if they did not.
     std::int64_t until_zero(Victim victim, std::int64_t begin) const;
     void round(Victim victim, int signal, int number);
-    void after_window(int signal, int number);
+    void after_window(int signal, int number, std::int64_t begin);
     void after_daemon(Victim victim, int signal, int number, std::uint32_t paused, std::uint32_t finished);
     void end_window();
     /// What the next start finds.
@@ -144,7 +152,7 @@ class KillsWithForce : public PressingDevice, public ::testing::Test {
     std::vector<std::int64_t> took[victims][2];  ///< ns, by victim and signal
     std::uint32_t begun_before = 0, finished_before = 0;
     std::size_t begun = 0, missing = 0, scored = 0, finished = 0, finished_lost = 0, interrupted = 0;
-    std::size_t paused = 0, resumed = 0, broken = 0, broken_kept = 0;
+    std::size_t paused = 0, resumed = 0, broken = 0, broken_kept = 0, shown_broken = 0, shown_kept = 0;
     std::vector<std::uint32_t> lost_ticks;
 };
 
@@ -261,12 +269,12 @@ void KillsWithForce::round(Victim victim, int signal, int number) {
         << strsignal(signal) << " of the " << victim_names[victim] << ", round " << number;
     took[victim][signal == SIGSTOP ? 1 : 0].push_back(lasted);
     if (victim == the_window)
-        after_window(signal, number);
+        after_window(signal, number, begin);
     else
         after_daemon(victim, signal, number, paused_then, finished_then);
 }
 
-void KillsWithForce::after_window(int signal, int number) {
+void KillsWithForce::after_window(int signal, int number, std::int64_t begin) {
     if (signal == SIGSTOP && number % 4 < 2) {  // it continues, as after a suspended session
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         EXPECT_EQ(force(), 0) << "while the window is stopped";
@@ -275,6 +283,7 @@ void KillsWithForce::after_window(int signal, int number) {
         ++resumed;
         return;
     }
+    const std::int64_t broken_at = counters->broken.load();
     ::kill(window, SIGKILL);
     end_window();
     const std::size_t before = interrupted;
@@ -284,6 +293,12 @@ void KillsWithForce::after_window(int signal, int number) {
     const database::Store store = database::Store::open(store_path);
     const database::Attempts attempts(store);
     const auto newest = attempts.list(*trainee).front();
+    if (broken_at > 0 && begin - broken_at > at_once_ns) {
+        ++shown_broken;
+        shown_kept += newest.passed == false ? 1 : 0;
+        EXPECT_EQ(newest.passed, false) << "the screen showed a broken limit " << in_ms(begin - broken_at)
+                                        << " ms before the signal, round " << number;
+    }
     if (!breaks_the_limit(attempts.read_trace(*trainee, newest.meta.id))) return;
     ++broken;
     EXPECT_EQ(newest.passed, false) << "a broken limit stays broken, round " << number;
@@ -348,12 +363,6 @@ bool KillsWithForce::passes_its_check() const {
     return report.ok;
 }
 
-std::string in_ms(std::int64_t ns) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", static_cast<double>(ns) / 1e6);
-    return text;
-}
-
 void KillsWithForce::write_force_page(const char* to) const {
     lab::ResultTable times;
     times.name = "time_to_zero";
@@ -386,6 +395,8 @@ void KillsWithForce::write_force_page(const char* to) const {
     add("attempts cut off with the window, found as interrupted and scored from their record", interrupted);
     add("of these with a broken limit in their record", broken);
     add("of these failed at the next start", broken_kept);
+    add("attempts whose screen showed a broken limit at least 50 ms before the signal", shown_broken);
+    add("of these failed at the next start", shown_kept);
     add("attempts that paused when a process of the daemon died or stopped", paused);
     add("windows that were stopped, continued, and pressed again with force", resumed);
     add("ticks of trace lost where the window was killed: median",
@@ -437,7 +448,8 @@ TEST_F(KillsWithForce, ForceIsZeroWithin50MillisecondsAndNothingIsLost) {
                 std::cout << victim_names[victim] << ": " << one.size() << " times, force 0 after at most "
                           << in_ms(*std::max_element(one.begin(), one.end())) << " ms\n";
     std::cout << begun << " attempts, " << finished << " finished, " << interrupted << " cut off, " << broken
-              << " of them with a broken limit\n";
+              << " of them with a broken limit, " << shown_kept << " of " << shown_broken
+              << " failed whose screen showed one\n";
     if (const char* to = std::getenv("FULCRUM_FORCE_KILLS_PAGE"); to != nullptr && sound)
         write_force_page(to);
 }

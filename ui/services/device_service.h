@@ -43,6 +43,14 @@ enum class PracticeOnly : std::uint8_t {
     no_limits  ///< no limits exist for it, and those of its class were made with less
 };
 
+/// What the clutch of a device that the daemon reads is.
+enum class ClutchButton : std::uint8_t {
+    none,
+    own,    ///< a button of its own
+    energy  ///< the button for energy, which is not the pedal
+};
+inline constexpr int pedal_of_each_hand = -2;  ///< see SlotChoice
+
 /// What the next attempt is made with.
 struct DeviceInUse {
     DeviceClass device_class = window_device;
@@ -53,6 +61,8 @@ struct DeviceInUse {
     std::string kind;           ///< of a device with a driver of its own, "virtual"; else empty
     /// Left, right, scope: what a device that the daemon reads moves; known once it is open.
     bool drives[hand_count + 1] = {false, false, false};
+    ClutchButton clutch = ClutchButton::none;  ///< of what it moves
+    int pedal = pedal_of_each_hand;            ///< SlotChoice::pedal
 };
 
 /// The newest readings of a device that is open.
@@ -98,8 +108,8 @@ struct ForceTestState {
     double progress = 0;       ///< 0 to 1
 };
 
-/// What gives energy, apart from the key of the pedal.
-inline constexpr int pedal_of_each_hand = -2;  ///< the button of the part that moves the hand
+/// What gives energy, apart from the key of the pedal: pedal_of_each_hand is the button of the part that
+/// moves the hand.
 inline constexpr int pedal_keys_only = -1;
 
 /// Which part of a device moves what; -1: mouse and keyboard.

@@ -39,7 +39,8 @@ KeysCard::KeysCard(Context& context) : context_(context), layout_(new QButtonGro
                    "muted"));
     auto* groups = new QWidget;
     auto* flow = new FlowRow(groups);
-    for (const KeyGroup group : {KeyGroup::left, KeyGroup::right, KeyGroup::scope, KeyGroup::active})
+    for (const KeyGroup group :
+         {KeyGroup::left, KeyGroup::right, KeyGroup::scope, KeyGroup::active, KeyGroup::program})
         flow->add(build_group(group), 1);
     column->addWidget(groups);
     message_ = make_label({});

@@ -113,6 +113,7 @@ void HandWatch::see_part(Part& part, const DeviceSample& sample) noexcept {
     if (reach > 0 && now.cross(then).norm() > least_swing * reach) note(HandDeed::moved);
     if (std::abs(now.norm() - then.norm()) > least_depth) note(HandDeed::inserted);
     if (device_angle_unit * std::abs(sample.roll - part.first.roll) > least_turn) note(HandDeed::rolled);
+    if ((sample.buttons & button_clutch) != 0) note(HandDeed::clutched);
     const double jaw = device_angle_unit * sample.jaw;
     if (&part == &part_[hand_count]) {
         if (std::abs(jaw - device_angle_unit * part.first.jaw) > least_turn) note(HandDeed::head_turned);
@@ -151,6 +152,7 @@ HandDeeds HandWatch::done(bool one_mouse) const {
         all.set(bit_of(HandDeed::inserted), did(HandDeed::inserted));
         all.set(bit_of(HandDeed::post_turned), did(HandDeed::rolled));
         all.set(bit_of(HandDeed::head_turned), did(HandDeed::head_turned));
+        all.set(bit_of(HandDeed::clutched), did(HandDeed::clutched));
         return all;
     }
     bool each = true, any = false;
@@ -164,6 +166,7 @@ HandDeeds HandWatch::done(bool one_mouse) const {
     all.set(bit_of(HandDeed::moved), one_mouse ? any : each);
     all.set(bit_of(HandDeed::other_hand), one_mouse && each);
     all.set(bit_of(HandDeed::scope_moved), did(HandDeed::moved) || did(HandDeed::inserted));
+    if (did(HandDeed::clutched)) all.set(bit_of(HandDeed::clutched));
     return all;
 }
 

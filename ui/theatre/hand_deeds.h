@@ -25,15 +25,17 @@ enum class HandDeed : std::uint8_t {
     exchanged,    ///< of a hand that has several instruments
     scope_moved,
     post_turned,
-    head_turned
+    head_turned,
+    clutched  ///< of a device whose clutch is a button
 };
-inline constexpr std::size_t hand_deed_count = 10;
+inline constexpr std::size_t hand_deed_count = 11;
 using HandDeeds = std::bitset<hand_deed_count>;
 constexpr std::size_t bit_of(HandDeed deed) {
     return static_cast<std::size_t>(deed);
 }
 
 /// What can be done in a scene and changes something there. `one_mouse`: it moves the one hand or the other.
+/// What only the device has (clutched) is not among it.
 HandDeeds needed_deeds(const Scene& scene, bool one_mouse);
 /// An instrument of this hand has a pedal (energy, suction).
 bool uses_pedal(const Scene& scene, Hand hand);

@@ -47,16 +47,20 @@ QStringList scope_lines(const KeyMap& keys) {
                  HelpWords::tr("scope: light post · camera head"))};
 }
 
+QString sound_line(const KeyMap& keys) {
+    return line(keys.words(H::sound), HelpWords::tr("sound off, on"));
+}
+
 QString pause_line() {
     return HelpWords::tr("Escape, F1\tpause · this help");
 }
 
 namespace {
 
-QStringList controller_lines(bool scope_alone) {
+QStringList controller_lines(const KeyMap& keys, bool scope_alone) {
     const QStringList scope = {HelpWords::tr("Direction pad\tscope: look"),
                                HelpWords::tr("Upper button + pad\tscope: in, out · light post"),
-                               HelpWords::tr("Back button + pad\tcamera head"),
+                               HelpWords::tr("Back button + pad\tcamera head"), sound_line(keys),
                                HelpWords::tr("Start button\tpause and resume (Escape; F1: this help)")};
     if (scope_alone)
         return QStringList{
@@ -85,7 +89,7 @@ QStringList two_mice_lines(const KeyMap& keys) {
                line(keys.words(H::other_hand), HelpWords::tr("the mice change hands")),
                line(groups(keys, {{H::left_jaws}, {H::right_jaws}}),
                     HelpWords::tr("jaws of the left, right hand stay closed, or open again"))} +
-           scope_lines(keys) + QStringList{pause_line()};
+           scope_lines(keys) + QStringList{sound_line(keys), pause_line()};
 }
 
 QStringList scope_alone_lines(const KeyMap& keys) {
@@ -94,13 +98,13 @@ QStringList scope_alone_lines(const KeyMap& keys) {
                HelpWords::tr("Wheel\tin and out"),
                HelpWords::tr("Shift + mouse\tturns the light post: the direction in which the scope looks"),
                HelpWords::tr("Ctrl + mouse\tturns the camera head: the image alone")} +
-           scope_lines(keys) + QStringList{pause_line()};
+           scope_lines(keys) + QStringList{sound_line(keys), pause_line()};
 }
 
 }  // namespace
 
 QStringList MouseKeyboardInput::help_lines() const {
-    if (device_ == Device::controller) return controller_lines(scope_alone_);
+    if (device_ == Device::controller) return controller_lines(keys_, scope_alone_);
     if (device_ == Device::two_mice) return two_mice_lines(keys_);
     if (scope_alone_) return scope_alone_lines(keys_);
     const QString other = mouse_button_words(keys_.left_handed());
@@ -126,7 +130,7 @@ QStringList MouseKeyboardInput::help_lines() const {
                     hand.arg(HelpWords::tr("right hand"))),
                line(groups(keys_, {{H::pedal}, {H::exchange}}),
                     HelpWords::tr("pedal of the active hand (energy, suction) · its next instrument"))} +
-           scope_lines(keys_) + QStringList{pause_line()};
+           scope_lines(keys_) + QStringList{sound_line(keys_), pause_line()};
 }
 
 }  // namespace fulcrum::ui

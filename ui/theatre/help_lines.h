@@ -13,6 +13,7 @@ QString mouse_button_words(bool left);
 QString look_words(const KeyMap& keys);
 /// The scope with keys.
 QStringList scope_lines(const KeyMap& keys);
+QString sound_line(const KeyMap& keys);
 QString pause_line();
 
 }  // namespace fulcrum::ui

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QKeySequence>
 #include <QSettings>
+#include <algorithm>
 
 namespace fulcrum::ui {
 namespace {
@@ -102,6 +103,8 @@ const std::array<KeyActionRow, key_action_count>& key_actions() {
          Qt::Key_B, Qt::Key_N},
         {A::exchange, G::active, "exchange", QT_TRANSLATE_NOOP("fulcrum::key_actions", "next instrument"),
          Qt::Key_T, Qt::Key_Y},
+        {A::sound, G::program, "sound", QT_TRANSLATE_NOOP("fulcrum::key_actions", "sound off, on"),
+         Qt::Key_F2, Qt::Key_F2},
     }};
     return rows;
 }
@@ -120,6 +123,8 @@ QString title_of(KeyGroup group) {
             return QCoreApplication::translate("fulcrum::key_actions", "Scope");
         case KeyGroup::active:
             return QCoreApplication::translate("fulcrum::key_actions", "Hand that the mouse moves");
+        case KeyGroup::program:
+            return QCoreApplication::translate("fulcrum::key_actions", "Program");
     }
     return {};
 }
@@ -146,6 +151,11 @@ KeyMap KeyMap::of_person(const std::string& person_id) {
         if (sequence.count() != 1 || !can_be_used(sequence[0])) return usual;
         map.keys_[static_cast<std::size_t>(row.action)] = sequence[0];
     }
+    // Where a person chose the usual key of the sound before it had one, it takes the next that is free.
+    auto& sound = map.keys_[static_cast<std::size_t>(A::sound)];
+    const auto users = [&] { return std::count(map.keys_.begin(), map.keys_.end(), sound); };
+    if (kept("sound").isEmpty())
+        while (users() > 1 && sound < Qt::Key_F12) ++sound;
     for (std::size_t i = 0; i < key_action_count; ++i)
         for (std::size_t j = i + 1; j < key_action_count; ++j)
             if (map.keys_[i] == map.keys_[j]) return usual;

@@ -43,10 +43,11 @@ enum class KeyAction : std::uint8_t {
     other_hand,
     jaws,
     pedal,
-    exchange
+    exchange,
+    sound
 };
-inline constexpr std::size_t key_action_count = 32;
-enum class KeyGroup : std::uint8_t { left, right, scope, active };
+inline constexpr std::size_t key_action_count = 33;
+enum class KeyGroup : std::uint8_t { left, right, scope, active, program };
 
 struct KeyActionRow {
     KeyAction action;

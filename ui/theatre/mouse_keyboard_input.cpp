@@ -176,6 +176,8 @@ bool MouseKeyboardInput::press_key(int key) {
     const std::optional<KeyAction> action = keys_.action(key);
     if (!action) return false;
     switch (*action) {
+        case A::sound:
+            return false;  // the theatre's
         case A::other_hand:
             switch_hand();
             break;

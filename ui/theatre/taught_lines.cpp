@@ -16,8 +16,10 @@ constexpr int taught_count = 7;
 struct TaughtRow {
     const char* kind;
     const char* instrument[taught_count];
-    const char* scope;     ///< where the device moves the scope too; else keys do
-    const char* alone[4];  ///< the scope as the only instrument: moved, in and out, post, head
+    const char* scope;             ///< where the device moves the scope too; else keys do
+    const char* alone[4];          ///< the scope as the only instrument: moved, in and out, post, head
+    const char* clutch = "";       ///< its button; "": it has none
+    const char* free_button = "";  ///< the button for energy, which is the clutch where it is not the pedal
 };
 
 constexpr TaughtRow taught_rows[] = {
@@ -86,7 +88,8 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Script of the device\tin and out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Script, or {post}\tturns the light post: the direction in which the scope looks"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}},
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")},
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Script of the device")},
     {"touch",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Stylus\tis the handle of its hand; the tip goes the other way"),
@@ -97,7 +100,9 @@ constexpr TaughtRow taught_rows[] = {
                         "Rear button of the stylus\tpedal of that hand (energy, suction)"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{exchange} on the keyboard\tnext instrument")},
      "",
-     {"", "", "", ""}},
+     {"", "", "", ""},
+     "",
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Rear button of the stylus")},
     {"force-dimension",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Handle of the device\tis that of its hand; the tip goes the other way"),
@@ -109,7 +114,9 @@ constexpr TaughtRow taught_rows[] = {
                         "First button; without a gripper the second\tpedal of that hand (energy, suction)"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{exchange} on the keyboard\tnext instrument")},
      "",
-     {"", "", "", ""}},
+     {"", "", "", ""},
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Second button; without a gripper the fourth"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "First button; without a gripper the second")},
     {"haply",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Grip of the Inverse3\tis the handle of its hand; the tip goes the other way"),
@@ -121,7 +128,9 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Second button, or {pedal}\tpedal (energy, suction)"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Third button, or {exchange}\tnext instrument")},
      "",
-     {"", "", "", ""}},
+     {"", "", "", ""},
+     "",
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Second button")},
     {"openigtlink",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Tracked instrument\tmoves as you hold it; its handle is that of its hand"),
@@ -138,7 +147,8 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Scope away from you, towards you\tin, out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Turn the scope\tturns the light post: the direction in which the scope looks"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}},
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")},
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Clutch button of the instrument")},
     {"space-mouse",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Cap to the side, up, down\tmoves the handle of its hand; the tip goes the other "
@@ -155,7 +165,9 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Cap away from you, towards you\tin, out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Turn the cap\tturns the light post: the direction in which the scope looks"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}},
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")},
+     "",
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Second button")},
     {"trainer",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Instrument of the trainer\tmoves as you hold it; the tip goes the other way"),
@@ -172,7 +184,8 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Push, pull the scope\tin, out"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Turn the scope\tturns the light post: the direction in which the scope looks"),
-      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}},
+      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")},
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Clutch button of the trainer")},
     {"joystick",
      {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                         "Instrument on the joystick\tmoves as you hold it; the tip goes the other way"),
@@ -184,7 +197,8 @@ constexpr TaughtRow taught_rows[] = {
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Pedal of the trainer, or {pedal}\tpedal (energy, suction)"),
       QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Button of the trainer, or {exchange}\tnext instrument")},
      "",
-     {"", "", "", ""}}};
+     {"", "", "", ""},
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Clutch button of the joystick")}};
 
 const TaughtRow* row_of_kind(const std::string& kind) {
     for (const TaughtRow& row : taught_rows)
@@ -264,10 +278,41 @@ QString mouse_for_the_other(const TaughtHands& hands) {
                                                          "Mouse · wheel\tthe left hand · in and out");
 }
 
+/// Where one part's button is the pedal of both hands, or no button is.
+const char* pedal_line(const TaughtRow& row, const TaughtHands& hands) {
+    constexpr const char* of_part[hand_count + 1] = {
+        QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                          "Button of the left device, or {pedal}\tpedal (energy, suction)"),
+        QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                          "Button of the right device, or {pedal}\tpedal (energy, suction)"),
+        QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                          "Button of the scope’s device, or {pedal}\tpedal (energy, suction)")};
+    if (hands.pedal == pedal_of_each_hand) return row.instrument[static_cast<int>(HandDeed::pedal)];
+    if (hands.pedal < 0 || hands.pedal > hand_count)
+        return QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{pedal} on the keyboard\tpedal (energy, suction)");
+    return of_part[hands.pedal];
+}
+
+QString clutch_line(const TaughtRow& row, const TaughtHands& hands) {
+    const bool own = hands.clutch == ClutchButton::own && *row.clutch != '\0';
+    const char* const button = own ? row.clutch : row.free_button;
+    const QString name =
+        *button != '\0' ? QCoreApplication::translate("fulcrum::taught_lines", button)
+                        : QCoreApplication::translate("fulcrum::taught_lines", "Clutch button of the device");
+    return name + QLatin1Char('\t') +
+           QCoreApplication::translate("fulcrum::taught_lines", "clutch: while held, only the handle moves");
+}
+
 }  // namespace
 
 bool has_taught_lines(const std::string& kind) {
     return row_of_kind(kind) != nullptr;
+}
+
+HandDeeds needed_deeds(const Scene& scene, const TaughtHands& hands) {
+    HandDeeds needed = needed_deeds(scene, is_one_mouse(scene, hands));
+    needed.set(bit_of(HandDeed::clutched), hands.clutch != ClutchButton::none);
+    return needed;
 }
 
 bool is_one_mouse(const Scene& scene, const TaughtHands& hands) {
@@ -276,7 +321,7 @@ bool is_one_mouse(const Scene& scene, const TaughtHands& hands) {
 }
 
 std::vector<TaughtLine> taught_lines(const Scene& scene, const TaughtHands& hands, const KeyMap& keys) {
-    const HandDeeds needed = needed_deeds(scene, is_one_mouse(scene, hands));
+    const HandDeeds needed = needed_deeds(scene, hands);
     std::vector<TaughtLine> lines;
     const auto add = [&](HandDeed deed, const QString& line) {
         if (needed.test(bit_of(deed))) lines.push_back({deed, line});
@@ -286,24 +331,30 @@ std::vector<TaughtLine> taught_lines(const Scene& scene, const TaughtHands& hand
         const HandDeed deeds[] = {HandDeed::scope_moved, HandDeed::inserted, HandDeed::post_turned,
                                   HandDeed::head_turned};
         for (int i = 0; i < 4; ++i) add(deeds[i], words(scope.alone[i], keys));
+        add(HandDeed::clutched, clutch_line(scope, hands));
         return lines;
     }
     const TaughtRow& row = row_of_hands(scene, hands);
     for (int i = 0; i < taught_count; ++i) {
         const auto deed = static_cast<HandDeed>(i);
         const bool mouse = deed == HandDeed::other_hand && *row.instrument[i] == '\0';
-        add(deed, mouse ? mouse_for_the_other(hands) : words(row.instrument[i], keys));
+        const bool pedal = deed == HandDeed::pedal && &row != &taught_rows[0];
+        add(deed, mouse ? mouse_for_the_other(hands)
+                        : words(pedal ? pedal_line(row, hands) : row.instrument[i], keys));
     }
+    add(HandDeed::clutched, clutch_line(driven_hands(scene, hands) > 0 ? row : scope, hands));
     add(HandDeed::scope_moved, words(scope.scope, keys));
     return lines;
 }
 
 QStringList device_help(const Scene& scene, const TaughtHands& hands, const KeyMap& keys,
                         const QStringList& mouse) {
+    const bool moves_scope_alone = !scene.instruments.empty() && driven_hands(scene, hands) == 0;
     QStringList help;
-    for (const TaughtLine& one : taught_lines(scene, hands, keys)) help << one.line;
-    if (!scene.instruments.empty() && driven_hands(scene, hands) == 0)
-        return QStringList{help.last()} + mouse;  // it moves the scope alone
+    for (const TaughtLine& one : taught_lines(scene, hands, keys))
+        if (!moves_scope_alone || one.deed == HandDeed::scope_moved || one.deed == HandDeed::clutched)
+            help << one.line;
+    if (moves_scope_alone) return help + mouse;
     if (!scene.instruments.empty()) {
         help << words(
                     QT_TRANSLATE_NOOP("fulcrum::taught_lines",
@@ -316,7 +367,7 @@ QStringList device_help(const Scene& scene, const TaughtHands& hands, const KeyM
                       keys);
     }
     if (scene.camera) help += scope_lines(keys);
-    help << pause_line();
+    help << sound_line(keys) << pause_line();
     help.removeDuplicates();
     return help;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/services/device_service.h"
 #include "ui/theatre/hand_deeds.h"
 #include "ui/theatre/key_map.h"
 
@@ -17,6 +18,8 @@ struct TaughtHands {
     std::string kind = "mouse-keyboard";  ///< a name of device_table
     bool drives[hand_count + 1] = {false, false,
                                    false};  ///< left, right, scope: of a device that the daemon reads
+    ClutchButton clutch = ClutchButton::none;
+    int pedal = pedal_of_each_hand;  ///< SlotChoice::pedal
 };
 
 struct TaughtLine {
@@ -28,6 +31,8 @@ struct TaughtLine {
 bool has_taught_lines(const std::string& kind);
 /// One mouse, or a device for one of two hands: a hand is moved after the other.
 bool is_one_mouse(const Scene& scene, const TaughtHands& hands);
+/// What the scene needs, and the clutch of a device that has one.
+HandDeeds needed_deeds(const Scene& scene, const TaughtHands& hands);
 /// What the scene needs, with the keys of this map; in the order in which it is taught.
 std::vector<TaughtLine> taught_lines(const Scene& scene, const TaughtHands& hands, const KeyMap& keys);
 /// The help for a device that the daemon reads; `mouse`: that of mouse and keyboard, which move the hands

@@ -96,6 +96,10 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         toggle_help();
         return true;
     }
+    if (input_->keys().action(event->key()) == KeyAction::sound) {
+        toggle_sound();
+        return true;
+    }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (!has_begun()) begin_place_.skip();
         if (aligning_) {
@@ -180,6 +184,21 @@ void TheatrePage::note_use() {
     if (watch_ == nullptr || watch_->uses() == seen_uses_) return;
     seen_uses_ = watch_->uses();
     context().note_input();
+}
+
+/// Remembered, as on the page of settings.
+void TheatrePage::toggle_sound() {
+    SoundChoice choice = context().services().sound_choice();
+    choice.wanted = !choice.wanted;
+    context().services().choose_sound(choice);
+    show_sound();
+}
+
+void TheatrePage::show_sound() {
+    const KeyMap keys = input_ != nullptr ? input_->keys() : KeyMap::standard(false);
+    const QString words =
+        context().services().sound_choice().wanted ? tr("Sound off (%1)") : tr("Sound on (%1)");
+    sound_->setText(words.arg(keys.words(KeyAction::sound)));
 }
 
 /// Rumble, an intensity and no force, and sound: of a task that runs and is shown, also of a demonstration.

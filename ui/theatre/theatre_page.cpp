@@ -27,10 +27,12 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
     row->setContentsMargins(14, 5, 14, 5);
     pause_ = make_button(tr("Pause (Esc)"), "theatre_pause");
     help_ = make_button(tr("Keys (F1)"), "theatre_help");
+    sound_ = make_button({}, "theatre_sound");
     leave_ = make_button(tr("Abandon …"), "theatre_abandon");
-    for (QPushButton* button : {pause_, help_, leave_}) button->setFocusPolicy(Qt::NoFocus);
+    for (QPushButton* button : {pause_, help_, sound_, leave_}) button->setFocusPolicy(Qt::NoFocus);
     row->addWidget(pause_);
     row->addWidget(help_);
+    row->addWidget(sound_);
     row->addStretch();
     row->addWidget(leave_);
     layout->addWidget(bar_);
@@ -62,6 +64,7 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
 
     connect(pause_, &QPushButton::clicked, this, &TheatrePage::pause);
     connect(help_, &QPushButton::clicked, this, &TheatrePage::toggle_help);
+    connect(sound_, &QPushButton::clicked, this, &TheatrePage::toggle_sound);
     connect(leave_, &QPushButton::clicked, this, &TheatrePage::ask_before_leaving);
     connect(resume_, &QPushButton::clicked, this, &TheatrePage::resume);
     connect(abandon_, &QPushButton::clicked, this, &TheatrePage::abandon);
@@ -160,6 +163,7 @@ bool TheatrePage::demonstrate(const std::string& task_id, const std::string& var
 void TheatrePage::enter() {
     show_panel(Panel::none, {}, {});
     if (is_running()) view_->set_notice(tr("Preparing the scene …"));
+    show_sound();
     since_tick_.start();
     timer_.start();
     view_->setFocus();

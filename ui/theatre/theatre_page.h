@@ -92,6 +92,8 @@ class TheatrePage : public Page {
     void abandon();
     void finish();
     void toggle_help();
+    void toggle_sound();
+    void show_sound();
     bool key(QKeyEvent* event, bool pressed);
     void mouse_move(QMouseEvent* event);
     void read_mice();
@@ -115,7 +117,7 @@ class TheatrePage : public Page {
     TheatreView* view_;
     QFrame *panel_, *bar_, *strip_;
     QLabel *panel_heading_, *panel_text_, *strip_text_;
-    QPushButton *resume_, *abandon_, *pause_, *help_, *leave_;
+    QPushButton *resume_, *abandon_, *pause_, *help_, *sound_, *leave_;
     QTimer timer_;
     QElapsedTimer since_tick_, since_picture_, since_moved_;
     Panel shown_ = Panel::none;

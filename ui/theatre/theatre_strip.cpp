@@ -37,6 +37,8 @@ void TheatrePage::take_up(const DeviceInUse& device, MouseKeyboardInput& input) 
                   : mice_ != nullptr ? "two-mice"
                   : of_daemon        ? device.kind
                                      : "mouse-keyboard";
+    hands_.clutch = of_daemon ? device.clutch : ClutchButton::none;
+    hands_.pedal = of_daemon ? device.pedal : pedal_of_each_hand;
     hands_title_ = of_daemon ? text(device.title) : QString();
     input.set_device(pad_ != nullptr    ? Device::controller
                      : mice_ != nullptr ? Device::two_mice
@@ -62,8 +64,7 @@ void TheatrePage::keep_learnt(const HandDeeds& deeds) const {
 }
 
 HandDeeds TheatrePage::needed() const {
-    const Scene& scene = session_->scene();
-    return needed_deeds(scene, is_one_mouse(scene, hands_));
+    return needed_deeds(session_->scene(), hands_);
 }
 
 HandDeeds TheatrePage::deeds() const {

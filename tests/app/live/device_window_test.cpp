@@ -68,6 +68,7 @@ TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo
     start("A2", false);
     EXPECT_EQ(theatre().session()->assessed(), false);
     EXPECT_TRUE(theatre().session()->health().force_felt[0]);
+    EXPECT_EQ(services.device_in_use().clutch, ui::ClutchButton::own);
     const double begun = right_x();
     ASSERT_TRUE(wait_for([&] { return std::abs(right_x() - begun) > 2e-3; })) << "the script moves the hand";
     const pid_t overseer = child_of(getpid());

@@ -49,6 +49,16 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
     create_programme_and_trainee();
     start("A2", false);
     EXPECT_TRUE(theatre().session()->health().force_felt[0] && theatre().session()->health().force_felt[1]);
+    // Its button for energy is the clutch where it is not the pedal: the first steps name it.
+    EXPECT_EQ(services.device_in_use().clutch, ui::ClutchButton::none);
+    for (const int pedal : {ui::pedal_keys_only, 0}) {
+        services.set_slot_choice("touch", {0, 1, -1, pedal});
+        EXPECT_EQ(services.device_in_use().clutch, ui::ClutchButton::energy);
+        EXPECT_EQ(services.device_in_use().pedal, pedal);
+    }
+    services.set_slot_choice("touch", {0, -1, -1, 0});
+    EXPECT_EQ(services.device_in_use().clutch, ui::ClutchButton::none) << "the only hand's is the pedal";
+    services.set_slot_choice("touch", {});
     const double begun = theatre().session()->snapshot().tools[1].tip.x();
     // Where the first reading finds the handle, it begins: it is moved until the instrument follows.
     ASSERT_TRUE(wait_for([&] {

@@ -169,5 +169,71 @@ TEST(HandInWorld, FeelsTheTipThroughTheTrocar) {
                 0.06 * lever * force.norm() + 2e-3);
 }
 
+/// Both hands of A2, far from its spheres; `apart`: m between the axes of the shafts where they cross. Ends
+/// with both at rest.
+const TickOutput& cross_shafts(HapticLoop& loop, World& world, double apart) {
+    const Scene& scene = world.scene();
+    constexpr double beyond[hand_count] = {0.06, 0.02};  // m of each shaft beyond the crossing
+    const Vector3 crossing(0, 0.085, 0.06);
+    const Trocar pivot[hand_count] = {make_trocar(scene.instrument(Hand::left)->trocar),
+                                      make_trocar(scene.instrument(Hand::right)->trocar)};
+    const Vector3 between =
+        (crossing - pivot[0].position).cross(crossing - pivot[1].position).normalized();  // right to left
+    std::vector<TickOutput> outputs(static_cast<std::size_t>(scene.ticks_per_step));
+    constexpr std::uint32_t ticks = 800;
+    DeviceSample last[hand_count];
+    const TickOutput* output = nullptr;
+    for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
+        const double now = apart + std::max(0.0, 0.02 - 1e-4 * tick);
+        RigSample input;
+        input.tick = tick;
+        input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
+        for (int h = 0; h < hand_count; ++h) {
+            const Vector3 through = crossing + (h == 0 ? 0.5 : -0.5) * now * between;
+            const Vector3 along = (through - pivot[h].position).normalized();
+            DeviceReading reading;
+            reading.handle = handle_for_tip(pivot[h], through + beyond[h] * along);
+            input.hand[h] = last[h] = quantise(reading, last[h]);
+        }
+        const std::size_t slot = (tick - 1) % outputs.size();
+        output = &loop.tick(input);
+        outputs[slot] = *output;
+        if (slot + 1 != outputs.size()) continue;
+        world.step(outputs.data(), outputs.size());
+        loop.adopt(world.local_models());
+    }
+    const ToolKinematics tool[hand_count] = {output->contact[0].tool, output->contact[1].tool};
+    const Vector3 away = tool[1].axis.cross(tool[0].axis).normalized();
+    const Vector3 normal = away.dot(between) > 0 ? away : Vector3(-away);
+    const double distance = normal.dot(pivot[0].position - pivot[1].position);
+    const double newton = 800 * std::max(0.0, 0.005 - distance);  // shafts of 2.5 mm, 800 N/m
+    for (int h = 0; h < hand_count; ++h) {
+        const double inside = tool[h].insertion - beyond[h];
+        const double outside = pivot[h].shaft_length - tool[h].insertion;
+        // Pushed away from the other shaft, the lever turns it round.
+        const Vector3 expected = (h == 0 ? -1 : 1) * newton * inside / outside * normal;
+        EXPECT_NEAR((output->device_force[h] - expected).norm(), 0, 0.005 * expected.norm()) << h;
+        const HandSample& sample = output->sample.hand[h];
+        EXPECT_EQ(sample.force[0] * sample.force[0] + sample.force[1] * sample.force[1] +
+                      sample.force[2] * sample.force[2],
+                  0)
+            << "no tissue feels it";
+        EXPECT_EQ(sample.tissue, -1);
+    }
+    return *output;
+}
+
+// The other instrument is felt at the hand as tissue is: through the lever, each hand by its own.
+TEST(HandInWorld, FeelsTheOtherInstrumentThroughTheTrocar) {
+    const Scene scene = load_scene(test::source_path("assets/scenes/a2_targets.json"));
+    for (const double apart : {0.004, 0.0045, 0.02}) {
+        World world(scene, 1);
+        HapticLoop loop(scene, world);
+        for (const Hand hand : {Hand::left, Hand::right}) loop.set_device(hand, test::ideal_device());
+        const TickOutput& output = cross_shafts(loop, world, apart);
+        EXPECT_EQ(output.device_force[0].norm() > 0.3, apart == 0.004) << apart;
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
@@ -13,6 +14,7 @@
 #include "ui/style/appearance.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -88,6 +90,32 @@ TEST_F(KeysOnThePage, TheTheatreUsesAndShowsTheKeysOfThePerson) {
         EXPECT_TRUE(strip.contains("Left&nbsp;button,&nbsp;Backspace")) << strip.toStdString();
         keep("theatre-keys");
     });
+}
+
+TEST_F(KeysOnThePage, AKeyAndAButtonSwitchTheSoundDuringAnAttemptAndTheCardKnowsIt) {
+    open_page();
+    EXPECT_EQ(shown_key("key_sound"), "F2");
+    change("key_sound", Qt::Key_G);
+    EXPECT_EQ(kept().key(KeyAction::sound), Qt::Key_G);
+    services.sound = {true, 0.25};
+    theatre([&] {
+        auto& page = *static_cast<TheatrePage*>(window->current_page());
+        const auto* button = find<QPushButton>(*window, "theatre_sound");
+        EXPECT_EQ(button->text(), "Sound off (G)");
+        QTest::keyClick(page.view(), Qt::Key_G);
+        EXPECT_FALSE(services.sound.wanted);
+        EXPECT_EQ(services.sound.volume, 0.25) << "the volume stays for the next time";
+        EXPECT_EQ(button->text(), "Sound on (G)");
+        EXPECT_EQ(page.session()->phase(), AttemptPhase::running) << "and nothing else happens";
+        QTest::keyClick(page.view(), Qt::Key_F1);
+        EXPECT_TRUE(page.view()->cover().join('\n').contains("G\tsound off, on"));
+        QTest::keyClick(page.view(), Qt::Key_F1);
+        click(*window, "theatre_sound");
+        EXPECT_TRUE(services.sound.wanted);
+        QTest::keyClick(page.view(), Qt::Key_G);
+    });
+    go_to("rail_settings");
+    EXPECT_FALSE(find<QCheckBox>(*window, "sound_wanted")->isChecked());
 }
 
 TEST_F(KeysOnThePage, AreDrawnInBothThemesLanguagesAndLarge) {

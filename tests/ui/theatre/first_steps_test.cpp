@@ -88,6 +88,51 @@ TEST(TaughtLines, SayTheMouseOnlyWhereItMovesSomething) {
         << "what has no scope leaves it to the mouse";
 }
 
+// For each device that has one, in both languages: in the first steps and in the help, and marked when it was
+// held.
+TEST(TaughtLines, NameTheClutchWhereTheDeviceHasAButtonForIt) {
+    const Scene c4 = taught_scene("c4_posterior");
+    for (const Language language : {Language::english, Language::german}) {
+        use_language(language);
+        for (const DeviceRow& row : device_table) {
+            TaughtHands hands = all_parts_of(row);
+            if (row.read_by != ReadBy::daemon) continue;
+            const QStringList without = lines_of(c4, hands);
+            for (const ClutchButton clutch : {ClutchButton::own, ClutchButton::energy}) {
+                hands.clutch = clutch;
+                QStringList added = lines_of(c4, hands);
+                for (const QString& line : without) added.removeAll(line);
+                ASSERT_EQ(added.size(), 1) << row.name;
+                EXPECT_TRUE(added[0].contains(language == Language::english ? "\tclutch" : "\tKupplung"))
+                    << added[0].toStdString();
+                EXPECT_LE(added[0].section('\t', 0, 0).size(), 48) << added[0].toStdString();
+                EXPECT_LE(added[0].section('\t', 1).size(), 84) << added[0].toStdString();
+                EXPECT_TRUE(device_help(c4, hands, KeyMap::standard(false), {}).contains(added[0]));
+                EXPECT_TRUE(needed_deeds(c4, hands).test(bit_of(HandDeed::clutched)));
+            }
+        }
+    }
+    use_language(Language::english);
+    TaughtHands touch{"touch", {true, true, false}, ClutchButton::energy, pedal_keys_only};
+    const QStringList lines = lines_of(c4, touch);
+    EXPECT_TRUE(lines.contains("B on the keyboard\tpedal (energy, suction)"))
+        << lines.join('\n').toStdString();
+    EXPECT_TRUE(lines.filter("Rear button of the stylus\tclutch").size() == 1)
+        << lines.join('\n').toStdString();
+    touch.pedal = 0;
+    EXPECT_TRUE(lines_of(c4, touch).contains("Button of the left device, or B\tpedal (energy, suction)"));
+    const TaughtHands cap{"space-mouse", {false, false, true}, ClutchButton::energy, pedal_keys_only};
+    EXPECT_EQ(device_help(c4, cap, KeyMap::standard(false), {"mouse"}).size(), 3) << "clutch, scope, mouse";
+    HandWatch watch(c4);
+    RigSample sample;
+    for (DeviceSample* part : {&sample.hand[0], &sample.hand[1], &sample.camera}) part->present = 1;
+    watch.see(sample);
+    EXPECT_FALSE(watch.done(false).test(bit_of(HandDeed::clutched)));
+    sample.hand[1].buttons = button_clutch;
+    watch.see(sample);
+    EXPECT_TRUE(watch.done(false).test(bit_of(HandDeed::clutched)));
+}
+
 TEST(TaughtLines, HaveTheKeysOfThePerson) {
     KeyMap keys = KeyMap::standard(false);
     keys.assign(KeyAction::pedal, Qt::Key_BraceLeft);
@@ -234,6 +279,8 @@ TEST_F(FirstSteps, AreDrawnInBothThemesLanguagesAndLarge) {
                 window->set_text_size(percent);
                 settle();
                 const bool cap = percent == 100 && theme == Theme::dark;
+                services.in_use.clutch = cap ? ClutchButton::none : ClutchButton::energy;
+                services.in_use.pedal = cap ? pedal_of_each_hand : pedal_keys_only;
                 begin("C4", "c4_posterior", cap ? "haply" : "touch",
                       cap ? "Haply Inverse3" : "3D Systems Touch");
                 auto* const bar = find<QFrame>(*window, "theatre_keys");
@@ -244,6 +291,8 @@ TEST_F(FirstSteps, AreDrawnInBothThemesLanguagesAndLarge) {
                 keep(name);
                 QTest::keyClick(page->view(), Qt::Key_F1);
                 keep(name + QStringLiteral("-help"));
+                EXPECT_EQ(page->view()->cover().filter(english ? "\tclutch" : "\tKupplung").size(),
+                          cap ? 0 : 1);
                 QTest::keyClick(page->view(), Qt::Key_F1);
                 home();
             }

@@ -71,6 +71,21 @@ TEST_F(Keys, AreKeptForEachPersonAndSurviveADamagedFile) {
     EXPECT_TRUE(QSettings().allKeys().filter("keys/").isEmpty()) << "nothing is left where all is usual";
 }
 
+TEST_F(Keys, AKeyThatAPersonChoseBeforeTheSoundHadItStaysAndTheSoundTakesTheNext) {
+    KeyMap map = KeyMap::standard(false);
+    ASSERT_EQ(map.assign(KeyAction::sound, Qt::Key_F9), std::nullopt);
+    ASSERT_EQ(map.assign(KeyAction::pedal, Qt::Key_F2), std::nullopt);
+    ASSERT_EQ(map.assign(KeyAction::exchange, Qt::Key_F3), std::nullopt);
+    map.keep_for("tara");
+    QSettings().remove("keys/tara/sound");  // as an earlier version left it
+    const KeyMap read = KeyMap::of_person("tara");
+    EXPECT_EQ(read.key(KeyAction::pedal), Qt::Key_F2);
+    EXPECT_EQ(read.key(KeyAction::exchange), Qt::Key_F3);
+    EXPECT_EQ(read.key(KeyAction::sound), Qt::Key_F4);
+    read.keep_for("tara");
+    EXPECT_EQ(KeyMap::of_person("tara"), read);
+}
+
 TEST_F(Keys, ChangedKeysMoveTheHandsAndAppearInTheHelp) {
     const Scene scene = load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json"));
     MouseKeyboardInput input(scene);
@@ -93,6 +108,8 @@ TEST_F(Keys, ChangedKeysMoveTheHandsAndAppearInTheHelp) {
     EXPECT_TRUE(help.contains("W G S D · R F · Q E · X\tleft hand: handle")) << help.toStdString();
     EXPECT_TRUE(help.contains("F5 · T\tpedal of the active hand")) << help.toStdString();
     EXPECT_TRUE(help.contains("Arrows · PgUp PgDown\tscope")) << help.toStdString();
+    EXPECT_TRUE(help.contains("F2\tsound off, on")) << help.toStdString();
+    EXPECT_FALSE(input.press_key(Qt::Key_F2)) << "moves nothing";
     map.assign(KeyAction::scope_up, Qt::Key_8);
     input.set_keys(map);
     EXPECT_TRUE(input.help_lines().join(QLatin1Char('\n')).contains("8 Left Down Right · PgUp"));

@@ -8534,6 +8534,14 @@
         <source>Hand that the mouse moves</source>
         <translation>Hand, die die Maus bewegt</translation>
     </message>
+    <message>
+        <source>sound off, on</source>
+        <translation>Ton aus, an</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::metric_names</name>
@@ -10514,6 +10522,58 @@
     <message>
         <source>Instrument on the joystick	moves as you hold it; the tip goes the other way</source>
         <translation>Instrument am Joystick	folgt Ihrer Hand; die Spitze bewegt sich in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Script of the device</source>
+        <translation>Skript des Geräts</translation>
+    </message>
+    <message>
+        <source>Rear button of the stylus</source>
+        <translation>Hintere Taste des Stifts</translation>
+    </message>
+    <message>
+        <source>Second button; without a gripper the fourth</source>
+        <translation>Zweite Taste; ohne Greifer die vierte</translation>
+    </message>
+    <message>
+        <source>First button; without a gripper the second</source>
+        <translation>Erste Taste; ohne Greifer die zweite</translation>
+    </message>
+    <message>
+        <source>Second button</source>
+        <translation>Zweite Taste</translation>
+    </message>
+    <message>
+        <source>Clutch button of the instrument</source>
+        <translation>Kupplungstaste des Instruments</translation>
+    </message>
+    <message>
+        <source>Clutch button of the trainer</source>
+        <translation>Kupplungstaste des Trainers</translation>
+    </message>
+    <message>
+        <source>Clutch button of the joystick</source>
+        <translation>Kupplungstaste des Joysticks</translation>
+    </message>
+    <message>
+        <source>Button of the left device, or {pedal}	pedal (energy, suction)</source>
+        <translation>Taste des linken Geräts oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Button of the right device, or {pedal}	pedal (energy, suction)</source>
+        <translation>Taste des rechten Geräts oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Button of the scope’s device, or {pedal}	pedal (energy, suction)</source>
+        <translation>Taste des Geräts der Optik oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>Clutch button of the device</source>
+        <translation>Kupplungstaste des Geräts</translation>
+    </message>
+    <message>
+        <source>clutch: while held, only the handle moves</source>
+        <translation>Kupplung: solange gehalten, bewegt sich nur der Griff</translation>
     </message>
 </context>
 <context>
@@ -13914,6 +13974,10 @@ Kennzahlen: %2</translation>
         <source>Right button + mouse	in and out by little (up, down) · turns the shaft (left, right)</source>
         <translation>Rechte Taste + Maus	in kleinen Schritten hinein und heraus (oben, unten) · dreht den Schaft (links, rechts)</translation>
     </message>
+    <message>
+        <source>sound off, on</source>
+        <translation>Ton aus, an</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::OverviewView</name>
@@ -16128,6 +16192,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Enter: begin where they are</source>
         <translation>Eingabe: dort beginnen, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Sound off (%1)</source>
+        <translation>Ton aus (%1)</translation>
+    </message>
+    <message>
+        <source>Sound on (%1)</source>
+        <translation>Ton an (%1)</translation>
     </message>
 </context>
 <context>
