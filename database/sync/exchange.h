@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -15,6 +16,9 @@ namespace fulcrum::database {
 
 /// Thrown where SyncOptions::stop said so.
 struct SyncStopped {};
+
+/// With the station's password where the address is that of its enrolment, else with what libpq finds.
+std::unique_ptr<Connection> connection_to(const Store& store, const ServerAddress& address);
 
 class Exchange {
   public:
@@ -29,6 +33,9 @@ class Exchange {
     void require_one_programme();
     void require_known_log();
     void look_at_clock();
+    /// Of a station that was enrolled: that the account is this one's, and where it gets some cohorts only,
+    /// what else it has and the server is to go on showing it.
+    void use_enrolment();
     void apply_erasures();
     void exchange_versioned(const Units& units);
     void add_missing(const Units& units, Way way);

@@ -16,6 +16,7 @@
 #include "ui/review/path_view.h"
 #include "ui/review/pathology_card.h"
 #include "ui/review/ratings_card.h"
+#include "ui/review/remote_trace.h"
 #include "ui/review/replay_panel.h"
 #include "ui/review/trace_panel.h"
 #include "ui/style/flow_row.h"
@@ -50,6 +51,12 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     no_trace_->setObjectName(QStringLiteral("no_trace"));
     no_trace_words_ = make_label({});
     card_layout(no_trace_)->addWidget(no_trace_words_);
+    fetch_again_ = make_button(tr("Fetch the recording"), "fetch_recording");
+    connect(fetch_again_, &QPushButton::clicked, this, [this] {
+        leave();
+        load();
+    });
+    card_layout(no_trace_)->addWidget(fetch_again_, 0, Qt::AlignLeft);
     content->addWidget(no_trace_);
     ratings_ = new RatingsCard(context);
     content->addWidget(ratings_);
@@ -269,18 +276,17 @@ void DebriefPage::load() {
         context().guarded([&] { scene = context().services().scene_of(context().session(), attempt); });
     }
     auto loaded = std::make_shared<std::optional<AttemptModel>>();
+    auto why = std::make_shared<QString>();
     job_ = BackgroundJob::run(
         this,
-        [loaded, scene, attempt_id = attempt_id_, path = context().store().path(),
+        [loaded, why, scene, attempt_id = attempt_id_, path = context().store().path(),
          session = context().session()](const Progress& progress) {
-            database::StoreOptions options;
-            options.read_only = true;
-            const database::Store store = database::Store::open(path, options);
-            *loaded = load_attempt(store, session, attempt_id, scene, progress);
+            *loaded = load_with_trace(path, session, attempt_id, scene, progress, *why);
         },
-        [this, loaded] {
+        [this, loaded, why] {
             job_ = nullptr;
             if (!*loaded) return;
+            why_no_trace_ = *why;
             model_ = std::make_shared<const AttemptModel>(std::move(**loaded));
             show_model();
         },
@@ -312,7 +318,9 @@ void DebriefPage::show_model() {
     content_->show();
     replay_block_->setVisible(model_->summary.meta.keep_trace);
     no_trace_->setVisible(!model_->summary.meta.keep_trace);
-    no_trace_words_->setText(database::is_external_task(model_->summary.meta.task_id)
+    fetch_again_->setVisible(!why_no_trace_.isEmpty());
+    no_trace_words_->setText(!why_no_trace_.isEmpty() ? why_no_trace_
+                             : database::is_external_task(model_->summary.meta.task_id)
                                  ? external_trace_text(model_->summary.meta.device)
                                  : trace_not_kept_text());
     fit_replay();

@@ -92,7 +92,9 @@ class DebriefPage : public Page {
     QPushButton *back_, *compare_;
     QWidget* replay_block_;
     QLabel* no_trace_words_;
-    QFrame* no_trace_;  ///< in its place where the trace was not kept
+    QPushButton* fetch_again_;  ///< where it is at another station
+    QFrame* no_trace_;          ///< in its place where the trace was not kept, or is not here
+    QString why_no_trace_;      ///< where it is not here
     QTabWidget* tabs_;
     GatesCard* gates_;
     PathologyCard* pathology_;
