@@ -10,6 +10,7 @@
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
 #include "ui/style/flow_row.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -16,7 +16,6 @@
 #include "ui/review/path_view.h"
 #include "ui/review/pathology_card.h"
 #include "ui/review/ratings_card.h"
-#include "ui/review/remote_trace.h"
 #include "ui/review/replay_panel.h"
 #include "ui/review/trace_panel.h"
 #include "ui/style/flow_row.h"
@@ -276,17 +275,17 @@ void DebriefPage::load() {
         context().guarded([&] { scene = context().services().scene_of(context().session(), attempt); });
     }
     auto loaded = std::make_shared<std::optional<AttemptModel>>();
-    auto why = std::make_shared<QString>();
+    auto missing = std::make_shared<TraceElsewhere>();
     job_ = BackgroundJob::run(
         this,
-        [loaded, why, scene, attempt_id = attempt_id_, path = context().store().path(),
+        [loaded, missing, scene, attempt_id = attempt_id_, path = context().store().path(),
          session = context().session()](const Progress& progress) {
-            *loaded = load_with_trace(path, session, attempt_id, scene, progress, *why);
+            *loaded = load_with_trace(path, session, attempt_id, scene, progress, *missing);
         },
-        [this, loaded, why] {
+        [this, loaded, missing] {
             job_ = nullptr;
             if (!*loaded) return;
-            why_no_trace_ = *why;
+            elsewhere_ = *missing;
             model_ = std::make_shared<const AttemptModel>(std::move(**loaded));
             show_model();
         },
@@ -318,8 +317,8 @@ void DebriefPage::show_model() {
     content_->show();
     replay_block_->setVisible(model_->summary.meta.keep_trace);
     no_trace_->setVisible(!model_->summary.meta.keep_trace);
-    fetch_again_->setVisible(!why_no_trace_.isEmpty());
-    no_trace_words_->setText(!why_no_trace_.isEmpty() ? why_no_trace_
+    fetch_again_->setVisible(elsewhere_.on_server);
+    no_trace_words_->setText(!elsewhere_.why.isEmpty() ? elsewhere_.why
                              : database::is_external_task(model_->summary.meta.task_id)
                                  ? external_trace_text(model_->summary.meta.device)
                                  : trace_not_kept_text());

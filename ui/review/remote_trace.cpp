@@ -28,13 +28,15 @@ bool bring_trace(const std::string& store_path, const database::Session& session
     database::StoreOptions writing;
     writing.close_interrupted = false;
     const database::Store store = database::Store::open(store_path, writing);
-    const std::string line = plain(RemoteTraceTexts::tr("Fetching the recording from the programme server …"));
+    const std::string line =
+        plain(RemoteTraceTexts::tr("Fetching the recording from the programme server …"));
     double so_far = 0;
     database::SyncOptions options;
     options.progress = [&](double done, const std::string&) { so_far = done; };
     options.stop = [&] { return progress && !progress(so_far, line); };
     try {
-        return database::fetch_trace(store, session, database::server_of(store), attempt_id, options).complete;
+        return database::fetch_trace(store, session, database::server_of(store), attempt_id, options)
+            .complete;
     } catch (const database::StoreError& error) {
         if (error.kind() != database::StoreErrorKind::unreachable) throw;
         throw database::StoreError(
@@ -49,21 +51,21 @@ bool bring_trace(const std::string& store_path, const database::Session& session
 
 std::optional<AttemptModel> load_with_trace(const std::string& store_path, const database::Session& session,
                                             const std::string& attempt_id, const std::optional<Scene>& scene,
-                                            const Progress& progress, QString& why) {
+                                            const Progress& progress, TraceElsewhere& elsewhere) {
     try {
         if (!bring_trace(store_path, session, attempt_id, progress)) return std::nullopt;
     } catch (const database::StoreError& error) {
-        why = error_text(error);
+        elsewhere = {error_text(error), true};
     }
     database::StoreOptions options;
     options.read_only = true;
     const database::Store store = database::Store::open(store_path, options);
-    if (why.isEmpty()) {
+    if (elsewhere.why.isEmpty()) {
         try {
             return load_attempt(store, session, attempt_id, scene, progress);
         } catch (const database::StoreError& error) {
             if (error.kind() != database::StoreErrorKind::not_found) throw;
-            why = error_text(error);
+            elsewhere.why = error_text(error);
         }
     }
     const database::Attempts attempts(store);

@@ -18,10 +18,15 @@ namespace fulcrum::ui {
 bool bring_trace(const std::string& store_path, const database::Session& session,
                  const std::string& attempt_id, const Progress& progress);
 
+struct TraceElsewhere {
+    QString why;             ///< empty: it is here
+    bool on_server = false;  ///< another try may bring it
+};
+
 /// As load_attempt(), after bring_trace(). Where the trace cannot be had, what is known without it:
-/// summary.meta.keep_trace is false then, and `why` says why.
+/// summary.meta.keep_trace is false then.
 std::optional<AttemptModel> load_with_trace(const std::string& store_path, const database::Session& session,
                                             const std::string& attempt_id, const std::optional<Scene>& scene,
-                                            const Progress& progress, QString& why);
+                                            const Progress& progress, TraceElsewhere& elsewhere);
 
 }  // namespace fulcrum::ui

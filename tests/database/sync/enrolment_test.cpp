@@ -10,6 +10,7 @@
 #include "database/sync/server_enrolment.h"
 #include "database/sync/server_link.h"
 #include "database/sync/trace_fetch.h"
+#include "tests/database/station_keys.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -45,6 +46,7 @@ TEST(EnrolmentTokens, AreReadAsPeopleTypeThemAndFindEveryMistake) {
 
 class Enrolments : public Sync {
   protected:
+    const KeysOfOneTest keys;
     std::string token(const std::vector<std::string>& cohorts = {}) const {
         return make_enrolment_token(server, "lab", cohorts, usual_token_h).text;
     }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The programme server on the page Station, and the recording of another station in a review.
+#include <QFrame>
+#include <QPushButton>
+
+#include "database/sync/enrolment.h"
+#include "database/sync/server_enrolment.h"
+#include "database/sync/server_link.h"
+#include "database/sync/sync.h"
+#include "tests/app/services/window_access.h"
+#include "tests/database/postgresql_server.h"
+#include "tests/database/station_keys.h"
+#include "ui/review/debrief_page.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+using database::test::PostgresqlServer;
+
+TEST_F(WindowAccess, AdministratorsEnrolTheStationWithATokenAndExchange) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const database::test::KeysOfOneTest keys;
+    const ServerAddress server = PostgresqlServer::of_this_process()->new_database();
+    const QString token = QString::fromStdString(make_enrolment_token(server, "lab", {}, 2).text);
+    act_as(programme.asker(Role::administrator));
+    click(*window, "rail_station");
+    EXPECT_FALSE(sees(*window, "exchange_now"));
+    type(*window, "server_address", QString::fromStdString(server.text()));
+    EXPECT_FALSE(find<QPushButton>(*window, "enrol_station")->isEnabled()) << "without a token";
+    QString mistyped = token;
+    mistyped[3] = mistyped[3] == 'A' ? 'B' : 'A';
+    type(*window, "server_token", mistyped);
+    bring(*find<QPushButton>(*window, "enrol_station"));
+    keep_picture(*window, "station-server-form");
+    click(*window, "enrol_station");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "message_text") && complaint().contains("mistyped"); }));
+    click(*window, "close_message");
+    type(*window, "server_token", token);
+    click(*window, "enrol_station");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "server_result"); })) << complaint().toStdString();
+    EXPECT_TRUE(find<QLabel>(*window, "server_result")->text().contains("agree"));
+    EXPECT_TRUE(find<QLabel>(*window, "server_place")->text().contains("Enrolled at postgresql://station_"));
+    EXPECT_FALSE(sees(*window, "enrol_station"));
+    bring(*find<QPushButton>(*window, "exchange_now"));
+    keep_picture(*window, "station-server");
+    click(*window, "exchange_now");
+    ASSERT_TRUE(wait_for([&] {
+        return sees(*window, "server_result") &&
+               find<QLabel>(*window, "server_result")->text().contains("already");
+    }));
+    click(*window, "enrol_again");
+    type(*window, "server_token", token);
+    type(*window, "server_address", QString::fromStdString(server.text()));
+    click(*window, "enrol_station");
+    ASSERT_TRUE(wait_for([&] { return complaint().contains("used this token already"); }))
+        << complaint().toStdString();
+}
+
+TEST(RemoteRecording, IsFetchedWhenItsReviewIsOpenedAndTheReviewSaysWhereItCannotBe) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const database::test::KeysOfOneTest keys;
+    const AccessProgramme programme;
+    const ServerAddress server = PostgresqlServer::of_this_process()->new_database();
+    const auto enrol = [&](const Store& store, const Session& session) {
+        enrol_station(store, session, server, make_enrolment_token(server, "", {}, 1).text);
+        EXPECT_TRUE(sync_with_server(store, session, server_of(store)).complete);
+    };
+    enrol(*programme.store, programme.session("administrator"));
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("fulcrum.db").toStdString();
+    const Store other = Store::create(path, false, programme.clock.options());
+    enrol(other, other.station_session());
+    const ServerLink link = *ServerLink::of(other.station_id());
+    ServerLink unreachable = link;
+    unreachable.address.host = "/nowhere";
+    unreachable.finish(other.station_id(), "none");
+
+    const auto services = make_services(folder.path().toStdString());
+    MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    window.start();
+    window.context().set_session(People(other).sign_in("educator", database::test::password, Role::educator));
+    const auto open = [&] {
+        emit window.context().debrief_wanted(QString::fromStdString(programme.ann.attempt), -1);
+        return static_cast<DebriefPage*>(window.current_page());
+    };
+    DebriefPage* debrief = open();
+    ASSERT_TRUE(wait_for([&] { return sees(window, "fetch_recording"); }));
+    EXPECT_TRUE(sees(window, "verdict")) << "the result is here";
+    const QString words = find<QFrame>(window, "no_trace")->findChild<QLabel*>()->text();
+    EXPECT_TRUE(words.contains("cannot be reached now")) << words.toStdString();
+    bring(*find<QPushButton>(window, "fetch_recording"));
+    keep_picture(window, "debrief-recording-elsewhere");
+    link.finish(other.station_id(), "none");
+    click(window, "fetch_recording");
+    ASSERT_TRUE(wait_for([&] { return debrief->has_charts() && debrief->is_ready(); }));
+    EXPECT_EQ(debrief->model()->trace->samples.size(), 1000U);
+    EXPECT_FALSE(sees(window, "fetch_recording"));
+    EXPECT_TRUE(other.check(other.station_session()).ok);
+    window.context().sign_out();
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test
