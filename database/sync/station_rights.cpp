@@ -29,7 +29,8 @@ CREATE TRIGGER server_log_is_fixed BEFORE UPDATE OR DELETE ON server_log
     FOR EACH ROW EXECUTE FUNCTION server_log_is_fixed();
 )";
 
-// Each answers for the account that connected (session_user). An account that was made by hand, before there
+// Each answers for the account that connected (session_user); asked in a subquery, once a statement and not
+// once a row. An account that was made by hand, before there
 // were tokens, has no row of `enrolment` and sees everything.
 const char* const functions_of_stations = R"(
 DO $$ BEGIN
@@ -54,14 +55,14 @@ CREATE OR REPLACE FUNCTION station_sees_all() RETURNS boolean
 CREATE OR REPLACE FUNCTION station_cohorts() RETURNS SETOF text
     LANGUAGE sql STABLE SECURITY DEFINER SET search_path = public, pg_temp AS $$
     SELECT c.cohort_id FROM enrolment_cohort c JOIN own_enrolment() o ON o.id = c.enrolment_id
-    UNION SELECT u.unit_id FROM station_unit u WHERE u.station_id = enrolled_station() $$;
+    UNION SELECT u.unit_id FROM station_unit u WHERE u.station_id = (SELECT enrolled_station()) $$;
 -- Whose attempts and reviews the station gets, with the accounts that were merged.
 CREATE OR REPLACE FUNCTION station_trainees() RETURNS SETOF text
     LANGUAGE sql STABLE SECURITY DEFINER SET search_path = public, pg_temp AS $$
     WITH chosen AS (
         SELECT m.person_id AS id FROM cohort_member m JOIN enrolment_cohort c ON c.cohort_id = m.cohort_id
             JOIN own_enrolment() o ON o.id = c.enrolment_id
-        UNION SELECT u.unit_id FROM station_unit u WHERE u.station_id = enrolled_station() AND u.whole = 1),
+        UNION SELECT u.unit_id FROM station_unit u WHERE u.station_id = (SELECT enrolled_station()) AND u.whole = 1),
     kept AS (SELECT COALESCE(NULLIF(p.merged_into, ''), p.id) AS id FROM person p WHERE p.id IN (SELECT c.id FROM chosen c))
     SELECT k.id FROM kept k UNION SELECT c.id FROM chosen c
     UNION SELECT p.id FROM person p WHERE p.merged_into IN (SELECT k.id FROM kept k) $$;
@@ -69,10 +70,10 @@ CREATE OR REPLACE FUNCTION station_trainees() RETURNS SETOF text
 CREATE OR REPLACE FUNCTION station_people() RETURNS SETOF text
     LANGUAGE sql STABLE SECURITY DEFINER SET search_path = public, pg_temp AS $$
     WITH seen AS (SELECT station_trainees() AS id), near AS (SELECT station_cohorts() AS id),
-    theirs AS (SELECT a.id FROM attempt a WHERE a.person_id IN (SELECT s.id FROM seen s) OR a.station_id = enrolled_station())
+    theirs AS (SELECT a.id FROM attempt a WHERE a.person_id IN (SELECT s.id FROM seen s) OR a.station_id = (SELECT enrolled_station()))
     SELECT s.id FROM seen s
-    UNION SELECT u.unit_id FROM station_unit u WHERE u.station_id = enrolled_station()
-    UNION SELECT a.person_id FROM attempt a WHERE a.station_id = enrolled_station()
+    UNION SELECT u.unit_id FROM station_unit u WHERE u.station_id = (SELECT enrolled_station())
+    UNION SELECT a.person_id FROM attempt a WHERE a.station_id = (SELECT enrolled_station())
     UNION SELECT m.person_id FROM cohort_member m WHERE m.cohort_id IN (SELECT n.id FROM near n)
     UNION SELECT m.person_id FROM cohort_educator m WHERE m.cohort_id IN (SELECT n.id FROM near n)
     UNION SELECT r.person_id FROM person_role r WHERE r.role IN ('administrator', 'director')
@@ -105,8 +106,8 @@ CREATE OR REPLACE FUNCTION trace_evidence(wanted text) RETURNS TABLE (station_id
         LEFT JOIN audit_signature s ON s.station_id = e.station_id AND s.sequence = e.sequence
     WHERE (e.object_id = wanted OR e.object_id IN (SELECT r.from_id FROM attempt_reassignment r WHERE r.to_id = wanted))
         AND e.operation <> 'sync.receive' AND position('"trace ' || wanted || '"' IN p.payload) > 0
-        AND (station_sees_all() OR EXISTS (SELECT 1 FROM attempt a WHERE a.id = wanted AND
-            (a.station_id = enrolled_station() OR a.person_id IN (SELECT station_trainees()))))
+        AND ((SELECT station_sees_all()) OR EXISTS (SELECT 1 FROM attempt a WHERE a.id = wanted AND
+            (a.station_id = (SELECT enrolled_station()) OR a.person_id IN (SELECT station_trainees()))))
     ORDER BY e.time DESC, e.sequence DESC $$;
 -- Asked by the account of a token. Answers instead of failing, so that a refusal is in the log too.
 CREATE OR REPLACE FUNCTION enrol_station(asked_proof text, asked_station text, asked_key bytea, verifier text)

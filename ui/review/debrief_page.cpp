@@ -318,7 +318,7 @@ void DebriefPage::show_model() {
     replay_block_->setVisible(model_->summary.meta.keep_trace);
     no_trace_->setVisible(!model_->summary.meta.keep_trace);
     fetch_again_->setVisible(elsewhere_.on_server);
-    no_trace_words_->setText(!elsewhere_.why.isEmpty() ? elsewhere_.why
+    no_trace_words_->setText(!elsewhere_.why.isEmpty() ? capital(elsewhere_.why)
                              : database::is_external_task(model_->summary.meta.task_id)
                                  ? external_trace_text(model_->summary.meta.device)
                                  : trace_not_kept_text());

@@ -41,11 +41,10 @@ bool bring_trace(const std::string& store_path, const database::Session& session
         if (error.kind() != database::StoreErrorKind::unreachable) throw;
         throw database::StoreError(
             database::StoreErrorKind::unreachable,
-            {QT_TRANSLATE_NOOP("errors",
-                               "the recording of this attempt is on the programme server, which cannot be "
-                               "reached now (%1)"),
-             error.problem_sentence()},
-            QT_TRANSLATE_NOOP("errors", "open the attempt again when this station has a connection"));
+            QT_TRANSLATE_NOOP("errors",
+                              "the recording of this attempt is on the programme server, which cannot be "
+                              "reached now"),
+            error.hint_sentence());
     }
 }
 

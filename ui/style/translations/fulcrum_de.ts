@@ -5585,10 +5585,6 @@
         <translation>die Aufzeichnung des Versuchs %1 ist nicht in diesem Speicher: Sie wurde an der Station %2 gemacht</translation>
     </message>
     <message>
-        <source>open it there</source>
-        <translation>öffnen Sie ihn dort</translation>
-    </message>
-    <message>
         <source>the PostgreSQL driver of Qt is missing</source>
         <translation>der PostgreSQL-Treiber von Qt fehlt</translation>
     </message>
@@ -7917,12 +7913,12 @@
         <translation>gleichen Sie die Station ab, die sie gemacht hat, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>the recording of this attempt is on the programme server, which cannot be reached now (%1)</source>
-        <translation>die Aufzeichnung dieses Versuchs ist auf dem Programmserver, der jetzt nicht erreichbar ist (%1)</translation>
+        <source>open it there, or fetch it with `fulcrum sync --trace %1`</source>
+        <translation>öffnen Sie ihn dort, oder holen Sie die Aufzeichnung mit `fulcrum sync --trace %1`</translation>
     </message>
     <message>
-        <source>open the attempt again when this station has a connection</source>
-        <translation>öffnen Sie den Versuch noch einmal, wenn diese Station eine Verbindung hat</translation>
+        <source>the recording of this attempt is on the programme server, which cannot be reached now</source>
+        <translation>die Aufzeichnung dieses Versuchs ist auf dem Programmserver, der jetzt nicht erreichbar ist</translation>
     </message>
 </context>
 <context>
