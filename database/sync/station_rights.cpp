@@ -11,7 +11,8 @@ namespace fulcrum::database {
 namespace {
 
 // `enrolment`: a token, and the station that used it. `station_unit`: people and cohorts that a station of
-// some cohorts has besides; `whole`: people whose attempts it has. What a station has stays up to date there.
+// some cohorts has, of these or not; `whole`: people whose attempts it has. What a station has stays up to
+// date there.
 const char* const enrolment_schema = R"(
 CREATE TABLE IF NOT EXISTS enrolment (id TEXT COLLATE "C" PRIMARY KEY, name TEXT NOT NULL, made BIGINT NOT NULL,
     made_by TEXT NOT NULL, expires BIGINT NOT NULL, proof TEXT NOT NULL, used BIGINT,

@@ -143,6 +143,10 @@ TEST_F(Enrolments, AStationGetsAnAccountOfItsOwnThatAddsAndNeverChanges) {
     EXPECT_EQ(error_kind([&] { sql("DELETE FROM server_log"); }), StoreErrorKind::conflict);
     expect_sound(server);
     expect_sound(*a.store);
+    // It is of no use to another station.
+    const Station b;
+    link->finish(b.store->station_id(), "none");
+    EXPECT_EQ(error_kind([&] { sync_linked(b); }), StoreErrorKind::conflict);
 }
 
 TEST_F(Enrolments, ATokenThatWasUsedOrEndedOrIsOfAnotherServerIsRefusedWithWhatToDo) {
@@ -174,7 +178,7 @@ TEST_F(Enrolments, ATokenThatWasUsedOrEndedOrIsOfAnotherServerIsRefusedWithWhatT
     EXPECT_EQ(error_kind([&] { make_enrolment_token(server, "", {}, 0); }), StoreErrorKind::bad_value);
 }
 
-TEST_F(Enrolments, CutOffBeforeTheStationHasWrittenItDownTheSameTokenCompletesIt) {
+TEST_F(Enrolments, CutOffOrTwoAtOnceTheStationEndsWithAnAccountThatWorks) {
     const std::string with = token();
     enrol_a(with);
     const QFileInfo key(QString::fromStdString(StationKey::path_of(a.store->station_id())));
@@ -184,19 +188,17 @@ TEST_F(Enrolments, CutOffBeforeTheStationHasWrittenItDownTheSameTokenCompletesIt
     enrol_a(with);
     EXPECT_TRUE(sync_a().complete);
     expect_sound(server);
-}
-
-TEST_F(Enrolments, OfTwoAtOnceBothEndWithAnAccountThatWorks) {
-    const std::string with = token();
+    // Two programs of one station at once.
+    const std::string both = token();
     int enrolled[2] = {0, 0};
     std::vector<std::thread> threads;
     for (int& one : enrolled)
-        threads.emplace_back([this, &one, &with] {
+        threads.emplace_back([this, &one, &both] {
             StoreOptions options = a.clock.options();
             options.busy_timeout_ms = 5000;
             const Store store = Store::open(a.path, options);
             try {
-                enrol_station(store, a.session("administrator"), server, with);
+                enrol_station(store, a.session("administrator"), server, both);
                 one = 1;
             } catch (const StoreError& error) {
                 EXPECT_EQ(error.kind(), StoreErrorKind::conflict) << error.what();
@@ -284,6 +286,14 @@ TEST_F(Enrolments, ASyncBringsThePeopleOfTheStationsCohortsOnly) {
     EXPECT_TRUE(a.people().find_cohort(director, made));
     sync_linked(year_1);
     EXPECT_EQ(logins_of(*year_1.store).count("fay"), 0U);
+    // Erased on the server while the stations were offline.
+    erase_at_programme_server(server, a.id("eve"), false);
+    year_2.record("ann", 12);
+    EXPECT_EQ(sync_linked(year_2).erased, 1);
+    EXPECT_EQ(attempts_of(*year_2.store).count(by_eve), 0U);
+    EXPECT_EQ(sync_linked(year_1).erased, 0) << "it never had her";
+    EXPECT_EQ(sync_linked(year_2).transferred(), 0);
+    sync_a();
     for (const Station* station : {&year_1, &year_2, &whole}) expect_sound(*station->store);
     expect_sound(*a.store);
     expect_sound(server);
@@ -371,13 +381,68 @@ TEST_F(Enrolments, ATraceThatWasChangedOnTheServerOrCannotBeReachedIsNotTaken) {
     expect_sound(*b.store);
 }
 
-TEST_F(Enrolments, AnAccountIsOfNoUseToAnotherStation) {
+TEST_F(Enrolments, TheOwnerOfTheServerNeedsNoMoreThanTheRightToMakeAccounts) {
+    static int owners = 0;
+    const std::string owner = "plain_owner" + std::to_string(++owners);
+    const PostgresqlServer& postgresql = *PostgresqlServer::of_this_process();
+    postgresql.execute(server, "CREATE ROLE " + owner + " LOGIN CREATEROLE PASSWORD 'plain'");
+    qputenv("PGPASSWORD", "plain");  // tests' server asks every member of fulcrum_station
+    for (const char* group :
+         {"fulcrum_station", "fulcrum_enrol", "fulcrum_trainee", "fulcrum_educator", "fulcrum_director"})
+        postgresql.execute(server, std::string("GRANT ") + group + " TO " + owner + " WITH ADMIN OPTION");
+    ServerAddress plain = PostgresqlServer::of_this_process()->new_database(false);
+    postgresql.execute(plain,
+                       "GRANT ALL ON SCHEMA public TO " + owner + "; ALTER SCHEMA public OWNER TO " + owner);
+    plain.user = owner;
+    create_programme_server(plain);
+    const auto made = [&] { return make_enrolment_token(plain, "", {}, 1).text; };
+    enrol_station(*a.store, a.session("administrator"), plain, made());
+    EXPECT_TRUE(sync_a().complete);
+    enrol_station(*a.store, a.session("administrator"), plain, made());
+    EXPECT_TRUE(sync_a().complete);
+    withdraw_enrolment(plain, a.store->station_id());
+    EXPECT_EQ(error_kind([&] { sync_a(); }), StoreErrorKind::unreachable);
+    // Accounts of tokens that have ended go with the next token.
+    postgresql.execute(plain, "UPDATE enrolment SET expires = 1000");
+    made();
+    Connection connection(plain);
+    Query left(connection,
+               "SELECT COUNT(*) FROM pg_roles r JOIN enrolment e ON r.rolname = 'enrol_' || e.id");
+    EXPECT_TRUE(left.next() && left.integer(0) == 1);
+    qunsetenv("PGPASSWORD");
+}
+
+TEST_F(Enrolments, AServerFromBeforeThereWereTokensIsUpgradedByServerCreate) {
+    fill(a);
+    sync(a);
+    sql("DROP TABLE enrolment_cohort, enrolment, station_unit, server_log; DROP FUNCTION own_enrolment "
+        "CASCADE");
+    EXPECT_EQ(error_kind([&] { sync(a); }), StoreErrorKind::older_schema);
+    EXPECT_EQ(error_kind([&] { token(); }), StoreErrorKind::older_schema);
+    create_programme_server(server);
+    EXPECT_TRUE(sync(a).complete);
+    enrol_a(token());
+    EXPECT_TRUE(sync_a().complete);
+    expect_sound(server);
+}
+
+TEST_F(Enrolments, ALostKeyIsRefusedUntilTheOwnerWithdrawsTheStation) {
     enrol_a(token());
     sync_a();
-    const Station b;
-    const ServerLink stolen = *ServerLink::of(a.store->station_id());
-    stolen.finish(b.store->station_id(), "none");
-    EXPECT_EQ(error_kind([&] { sync_linked(b); }), StoreErrorKind::conflict);
+    ASSERT_TRUE(QFile::remove(QString::fromStdString(StationKey::path_of(a.store->station_id()))));
+    a.open();
+    try {
+        enrol_a(token());
+        ADD_FAILURE() << "another key";
+    } catch (const StoreError& error) {
+        EXPECT_NE(std::string(error.what()).find("another signing key"), std::string::npos) << error.what();
+    }
+    withdraw_enrolment(server, a.store->station_id());
+    enrol_a(token());
+    sync_a();
+    const ServerCheck check = check_programme_server(server);
+    EXPECT_TRUE(check.problems.empty()) << check.problems.front().words();
+    EXPECT_EQ(check.notes.size(), 1U) << "the key before did not announce this one";
 }
 
 }  // namespace
