@@ -183,6 +183,13 @@ Enrolment enrol_station(const Store& store, const Session& session, const Server
     return complete(store, session, token, link, key);
 }
 
+bool is_enrolled_at(const Store& store, const ServerAddress& server) {
+    const std::optional<ServerLink> link = ServerLink::of(store.station_id());
+    ServerAddress without_account = server;
+    without_account.user.clear();
+    return link && link->is_for(without_account);
+}
+
 std::optional<LinkedServer> linked_server(const Store& store, const Session& session) {
     store.require(session, Operation::backup);
     const std::optional<ServerLink> link = ServerLink::of(store.station_id());

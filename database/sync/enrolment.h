@@ -25,6 +25,9 @@ struct Enrolment {
 Enrolment enrol_station(const Store& store, const Session& session, const ServerAddress& server,
                         const std::string& token);
 
+/// Whether the station has an account of this server (whatever account the address names).
+bool is_enrolled_at(const Store& store, const ServerAddress& server);
+
 /// What the station was enrolled for, in words of its store.
 struct LinkedServer {
     std::string address;               ///< as people write it

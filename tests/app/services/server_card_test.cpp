@@ -101,5 +101,38 @@ TEST(RemoteRecording, IsFetchedWhenItsReviewIsOpenedAndTheReviewSaysWhereItCanno
     window.context().sign_out();
 }
 
+TEST(RemoteRecording, AFurtherStationJoinsFromItsFirstScreenAlsoAfterItWasStopped) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const database::test::KeysOfOneTest keys;
+    const AccessProgramme programme;
+    const ServerAddress server = PostgresqlServer::of_this_process()->new_database();
+    const auto token = [&] { return QString::fromStdString(make_enrolment_token(server, "", {}, 1).text); };
+    const QTemporaryDir folder;
+    const auto services = make_services(folder.path().toStdString());
+    MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    window.start();
+    keep_picture(window, "first-start-join");
+    click(window, "join_programme");
+    type(window, "join_address", QString::fromStdString(server.text()));
+    const QString with = token();
+    type(window, "join_token", with);
+    keep_picture(window, "join-form");
+    click(window, "join_confirm");
+    // The server has no programme yet: the first station has to sync first.
+    ASSERT_TRUE(wait_for([&] { return !find<QLabel>(window, "join_problem")->text().isEmpty(); }));
+    EXPECT_TRUE(find<QLabel>(window, "join_problem")->text().contains("has a programme"));
+    enrol_station(*programme.store, programme.session("administrator"), server, token().toStdString());
+    sync_with_server(*programme.store, programme.session("administrator"), server_of(*programme.store));
+    click(window, "join_confirm");
+    ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "sign_in_page"; }))
+        << find<QLabel>(window, "join_problem")->text().toStdString();
+    const Store joined = Store::open(folder.filePath("fulcrum.db").toStdString());
+    EXPECT_EQ(joined.programme_name(), "Test programme");
+    EXPECT_EQ(People(joined).sign_in("ann", database::test::password).display_name(), "Ann Trainee");
+    EXPECT_EQ(enrolled_stations(server).size(), 2U);
+}
+
 }  // namespace
 }  // namespace fulcrum::app::program_test

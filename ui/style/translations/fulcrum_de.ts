@@ -12732,6 +12732,14 @@ Kennzahlen: %2</translation>
         <source>This code is shown only once. Write it down and lock it away: without it, the last administrator cannot set a new password.</source>
         <translation>Dieser Code wird nur einmal gezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Ohne ihn kann der letzte Administrator kein neues Passwort setzen.</translation>
     </message>
+    <message>
+        <source>Is this a further station of a programme that has a server? Join it with a token of the server&apos;s owner.</source>
+        <translation>Ist dies eine weitere Station eines Programms, das einen Server hat? Treten Sie ihm mit einem Token vom Eigentümer des Servers bei.</translation>
+    </message>
+    <message>
+        <source>Join a programme</source>
+        <translation>Einem Programm beitreten</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::FrameCheck</name>
@@ -13380,6 +13388,37 @@ Kennzahlen: %2</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::JoinForm</name>
+    <message>
+        <source>Join a programme</source>
+        <translation>Einem Programm beitreten</translation>
+    </message>
+    <message>
+        <source>The owner of the programme server makes a token for this station with &quot;fulcrum server enrol&quot; and tells you the server&apos;s address. People sign in here with the passwords that they have at the other stations.</source>
+        <translation>Der Eigentümer des Programmservers erzeugt mit „fulcrum server enrol“ ein Token für diese Station und nennt Ihnen die Adresse des Servers. Hier melden sich alle mit dem Passwort an, das sie an den anderen Stationen haben.</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation>Token</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Beitreten</translation>
+    </message>
+    <message>
+        <source>Fetching the programme …</source>
+        <translation>Das Programm wird geholt …</translation>
     </message>
 </context>
 <context>
