@@ -14,6 +14,7 @@ namespace {
 constexpr int late_ticks = 5;
 // The overseer says that it runs every 5 ms.
 constexpr int overseer_ticks = 100;
+constexpr double us_in_ns = 1e-3;
 
 }  // namespace
 
@@ -27,12 +28,14 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
       motion_(use.motion),
       stated_rate_(facts.rate),
       pedal_(use.pedal),
-      has_pedal_(use.pedal >= 0 && use.pedal < device_slots && facts.slot[use.pedal]) {
+      has_pedal_(use.pedal >= 0 && use.pedal < device_slots && facts.slot[use.pedal]),
+      device_period_(static_cast<std::int64_t>(1e9 / facts.rate)) {
+    state_.loop.read(loop_at_begin_);
     const int slots[device_slots] = {use.left, use.right, use.scope};
     for (int i = 0; i < device_slots; ++i) {
         Driven& driven = driven_[i];
         // Commands of an attempt before are older.
-        if (i < hand_count) sent_[i].sequence = static_cast<std::uint64_t>(monotonic_ns());
+        if (i < hand_count) sent_[i].sequence = static_cast<std::uint64_t>(rendered_[i] = monotonic_ns());
         driven.slot = slots[i] >= 0 && slots[i] < device_slots && facts.slot[slots[i]] ? slots[i] : -1;
         if (i == scope_slot) {
             driven.exists = scene.camera.has_value();
@@ -90,15 +93,42 @@ void DeviceRig::see_overseer() noexcept {
     overseer_time_ = time;
 }
 
-void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept {
+DeviceTiming DeviceRig::timing() const {
+    DeviceTiming timing;
+    timing.pose_age = pose_age_.read();
+    timing.force_delay = force_delay_.read();
+    timing.jitter = jitter_.read();
+    LoopReport loop = loop_at_begin_;
+    state_.loop.read(loop);
+    timing.device_ticks = loop.ticks - loop_at_begin_.ticks;
+    timing.device_late = loop.late - loop_at_begin_.late;
+    timing.real_time_priority = loop.real_time != 0;
+    return timing;
+}
+
+void DeviceRig::see_force(int hand) noexcept {
+    ForceReport report;
+    if (!force_[hand] || !state_.report[driven_[hand].slot].read(report) ||
+        report.command_time <= rendered_[hand])
+        return;
+    rendered_[hand] = report.command_time;
+    force_delay_.add(us_in_ns * static_cast<double>(report.time - report.command_time));
+}
+
+void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, DeviceSample& sample) noexcept {
     DevicePose pose = driven.newest;
     const bool got = state_.pose[driven.slot].read(pose);
     driven.same =
         got && pose.sequence != driven.newest.sequence ? 0 : std::min(driven.same + 1, late_ticks + 1);
-    if (got && pose.sequence > driven.newest.sequence)
-        driven.meter.add(
-            static_cast<int>(std::min<std::uint64_t>(pose.sequence - driven.newest.sequence, 1000)),
-            1e-9 * static_cast<double>(pose.time));
+    if (got && pose.sequence > driven.newest.sequence) {
+        const std::uint64_t more = pose.sequence - driven.newest.sequence;
+        driven.meter.add(static_cast<int>(std::min<std::uint64_t>(more, 1000)),
+                         1e-9 * static_cast<double>(pose.time));
+        pose_age_.add(us_in_ns * static_cast<double>(now - pose.time));
+        if (more == 1 && driven.newest.sequence != 0)
+            jitter_.add(us_in_ns *
+                        std::abs(static_cast<double>(pose.time - driven.newest.time - device_period_)));
+    }
     driven.newest = pose;
     DeviceReading reading = driven.start;
     const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);
@@ -173,11 +203,13 @@ void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
     others_->read(tick, sample);
     sample.tick = tick;
     see_overseer();
+    const std::int64_t now = monotonic_ns();
+    for (int h = 0; h < hand_count; ++h) see_force(h);
     DeviceSample* const samples[device_slots] = {&sample.hand[0], &sample.hand[1], &sample.camera};
     for (int i = 0; i < device_slots; ++i) {
         if (driven_[i].slot < 0 || !driven_[i].exists) continue;
         const DeviceSample keys = *samples[i];
-        read_slot(driven_[i], i == scope_slot, *samples[i]);
+        read_slot(driven_[i], i == scope_slot, now, *samples[i]);
         const unsigned own = samples[i]->buttons & (pedal_ == -2 ? ~0U : ~unsigned{button_energy});
         samples[i]->buttons = static_cast<std::uint16_t>(own);
         add_keys(driven_[i], i == scope_slot, keys, *samples[i]);

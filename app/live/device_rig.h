@@ -19,6 +19,7 @@
 
 #include <memory>
 
+#include "app/live/loop_statistics.h"
 #include "sim_core/devices/device_facts.h"
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/instrument.h"
@@ -49,6 +50,8 @@ class DeviceRig : public Rig {
     double damping(Hand hand) const override;
     std::optional<ForceOutput> force_output(Hand hand) const override;
     std::optional<RigUse> use() const override;
+    /// Since this rig was made. Any thread.
+    DeviceTiming timing() const;
     /// The trocar's frame from the device's: a half turn about y.
     static Vector3 turned(const Vector3& v) { return {-v.x(), v.y(), -v.z()}; }
 
@@ -73,7 +76,8 @@ class DeviceRig : public Rig {
         std::int32_t keys_roll = 0, keys_head = 0;  ///< of the other rig at its first tick
     };
     void see_overseer() noexcept;
-    void read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept;
+    void read_slot(Driven& driven, bool is_scope, std::int64_t now, DeviceSample& sample) noexcept;
+    void see_force(int hand) noexcept;
     void clutch(Driven& driven, bool pressed, DeviceReading& reading) const noexcept;
     /// The keys of turning, jaws, pedal and exchange work with every device: for what it cannot do.
     static void add_keys(Driven& driven, bool is_scope, const DeviceSample& keys,
@@ -92,6 +96,10 @@ class DeviceRig : public Rig {
     int overseer_same_ = 0;  // ticks since it last said that it runs
     std::optional<ForceOutput> force_[hand_count];
     ForceCommand sent_[hand_count];
+    std::int64_t rendered_[hand_count] = {0, 0};  ///< ns, time of the command that was rendered last
+    std::int64_t device_period_;                  ///< ns
+    LoopReport loop_at_begin_;
+    DurationHistogram pose_age_, force_delay_, jitter_;
 };
 
 }  // namespace fulcrum::app

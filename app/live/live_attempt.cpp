@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/live/attempt_recording.h"
+#include "app/live/device_rig.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
 #include "app/live/world_products.h"
@@ -488,11 +489,11 @@ std::uint64_t LiveAttempt::state_hash() const {
 }
 
 LoopStatistics LiveAttempt::statistics() const {
-    const State& state = *state_;
-    LoopStatistics statistics = state.counters.read();
-    statistics.ticks = state.tick_count.load();
+    LoopStatistics statistics = state_->counters.read();
+    statistics.ticks = state_->tick_count.load();
     statistics.lost_samples =
-        state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
+        state_->world_ring.lost() + state_->record_ring.lost() + state_->record_world_ring.lost();
+    if (state_->request.device != nullptr) statistics.device = state_->request.device->timing();
     return statistics;
 }
 

@@ -27,6 +27,8 @@
 
 namespace fulcrum::app {
 
+class DeviceRig;
+
 struct LiveRequest {
     LoadedTask loaded;
     std::uint64_t seed = 1;
@@ -45,6 +47,8 @@ struct LiveRequest {
     std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>& stop)> make_ghost = {};
     /// Gets every sample; null: nobody looks.
     std::shared_ptr<SampleTap> tap = {};
+    /// Within `rig`, for its timing; null: no device process moves the hands.
+    std::shared_ptr<const DeviceRig> device = {};
 };
 
 class LiveAttempt : public ui::AttemptSession {

@@ -5,11 +5,21 @@
 #include <atomic>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "app/live/histogram.h"
 #include "app/live/tick_account.h"
 
 namespace fulcrum::app {
+
+/// Between the program's ticks and those of the process that drives its device.
+struct DeviceTiming {
+    Durations pose_age;     ///< from reading the device to the program's tick that uses it
+    Durations force_delay;  ///< from the program's command to the device's tick that renders it
+    Durations jitter;       ///< time between two readings, less the device's period
+    std::uint64_t device_ticks = 0, device_late = 0;  ///< ticks of that process; those a period late
+    bool real_time_priority = false;                  ///< of that process
+};
 
 /// Missed ticks, late steps and durations.
 struct LoopStatistics {
@@ -28,6 +38,7 @@ struct LoopStatistics {
     Durations own;   ///< processor time of a tick
     Durations step;  ///< duration of a world step
     bool real_time_priority = false;
+    std::optional<DeviceTiming> device;  ///< none: the hands' device is read by the program itself
 };
 
 /// The format of `perform --realtime --json` and `lab clock`.

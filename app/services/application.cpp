@@ -120,6 +120,7 @@ class Services : public ui::ApplicationServices {
         live.seed = request.seed;
         live.assessed = request.assessed;
         live.rig = request.rig;
+        live.device = devices_.rig();
         live.store_path = store_->path();
         live.session = request.session;
         live.limits = limits;
@@ -331,6 +332,7 @@ class Services : public ui::ApplicationServices {
         live.seed = seed;
         live.assessed = false;
         live.rig = request.rig;
+        live.device = devices_.rig();
         live.store_path = store_->path();
         live.session = request.session;
         live.limits = limits;

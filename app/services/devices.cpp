@@ -245,13 +245,16 @@ ui::DeviceInUse Devices::in_use() const {
 
 std::shared_ptr<Rig> Devices::hands(const Scene& scene, std::shared_ptr<Rig> others) {
     open();
+    rig_.reset();
     if (client_ == nullptr) return others;
     test_.reset();
     const std::string kind = kind_of(specification_);
     const ui::SlotChoice use = slot_choice(kind);
-    return std::make_shared<DeviceRig>(
+    const auto rig = std::make_shared<DeviceRig>(
         client_, client_->state(), client_->command(), client_->facts(), scene, std::move(others),
         SlotUse{use.left, use.right, use.scope, motion_scale(kind), use.pedal}, force_scale(kind));
+    rig_ = rig;
+    return rig;
 }
 
 std::shared_ptr<GameController> Devices::game_controller() {

@@ -11,6 +11,8 @@
 
 namespace fulcrum::app {
 
+class DeviceRig;
+
 class Devices {
   public:
     /// `specification`: empty for mouse and keyboard, else as for fulcrum-hapticd. Nothing is opened yet.
@@ -18,6 +20,8 @@ class Devices {
     ui::DeviceInUse in_use() const;
     /// Throws InputError.
     std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others);
+    /// Of the latest hands(); null where no device process moves them or nobody holds that rig any more.
+    std::shared_ptr<const DeviceRig> rig() const { return rig_.lock(); }
     /// Null where the device is none. Throws InputError.
     std::shared_ptr<GameController> game_controller();
     Sentence trouble();
@@ -53,6 +57,7 @@ class Devices {
     std::string specification_;
     std::shared_ptr<DaemonClient> client_;
     std::shared_ptr<GameController> pad_;
+    std::weak_ptr<const DeviceRig> rig_;
     std::unique_ptr<ForceTest> test_;
     std::unique_ptr<GuidedCalibration> calibration_;
     std::uint64_t counted_ = 0;     ///< readings at the last call of readings()

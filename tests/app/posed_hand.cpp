@@ -25,6 +25,11 @@ bool PosedHand::work_until(const std::function<bool()>& done, int milliseconds) 
                 for (int h = 0; h < hand_count; ++h) start_[h] = handle_of(wish_.hand[h]);
         }
         for (int h = 0; h < hand_count && tick_ > 0; ++h) {
+            if (press_ && closed_[h] != (wish_.hand[h].jaw == 0)) {
+                closed_[h] = !closed_[h];
+                press_(h, closed_[h]);
+                ++events_;
+            }
             const Vector3 position = begin_ + DeviceRig::turned(handle_of(wish_.hand[h]) - start_[h]);
             if (!first && position == at_[h]) continue;
             at_[h] = position;

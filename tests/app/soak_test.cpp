@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real-time operation while the window draws and both hands grasp and drag the bowel. Eight seconds by
-// default; FULCRUM_SOAK_S=600 runs ten minutes, FULCRUM_SOAK_PAGE=docs/results writes their page.
+// Real-time operation while the window draws and both hands grasp and drag the bowel: by mouse, and by a
+// haptic device (a fake of libHD) behind fulcrum-hapticd. Eight seconds by default; FULCRUM_SOAK_S=600 runs
+// ten minutes, FULCRUM_SOAK_PAGE=docs/results writes their page.
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -12,7 +13,11 @@
 #include "assessment/task/bowel_line.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/mouse_hand.h"
+#include "tests/app/posed_hand.h"
 #include "tests/app/window_fixture.h"
+#include "tests/fakes/fake_page.h"
+#include "tests/fakes/fake_touch.h"
+#include "tests/support/built.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -140,38 +145,124 @@ std::string list(std::initializer_list<double> values, const char* format = "%.0
     return text;
 }
 
-TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
-    create_programme_and_trainee();
-    const char* asked = std::getenv("FULCRUM_SOAK_S");
-    const int seconds = asked != nullptr ? std::atoi(asked) : 8;
-    start("B1", false);
+/// What differs between two devices of the hands.
+struct SoakKind {
+    const char* page;
+    const char* filter;  ///< of the test
+    std::string how;     ///< a sentence of the page
+    /// Moves the hands until it is done.
+    std::function<bool(ObservingRig&, const std::function<bool()>&, int milliseconds)> work;
+    std::function<int()> events;
+};
+
+/// What was seen while the attempt ran.
+struct Seen {
+    LoopStatistics statistics;
+    std::vector<double> frames;  // ms
+    int held_pictures = 0;
+    double grown = 0, withheld = 0;  // bytes, s
+};
+
+class Soak : public Window {
+  protected:
+    void run(const SoakKind& kind);
+
+  private:
+    void watch(const SoakKind& kind, Seen& seen);
+    lab::ResultTable table_of(const SoakKind& kind, const Seen& seen, const database::AttemptSummary& attempt,
+                              const database::Trace& trace, int grasps) const;
+    const int seconds_ =
+        std::getenv("FULCRUM_SOAK_S") != nullptr ? std::atoi(std::getenv("FULCRUM_SOAK_S")) : 8;
+};
+
+void Soak::watch(const SoakKind& kind, Seen& seen) {
     TheatreView* view = theatre().view();
     const auto* live = dynamic_cast<const LiveAttempt*>(theatre().session());
     ASSERT_NE(live, nullptr);
     DraggingMind mind(live->scene());
-    MouseHand hand(theatre(), mind);
     const ClockWitness witness;
     QElapsedTimer clock;
     clock.start();
     double settled = 0, resident = 0;
-    int pictures = view->pictures(), held_pictures = 0;
-    std::vector<double> frames;
-    LoopStatistics statistics;
-    hand.work_until(
+    int pictures = view->pictures();
+    kind.work(
+        mind,
         [&] {
-            statistics = live->statistics();  // while the threads run: the counters are atomic
+            seen.statistics = live->statistics();  // while the threads run: the counters are atomic
             if (view->pictures() != pictures) {
                 pictures = view->pictures();
-                frames.push_back(view->last_frame_ms());
+                seen.frames.push_back(view->last_frame_ms());
                 for (const GraspState& grasp : theatre().session()->snapshot().grasps)
-                    held_pictures += grasp.held ? 1 : 0;
+                    seen.held_pictures += grasp.held ? 1 : 0;
             }
             resident = resident_bytes();
-            if (settled == 0 && clock.elapsed() > seconds * 250LL) settled = resident;
-            return clock.elapsed() >= seconds * 1000LL;
+            if (settled == 0 && clock.elapsed() > seconds_ * 250LL) settled = resident;
+            return clock.elapsed() >= seconds_ * 1000LL;
         },
-        seconds * 1000 + 60000);
-    const double grown = resident - settled, withheld = witness.withheld();
+        seconds_ * 1000 + 60000);
+    seen.grown = resident - settled;
+    seen.withheld = witness.withheld();
+    std::sort(seen.frames.begin(), seen.frames.end());
+}
+
+lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
+                                const database::AttemptSummary& attempt, const database::Trace& trace,
+                                int grasps) const {
+    const auto frame = [&](double share) {
+        return seen.frames.empty() ? 0.0
+                                   : seen.frames[static_cast<std::size_t>(
+                                         share * static_cast<double>(seen.frames.size() - 1))];
+    };
+    const auto durations = [](const Durations& d) {
+        return list({d.p50_us, d.p99_us, d.p999_us, d.worst_us});
+    };
+    const LoopStatistics& statistics = seen.statistics;
+    lab::ResultTable table;
+    table.name = kind.page;
+    table.columns = {"what", "value"};
+    table.rows = {
+        {"ticks", number(static_cast<double>(statistics.ticks))},
+        {"missed by the program", number(static_cast<double>(statistics.missed_by_program))},
+        {"missed by the scheduler", number(static_cast<double>(statistics.missed_by_scheduler))},
+        {"waking late, us: p50, p99, p99.9, worst", durations(statistics.wake)},
+        {"tick, us: p50, p99, p99.9, worst", durations(statistics.tick)},
+        {"world step, us: p50, p99, p99.9, worst", durations(statistics.step)},
+    };
+    if (const auto& device = statistics.device) {
+        table.rows.insert(table.rows.end(),
+                          {{"ticks of the device process", number(static_cast<double>(device->device_ticks))},
+                           {"of them a period late", number(static_cast<double>(device->device_late))},
+                           {"pose, from the device to the program's tick, us: p50, p99, p99.9, worst",
+                            durations(device->pose_age)},
+                           {"force, from the program to the motors, us: p50, p99, p99.9, worst",
+                            durations(device->force_delay)},
+                           {"time between two readings, less the period, us: p50, p99, p99.9, worst",
+                            durations(device->jitter)},
+                           {"real-time priority granted to the device process",
+                            device->real_time_priority ? "yes" : "no"}});
+    }
+    table.rows.insert(table.rows.end(),
+                      {{"processor time withheld from a thread that only reads the clock, s",
+                        number(seen.withheld, "%.2f")},
+                       {"late world steps", number(static_cast<double>(statistics.late_steps))},
+                       {"samples lost", number(static_cast<double>(attempt.lost_samples))},
+                       {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
+                       {"memory grown after the first quarter, MiB", number(seen.grown / 1048576.0, "%.1f")},
+                       {"pictures", number(static_cast<double>(seen.frames.size()))},
+                       {"picture, ms: p50, p99, worst", list({frame(0.5), frame(0.99), frame(1.0)}, "%.1f")},
+                       {"grasps of bowel", number(grasps)},
+                       {"pictures with bowel held", number(seen.held_pictures)},
+                       {"inputs", number(kind.events())},
+                       {"real-time priority granted", statistics.real_time_priority ? "yes" : "no"},
+                       {"how it ended", row_of(attempt_states, attempt.state).name}});
+    return table;
+}
+
+void Soak::run(const SoakKind& kind) {
+    create_programme_and_trainee();
+    start("B1", false);
+    Seen seen;
+    ASSERT_NO_FATAL_FAILURE(watch(kind, seen));
     if (theatre().session() != nullptr && theatre().session()->phase() == AttemptPhase::running) {
         abandon();
     } else {
@@ -182,47 +273,15 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
         database::Attempts(*services.store()).read_trace(window.context().session(), attempt.meta.id);
     int grasps = 0;
     for (const Event& event : trace.events) grasps += event.kind == EventKind::grasp ? 1 : 0;
-    std::sort(frames.begin(), frames.end());
-    const auto frame = [&](double share) {
-        return frames.empty()
-                   ? 0.0
-                   : frames[static_cast<std::size_t>(share * static_cast<double>(frames.size() - 1))];
-    };
-    lab::ResultTable table;
-    table.name = "soak";
-    table.columns = {"what", "value"};
-    table.rows = {
-        {"ticks", number(static_cast<double>(statistics.ticks))},
-        {"missed by the program", number(static_cast<double>(statistics.missed_by_program))},
-        {"missed by the scheduler", number(static_cast<double>(statistics.missed_by_scheduler))},
-        {"waking late, us: p50, p99, p99.9, worst",
-         list({statistics.wake.p50_us, statistics.wake.p99_us, statistics.wake.p999_us,
-               statistics.wake.worst_us})},
-        {"tick, us: p50, p99, worst",
-         list({statistics.tick.p50_us, statistics.tick.p99_us, statistics.tick.worst_us})},
-        {"world step, us: p50, p99, worst",
-         list({statistics.step.p50_us, statistics.step.p99_us, statistics.step.worst_us})},
-        {"processor time withheld from a thread that only reads the clock, s", number(withheld, "%.2f")},
-        {"late world steps", number(static_cast<double>(statistics.late_steps))},
-        {"samples lost", number(static_cast<double>(attempt.lost_samples))},
-        {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
-        {"memory grown after the first quarter, MiB", number(grown / 1048576.0, "%.1f")},
-        {"pictures", number(static_cast<double>(frames.size()))},
-        {"picture, ms: p50, p99, worst", list({frame(0.5), frame(0.99), frame(1.0)}, "%.1f")},
-        {"grasps of bowel", number(grasps)},
-        {"pictures with bowel held", number(held_pictures)},
-        {"mouse and key events", number(hand.events())},
-        {"real-time priority granted", statistics.real_time_priority ? "yes" : "no"},
-        {"how it ended", row_of(attempt_states, attempt.state).name},
-    };
+    const lab::ResultTable table = table_of(kind, seen, attempt, trace, grasps);
     for (const auto& row : table.rows) std::printf("%s: %s\n", row[0].c_str(), row[1].c_str());
     if (const char* page_folder = std::getenv("FULCRUM_SOAK_PAGE")) {
-        lab::ResultPage page("soak", "In real time for " + std::to_string(seconds) + " s",
-                             "FULCRUM_SOAK_S=" + std::to_string(seconds) + " FULCRUM_SOAK_PAGE=" +
-                                 page_folder + " test_app --gtest_filter=*KeepsItsClock*");
+        lab::ResultPage page(kind.page, "In real time for " + std::to_string(seconds_) + " s",
+                             "FULCRUM_SOAK_S=" + std::to_string(seconds_) + " FULCRUM_SOAK_PAGE=" +
+                                 page_folder + " test_app --gtest_filter=" + kind.filter);
         const char* load = std::getenv("FULCRUM_SOAK_LOAD");
-        page.paragraph(std::string("B1 in the real window under Xvfb, with drawing. Mouse and key events "
-                                   "make both hands grasp and drag the bowel. Running at the same time: ") +
+        page.paragraph("B1 in the real window under Xvfb, with drawing. " + kind.how +
+                       " Running at the same time: " +
                        (load != nullptr ? load : "nothing else that was started for this run") + ".");
         page.table(table);
         page.write(page_folder, lab::this_machine(lab::build_info()));
@@ -230,11 +289,55 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     EXPECT_EQ(attempt.lost_samples, 0U);
     // A shared machine withholds its processors for up to a quarter of the periods and sometimes stops
     // completely. Required here: the attempt continues, and the record misses no tick.
-    ASSERT_GT(static_cast<double>(trace.samples.size()), 500.0 * (seconds - withheld));
+    ASSERT_GT(static_cast<double>(trace.samples.size()), 500.0 * (seconds_ - seen.withheld));
     for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i + 1);
-    EXPECT_LT(grown, 64.0 * 1048576.0);
-    EXPECT_GE(grasps, seconds / 30);
+    EXPECT_LT(seen.grown, 64.0 * 1048576.0);
+    EXPECT_GE(grasps, seconds_ / 30);
+    EXPECT_EQ(seen.statistics.device.has_value(), std::getenv("FULCRUM_DEVICE") != nullptr);
     expect_replays(attempt.meta.id);
+}
+
+TEST_F(Soak, ByMouseKeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
+    std::optional<MouseHand> hand;
+    run({"soak", "*ByMouseKeepsItsClock*", "Mouse and key events make both hands grasp and drag the bowel.",
+         [&](ObservingRig& mind, const std::function<bool()>& done, int milliseconds) {
+             return hand.emplace(theatre(), mind).work_until(done, milliseconds);
+         },
+         [&] { return hand->events(); }});
+}
+
+/// Before the services of the fixture are made, which read these.
+struct SoakDevice {
+    fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
+    fulcrum::test::Variable library{"FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so")};
+    fulcrum::test::Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
+    fulcrum::test::Variable program{"FULCRUM_HAPTICD", fulcrum::test::hapticd_program()};
+};
+class SoakThroughTheDaemon : public SoakDevice, public Soak {};
+
+TEST_F(SoakThroughTheDaemon, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
+    std::optional<PosedHand> hand;
+    double felt = 0;
+    run({"soak_daemon", "SoakThroughTheDaemon*",
+         "Two haptic devices, fakes of the maker's library that fulcrum-hapticd opens and that the test "
+         "moves, "
+         "make both hands grasp and drag the bowel; the forces go to their motors.",
+         [&](ObservingRig& mind, const std::function<bool()>& done, int milliseconds) {
+             const auto put = [&](int h, const Vector3& position) {
+                 for (int axis = 0; axis < 3; ++axis) page->device[h].position[axis] = 1e3 * position[axis];
+             };
+             const auto press = [&](int h, bool closed) { page->device[h].buttons = closed ? 1 : 0; };
+             hand.emplace(theatre(), mind, put, Vector3::Zero(), press);
+             return hand->work_until(
+                 [&] {
+                     for (const auto& one : page->device)
+                         for (const auto& force : one.force) felt = std::max(felt, std::abs(force.load()));
+                     return done();
+                 },
+                 milliseconds);
+         },
+         [&] { return hand->events(); }});
+    EXPECT_GT(felt, 0.05) << "N, at the motors";
 }
 
 }  // namespace

@@ -272,7 +272,8 @@ void MainWindow::show_page(Page* next) {
     const bool theatre = typeid(*next) == typeid(TheatrePage);
     const bool before_sign_in = !context_.signed_in();
     top_bar_->setVisible(context_.services().store() != nullptr && !before_sign_in);
-    rail_->setVisible(!theatre && !before_sign_in && !rail_buttons_.empty());
+    menu_->setChecked(false);
+    show_rail();
     show_banner();
     role_->setEnabled(!theatre);
     for (auto& [button, entry] : rail_buttons_) {
@@ -349,17 +350,10 @@ void MainWindow::fill_rail() {
         connect(password, &QPushButton::clicked, this, [this] { show_page(page<PasswordPage>()); });
         rail_layout_->addWidget(password);
     }
+    rail_switch_user_ = make_button(tr("Switch user"), "rail_switch_user", "rail");
+    connect(rail_switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
+    rail_layout_->addWidget(rail_switch_user_);
     fit_rail();
-}
-
-void MainWindow::fit_rail() {
-    QFont bold = font();
-    bold.setWeight(QFont::DemiBold);
-    int widest = 0;
-    for (const QPushButton* button : rail_->findChildren<QPushButton*>())
-        widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(button->text()));
-    constexpr int beside = 2 * (8 + 8);  // margins of the rail and of a button
-    rail_->setFixedWidth(std::max(170, widest + beside + 2));
 }
 
 void MainWindow::show_home() {
@@ -412,6 +406,13 @@ void MainWindow::show_message(const QString& line, bool is_error) {
     // Good news disappears after a while; a problem stays until the user closes it.
     message_timer_.stop();
     if (!is_error) message_timer_.start();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (stack_ == nullptr || stack_->currentWidget() == nullptr) return;  // not built yet
+    menu_->setChecked(false);
+    fit_rail();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -16,6 +16,7 @@
 
 class QComboBox;
 class QFrame;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -55,6 +56,7 @@ class MainWindow : public QMainWindow {
   protected:
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void build();
@@ -77,8 +79,12 @@ class MainWindow : public QMainWindow {
     /// Which has signed in the person whose account its address names.
     bool on_server() { return context_.services().store() != nullptr && context_.store().is_server(); }
     void fill_rail();
-    /// As wide as its longest title needs.
+    /// As wide as its longest title needs. Where that is much of the window, the rail lies over the page and
+    /// a button shows it.
     void fit_rail();
+    /// Shows what the page and the room allow.
+    void show_rail();
+    void open_menu(bool open);
     void change_role(int index);
     void switch_user();
     void lock();
@@ -102,8 +108,10 @@ class MainWindow : public QMainWindow {
     QLabel *message_text_ = nullptr, *banner_text_ = nullptr;
     QTimer message_timer_;
     QComboBox* role_ = nullptr;
-    QPushButton *switch_user_ = nullptr, *theme_ = nullptr;
+    QPushButton *switch_user_ = nullptr, *theme_ = nullptr, *menu_ = nullptr, *rail_switch_user_ = nullptr;
     QVBoxLayout* rail_layout_ = nullptr;
+    QHBoxLayout* beside_rail_ = nullptr;  ///< rail and pages
+    bool narrow_ = false;                 ///< too little room for rail and pages
     std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
     std::map<std::type_index, Page*> pages_;
     bool fitted_ = false;  ///< to the screen, with its real frame

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window consists of: banner, top bar, message, rail, pages, lock.
 #include <QComboBox>
+#include <QShortcut>
 #include <QStackedWidget>
+#include <typeinfo>
 
 #include "ui/shell/lock_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/theatre/theatre_page.h"
 
 namespace fulcrum::ui {
 
@@ -19,17 +22,20 @@ void MainWindow::build() {
     layout->addWidget(build_banner());
     layout->addWidget(build_top_bar());
     layout->addWidget(build_message());
-    auto* middle = new QHBoxLayout;
-    middle->setSpacing(0);
+    beside_rail_ = new QHBoxLayout;
+    beside_rail_->setSpacing(0);
+    narrow_ = false;
     rail_ = new QFrame;
     rail_->setProperty("role", "rail");
+    auto* close = new QShortcut(Qt::Key_Escape, rail_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    connect(close, &QShortcut::activated, this, [this] { menu_->setChecked(false); });
     rail_layout_ = new QVBoxLayout(rail_);
     rail_layout_->setContentsMargins(8, 16, 8, 16);
     rail_layout_->setSpacing(4);
-    middle->addWidget(rail_);
+    beside_rail_->addWidget(rail_);
     stack_ = new QStackedWidget;
-    middle->addWidget(stack_, 1);
-    layout->addLayout(middle, 1);
+    beside_rail_->addWidget(stack_, 1);
+    layout->addLayout(beside_rail_, 1);
 
     layers_ = new QStackedWidget;
     layers_->addWidget(proper);
@@ -58,6 +64,11 @@ QWidget* MainWindow::build_top_bar() {
     auto* bar = new QHBoxLayout(top_bar_);
     bar->setContentsMargins(18, 8, 18, 8);
     bar->setSpacing(12);
+    menu_ = make_button(tr("Menu"), "menu");
+    menu_->setCheckable(true);
+    menu_->hide();
+    connect(menu_, &QPushButton::toggled, this, &MainWindow::open_menu);
+    bar->addWidget(menu_);
     programme_ = new ElidedLabel;
     programme_->setProperty("role", "heading");
     bar->addWidget(programme_);
@@ -74,13 +85,58 @@ QWidget* MainWindow::build_top_bar() {
     theme_ = make_button(theme_title(current_theme() == Theme::light ? Theme::dark : Theme::light), "theme");
     bar->addWidget(theme_);
     switch_user_ = make_button(tr("Switch user"), "switch_user");
-    switch_user_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")));
     bar->addWidget(switch_user_);
+    // Not of the button, which is hidden where there is little room.
+    auto* keys = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")), top_bar_);
+    connect(keys, &QShortcut::activated, switch_user_, &QPushButton::click);
     connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::change_role);
     connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
     return top_bar_;
+}
+
+void MainWindow::fit_rail() {
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    int widest = 0;
+    for (const QPushButton* button : rail_->findChildren<QPushButton*>())
+        widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(button->text()));
+    constexpr int beside = 2 * (8 + 8);  // margins of the rail and of a button
+    rail_->setFixedWidth(std::max(170, widest + beside + 2));
+    constexpr double most = 0.28;  // of the window's width
+    const bool narrow = rail_->width() > most * width();
+    if (narrow != narrow_) {
+        narrow_ = narrow;
+        if (narrow)
+            beside_rail_->removeWidget(rail_);
+        else
+            beside_rail_->insertWidget(0, rail_);
+    }
+    show_rail();
+}
+
+void MainWindow::show_rail() {
+    const bool wanted =
+        context_.signed_in() && !rail_buttons_.empty() && typeid(*current_page()) != typeid(TheatrePage);
+    if (!wanted || !narrow_) menu_->setChecked(false);
+    menu_->setVisible(wanted && narrow_);
+    programme_->setVisible(!narrow_);
+    theme_->setVisible(!narrow_);  // Settings has it too
+    switch_user_->setVisible(!menu_->isVisibleTo(top_bar_));
+    if (!rail_buttons_.empty()) rail_switch_user_->setVisible(narrow_);
+    rail_->setVisible(wanted && (!narrow_ || menu_->isChecked()));
+}
+
+void MainWindow::open_menu(bool open) {
+    show_rail();
+    if (!open || !narrow_) return;
+    rail_->setGeometry(QRect(stack_->pos(), QSize(rail_->width(), stack_->height())));
+    rail_->raise();
+    rail_buttons_.front().first->setFocus();
+    for (const auto& [button, entry] : rail_buttons_) {
+        if (button->isChecked()) button->setFocus();
+    }
 }
 
 QWidget* MainWindow::build_message() {

@@ -13796,6 +13796,10 @@ Kennzahlen: %2</translation>
         <source>Demonstration: the people and their attempts are simulated.</source>
         <translation>Vorführung: Die Personen und ihre Versuche sind simuliert.</translation>
     </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MergeCard</name>
