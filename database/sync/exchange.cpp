@@ -112,7 +112,8 @@ void Exchange::use_enrolment() {
             QT_TRANSLATE_NOOP("errors",
                               "enrol this station with a token of its own (`fulcrum server enrol`, then "
                               "`fulcrum sync --enrol TOKEN`)"));
-    if (!enrolment.flag(1)) return;
+    is_limited_ = enrolment.flag(1);
+    if (!is_limited_) return;
     const auto list = [&](const char* sql) {
         Query rows(station_, sql);
         std::string ids;
@@ -228,6 +229,27 @@ bool Exchange::is_changed_here(const std::string& key) {
     return row.next();
 }
 
+std::set<std::string> Exchange::names_of_hidden(const Units& units,
+                                                const std::map<std::string, UnitState>& here,
+                                                const std::map<std::string, UnitState>& there) {
+    std::set<std::string> taken;
+    if (!is_limited_ || units.table().unique == nullptr) return taken;
+    std::string names;
+    for (const auto& [key, state] : here) {
+        if (there.count(key) != 0) continue;
+        // As an element of an array: in quotes, with those within it escaped.
+        names += names.empty() ? "\"" : ",\"";
+        for (const char c : state.unique) names += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+        names += '"';
+    }
+    if (names.empty()) return taken;
+    const bool is_person = std::string(units.table().table) == "person";
+    Query rows(server_, "SELECT t FROM names_taken(?::text[], ?::text[]) t");
+    rows.bind(is_person ? "{" + names + "}" : "{}").bind(is_person ? "{}" : "{" + names + "}");
+    while (rows.next()) taken.insert(rows.text(0));
+    return taken;
+}
+
 void Exchange::exchange_versioned(const Units& units) {
     const std::map<std::string, UnitState> here = units.states(station_), there = units.states(server_);
     const auto owners = [](const std::map<std::string, UnitState>& states) {
@@ -235,7 +257,9 @@ void Exchange::exchange_versioned(const Units& units) {
         for (const auto& [key, state] : states) owner[state.unique] = key;
         return owner;
     };
-    const auto owners_here = owners(here), owners_there = owners(there);
+    const auto owners_here = owners(here);
+    auto owners_there = owners(there);
+    for (const std::string& name : names_of_hidden(units, here, there)) owners_there.emplace(name, "");
     Keys up, down;
     // Another unit of the receiving side has this login or name already.
     const auto taken = [&](const std::string& key, const UnitState& state,

@@ -43,6 +43,9 @@ class Exchange {
     void pull(const Units& units, const Keys& keys);
     void push_audit();
     bool is_changed_here(const std::string& key);
+    /// Logins or names of units that are only here, which others have whom the server does not show.
+    std::set<std::string> names_of_hidden(const Units& units, const std::map<std::string, UnitState>& here,
+                                          const std::map<std::string, UnitState>& there);
     /// Leaves out the units that name others which the other side lacks.
     std::vector<Unit> transferable(const Units& units, std::vector<Unit> read, Way way);
     const std::set<std::string>& known(const std::string& table, Way way);
@@ -55,6 +58,7 @@ class Exchange {
     Connection& server_;
     const SyncOptions& options_;
     std::string server_id_;
+    bool is_limited_ = false;                                ///< the server shows some cohorts only
     std::map<std::string, std::set<std::string>> known_[2];  ///< by table: keys that the receiving side has
     std::map<std::pair<std::string, Way>, std::int64_t> waiting_;  ///< by title
     std::set<std::string> names_taken_;

@@ -96,6 +96,11 @@ CREATE OR REPLACE FUNCTION station_holds(held text[], held_whole text[]) RETURNS
         ON CONFLICT (station_id, unit_id) DO UPDATE SET whole = excluded.whole WHERE u.whole < excluded.whole
         RETURNING 1)
     SELECT COUNT(*) FROM written $$;
+-- Which of these logins and names of cohorts there are, whoever has them.
+CREATE OR REPLACE FUNCTION names_taken(logins text[], cohort_names text[]) RETURNS SETOF text
+    LANGUAGE sql STABLE SECURITY DEFINER SET search_path = public, pg_temp AS $$
+    SELECT p.login_key FROM person p WHERE p.login_key = ANY (logins)
+    UNION ALL SELECT c.name FROM cohort c WHERE c.name = ANY (cohort_names) $$;
 -- What stations have signed of a trace that the station may read.
 CREATE OR REPLACE FUNCTION trace_evidence(wanted text) RETURNS TABLE (station_id text, sequence bigint, "time" bigint,
     actor_id text, object_id text, operation text, digest bytea, previous_hash bytea, hash bytea, salt bytea,
@@ -161,6 +166,7 @@ constexpr FunctionRight function_rights[] = {{"own_enrolment()", "fulcrum_statio
                                              {"station_trainees()", "fulcrum_station"},
                                              {"station_people()", "fulcrum_station"},
                                              {"station_holds(text[], text[])", "fulcrum_station"},
+                                             {"names_taken(text[], text[])", "fulcrum_station"},
                                              {"trace_evidence(text)", "fulcrum_station"},
                                              {"enrol_station(text, text, bytea, text)", "fulcrum_enrol"}};
 

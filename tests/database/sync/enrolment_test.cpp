@@ -286,6 +286,17 @@ TEST_F(Enrolments, ASyncBringsThePeopleOfTheStationsCohortsOnly) {
     EXPECT_TRUE(a.people().find_cohort(director, made));
     sync_linked(year_1);
     EXPECT_EQ(logins_of(*year_1.store).count("fay"), 0U);
+    // A login, or a cohort's name, that somebody has whom the server does not show here: that one waits.
+    People(*year_1.store).create(year_1.sign_in("administrator"), "fay", "Another Fay", {Role::trainee});
+    People(*year_1.store).create(year_1.sign_in("administrator"), "gus", "Gus New", {Role::trainee});
+    People(*year_1.store).create_cohort(year_1.sign_in("director"), "Year 3");
+    People(*year_1.store).create_cohort(year_1.sign_in("director"), "Year \\ \"4\", {5}");
+    const SyncResult waiting = sync_linked(year_1);
+    EXPECT_EQ(waiting.conflicts.size(), 2U);
+    EXPECT_TRUE(waiting.complete);
+    sync_a();
+    EXPECT_EQ(logins_of(*a.store).count("gus"), 1U);
+    EXPECT_TRUE(a.people().find_cohort(director, "Year \\ \"4\", {5}"));
     // Erased on the server while the stations were offline.
     erase_at_programme_server(server, a.id("eve"), false);
     year_2.record("ann", 12);
