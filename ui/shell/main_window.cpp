@@ -327,8 +327,6 @@ void MainWindow::show_session() {
     // person's role.
     QEvent look_again(QEvent::StyleChange);
     QCoreApplication::sendEvent(role_, &look_again);
-    // The server signs in, when the program starts.
-    switch_user_->setVisible(!on_server());
     fill_rail();
 }
 
