@@ -56,57 +56,13 @@ TEST_F(WindowAccess, AdministratorsEnrolTheStationWithATokenAndExchange) {
         << complaint().toStdString();
 }
 
-TEST(RemoteRecording, IsFetchedWhenItsReviewIsOpenedAndTheReviewSaysWhereItCannotBe) {
+/// A further station, from its first screen to the recording of an attempt of the other one.
+TEST(RemoteRecording, AFurtherStationJoinsAndFetchesTheRecordingWhenItsReviewIsOpened) {
     FULCRUM_NEEDS_POSTGRESQL();
     const database::test::KeysOfOneTest keys;
     const AccessProgramme programme;
     const ServerAddress server = PostgresqlServer::of_this_process()->new_database();
-    const auto enrol = [&](const Store& store, const Session& session) {
-        enrol_station(store, session, server, make_enrolment_token(server, "", {}, 1).text);
-        EXPECT_TRUE(sync_with_server(store, session, server_of(store)).complete);
-    };
-    enrol(*programme.store, programme.session("administrator"));
-    const QTemporaryDir folder;
-    const std::string path = folder.filePath("fulcrum.db").toStdString();
-    const Store other = Store::create(path, false, programme.clock.options());
-    enrol(other, other.station_session());
-    const ServerLink link = *ServerLink::of(other.station_id());
-    ServerLink unreachable = link;
-    unreachable.address.host = "/nowhere";
-    unreachable.finish(other.station_id(), "none");
-
-    const auto services = make_services(folder.path().toStdString());
-    MainWindow window(*services);
-    window.resize(1280, 800);
-    window.show();
-    window.start();
-    window.context().set_session(People(other).sign_in("educator", database::test::password, Role::educator));
-    const auto open = [&] {
-        emit window.context().debrief_wanted(QString::fromStdString(programme.ann.attempt), -1);
-        return static_cast<DebriefPage*>(window.current_page());
-    };
-    DebriefPage* debrief = open();
-    ASSERT_TRUE(wait_for([&] { return sees(window, "fetch_recording"); }));
-    EXPECT_TRUE(sees(window, "verdict")) << "the result is here";
-    const QString words = find<QFrame>(window, "no_trace")->findChild<QLabel*>()->text();
-    EXPECT_TRUE(words.contains("cannot be reached now")) << words.toStdString();
-    bring(*find<QPushButton>(window, "fetch_recording"));
-    keep_picture(window, "debrief-recording-elsewhere");
-    link.finish(other.station_id(), "none");
-    click(window, "fetch_recording");
-    ASSERT_TRUE(wait_for([&] { return debrief->has_charts() && debrief->is_ready(); }));
-    EXPECT_EQ(debrief->model()->trace->samples.size(), 1000U);
-    EXPECT_FALSE(sees(window, "fetch_recording"));
-    EXPECT_TRUE(other.check(other.station_session()).ok);
-    window.context().sign_out();
-}
-
-TEST(RemoteRecording, AFurtherStationJoinsFromItsFirstScreenAlsoAfterItWasStopped) {
-    FULCRUM_NEEDS_POSTGRESQL();
-    const database::test::KeysOfOneTest keys;
-    const AccessProgramme programme;
-    const ServerAddress server = PostgresqlServer::of_this_process()->new_database();
-    const auto token = [&] { return QString::fromStdString(make_enrolment_token(server, "", {}, 1).text); };
+    const auto token = [&] { return make_enrolment_token(server, "", {}, 1).text; };
     const QTemporaryDir folder;
     const auto services = make_services(folder.path().toStdString());
     MainWindow window(*services);
@@ -116,22 +72,42 @@ TEST(RemoteRecording, AFurtherStationJoinsFromItsFirstScreenAlsoAfterItWasStoppe
     keep_picture(window, "first-start-join");
     click(window, "join_programme");
     type(window, "join_address", QString::fromStdString(server.text()));
-    const QString with = token();
-    type(window, "join_token", with);
+    type(window, "join_token", QString::fromStdString(token()));
     keep_picture(window, "join-form");
     click(window, "join_confirm");
-    // The server has no programme yet: the first station has to sync first.
+    // The server has no programme yet. The same token goes on when the first station has synced.
     ASSERT_TRUE(wait_for([&] { return !find<QLabel>(window, "join_problem")->text().isEmpty(); }));
     EXPECT_TRUE(find<QLabel>(window, "join_problem")->text().contains("has a programme"));
-    enrol_station(*programme.store, programme.session("administrator"), server, token().toStdString());
-    sync_with_server(*programme.store, programme.session("administrator"), server_of(*programme.store));
+    const Session& administrator = programme.session("administrator");
+    enrol_station(*programme.store, administrator, server, token());
+    EXPECT_TRUE(sync_with_server(*programme.store, administrator, server_of(*programme.store)).complete);
     click(window, "join_confirm");
-    ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "sign_in_page"; }))
-        << find<QLabel>(window, "join_problem")->text().toStdString();
+    ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "sign_in_page"; }));
     const Store joined = Store::open(folder.filePath("fulcrum.db").toStdString());
     EXPECT_EQ(joined.programme_name(), "Test programme");
-    EXPECT_EQ(People(joined).sign_in("ann", database::test::password).display_name(), "Ann Trainee");
     EXPECT_EQ(enrolled_stations(server).size(), 2U);
+
+    const ServerLink link = *ServerLink::of(joined.station_id());
+    ServerLink unreachable = link;
+    unreachable.address.host = "/nowhere";
+    unreachable.finish(joined.station_id(), "none");
+    window.context().set_session(
+        People(joined).sign_in("educator", database::test::password, Role::educator));
+    emit window.context().debrief_wanted(QString::fromStdString(programme.ann.attempt), -1);
+    auto* debrief = static_cast<DebriefPage*>(window.current_page());
+    ASSERT_TRUE(wait_for([&] { return sees(window, "fetch_recording"); }));
+    EXPECT_TRUE(sees(window, "verdict")) << "the result is here";
+    const QString words = find<QFrame>(window, "no_trace")->findChild<QLabel*>()->text();
+    EXPECT_TRUE(words.contains("cannot be reached now")) << words.toStdString();
+    bring(*find<QPushButton>(window, "fetch_recording"));
+    keep_picture(window, "debrief-recording-elsewhere");
+    link.finish(joined.station_id(), "none");
+    click(window, "fetch_recording");
+    ASSERT_TRUE(wait_for([&] { return debrief->has_charts() && debrief->is_ready(); }));
+    EXPECT_EQ(debrief->model()->trace->samples.size(), 1000U);
+    EXPECT_FALSE(sees(window, "fetch_recording"));
+    EXPECT_TRUE(joined.check(joined.station_session()).ok);
+    window.context().sign_out();
 }
 
 }  // namespace

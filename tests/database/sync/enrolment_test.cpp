@@ -242,18 +242,14 @@ TEST_F(Enrolments, ASyncBringsThePeopleOfTheStationsCohortsOnly) {
     Reviews(*a.store).write(a.session("other_educator"), by_eve, 0.5, "Well done.", true);
     enrol_a(token());
     sync_a();
-    Station year_1("one.db"), year_2("two.db"), whole("all.db");
+    Station year_1("one.db"), year_2("two.db");
     enrol_and_sync(year_1, token({"Year 1"}));
     enrol_and_sync(year_2, token({other}));
-    enrol_and_sync(whole, token());
     const std::set<std::string> of_1 = logins_of(*year_1.store), of_2 = logins_of(*year_2.store);
     EXPECT_EQ(of_1, (std::set<std::string>{"administrator", "director", "educator", "ann", "ben"}));
     EXPECT_EQ(of_2, (std::set<std::string>{"administrator", "director", "other_educator", "eve"}));
     EXPECT_EQ(attempts_of(*year_2.store), std::set<std::string>{by_eve});
     EXPECT_EQ(attempts_of(*year_1.store).count(by_eve), 0U);
-    sync_a();
-    sync_linked(whole);
-    EXPECT_TRUE(rows_at(*whole.store) == rows_at(*a.store));
     // Ann's state is the same at both stations, also after she has practised at the other one.
     const std::string again = year_1.record("ann", 88);
     sync_linked(year_1);
@@ -305,7 +301,7 @@ TEST_F(Enrolments, ASyncBringsThePeopleOfTheStationsCohortsOnly) {
     EXPECT_EQ(sync_linked(year_1).erased, 0) << "it never had her";
     EXPECT_EQ(sync_linked(year_2).transferred(), 0);
     sync_a();
-    for (const Station* station : {&year_1, &year_2, &whole}) expect_sound(*station->store);
+    for (const Station* station : {&year_1, &year_2}) expect_sound(*station->store);
     expect_sound(*a.store);
     expect_sound(server);
 }
