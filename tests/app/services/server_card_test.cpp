@@ -17,47 +17,39 @@ namespace {
 
 using database::test::PostgresqlServer;
 
-TEST_F(WindowAccess, AdministratorsEnrolTheStationWithATokenAndExchange) {
-    FULCRUM_NEEDS_POSTGRESQL();
-    const database::test::KeysOfOneTest keys;
-    const ServerAddress server = PostgresqlServer::of_this_process()->new_database();
-    const QString token = QString::fromStdString(make_enrolment_token(server, "lab", {}, 2).text);
-    act_as(programme.asker(Role::administrator));
-    click(*window, "rail_station");
-    EXPECT_FALSE(sees(*window, "exchange_now"));
-    type(*window, "server_address", QString::fromStdString(server.text()));
-    EXPECT_FALSE(find<QPushButton>(*window, "enrol_station")->isEnabled()) << "without a token";
+void use_station_page(MainWindow& window, const QString& server, const QString& token) {
+    const auto complaint = [&] { return find<QLabel>(window, "message_text")->text(); };
+    const auto result = [&] {
+        return sees(window, "server_result") ? find<QLabel>(window, "server_result")->text() : QString();
+    };
+    click(window, "rail_station");
+    EXPECT_TRUE(find<QLabel>(window, "server_place")->text().contains("Enrolled at postgresql://station_"));
+    EXPECT_FALSE(sees(window, "enrol_station"));
+    click(window, "exchange_now");
+    ASSERT_TRUE(wait_for([&] { return result().contains("agree"); }));
+    bring(*find<QPushButton>(window, "exchange_now"));
+    keep_picture(window, "station-server");
+    click(window, "enrol_again");
+    type(window, "server_address", server);
+    EXPECT_FALSE(find<QPushButton>(window, "enrol_station")->isEnabled()) << "without a token";
     QString mistyped = token;
     mistyped[3] = mistyped[3] == 'A' ? 'B' : 'A';
-    type(*window, "server_token", mistyped);
-    bring(*find<QPushButton>(*window, "enrol_station"));
-    keep_picture(*window, "station-server-form");
-    click(*window, "enrol_station");
-    ASSERT_TRUE(wait_for([&] { return sees(*window, "message_text") && complaint().contains("mistyped"); }));
-    click(*window, "close_message");
-    type(*window, "server_token", token);
-    click(*window, "enrol_station");
-    ASSERT_TRUE(wait_for([&] { return sees(*window, "server_result"); })) << complaint().toStdString();
-    EXPECT_TRUE(find<QLabel>(*window, "server_result")->text().contains("agree"));
-    EXPECT_TRUE(find<QLabel>(*window, "server_place")->text().contains("Enrolled at postgresql://station_"));
-    EXPECT_FALSE(sees(*window, "enrol_station"));
-    bring(*find<QPushButton>(*window, "exchange_now"));
-    keep_picture(*window, "station-server");
-    click(*window, "exchange_now");
-    ASSERT_TRUE(wait_for([&] {
-        return sees(*window, "server_result") &&
-               find<QLabel>(*window, "server_result")->text().contains("already");
-    }));
-    click(*window, "enrol_again");
-    type(*window, "server_token", token);
-    type(*window, "server_address", QString::fromStdString(server.text()));
-    click(*window, "enrol_station");
-    ASSERT_TRUE(wait_for([&] { return complaint().contains("used this token already"); }))
-        << complaint().toStdString();
+    type(window, "server_token", mistyped);
+    bring(*find<QPushButton>(window, "enrol_station"));
+    keep_picture(window, "station-server-form");
+    click(window, "enrol_station");
+    ASSERT_TRUE(wait_for([&] { return sees(window, "message_text") && complaint().contains("mistyped"); }));
+    click(window, "close_message");
+    click(window, "enrol_again");
+    type(window, "server_token", token);
+    click(window, "enrol_station");
+    ASSERT_TRUE(wait_for([&] { return result().contains("agree"); })) << result().toStdString();
+    EXPECT_TRUE(sees(window, "enrol_again"));
 }
 
-/// A further station, from its first screen to the recording of an attempt of the other one.
-TEST(RemoteRecording, AFurtherStationJoinsAndFetchesTheRecordingWhenItsReviewIsOpened) {
+/// A further station, from its first screen over the page Station to the recording of an attempt of the other
+/// one. One test: each of its parts needs a server.
+TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfAReview) {
     FULCRUM_NEEDS_POSTGRESQL();
     const database::test::KeysOfOneTest keys;
     const AccessProgramme programme;
@@ -86,6 +78,11 @@ TEST(RemoteRecording, AFurtherStationJoinsAndFetchesTheRecordingWhenItsReviewIsO
     const Store joined = Store::open(folder.filePath("fulcrum.db").toStdString());
     EXPECT_EQ(joined.programme_name(), "Test programme");
     EXPECT_EQ(enrolled_stations(server).size(), 2U);
+
+    window.context().set_session(
+        People(joined).sign_in("administrator", database::test::password, Role::administrator));
+    use_station_page(window, QString::fromStdString(server.text()), QString::fromStdString(token()));
+    EXPECT_EQ(enrolled_stations(server).size(), 3U) << "with the one that was replaced";
 
     const ServerLink link = *ServerLink::of(joined.station_id());
     ServerLink unreachable = link;
