@@ -67,7 +67,7 @@ TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfARevi
     type(window, "join_token", QString::fromStdString(token()));
     keep_picture(window, "join-form");
     click(window, "join_confirm");
-    // The server has no programme yet. The same token goes on when the first station has synced.
+    // The server has no programme yet. The same token completes it after the first station has synced.
     ASSERT_TRUE(wait_for([&] { return !find<QLabel>(window, "join_problem")->text().isEmpty(); }));
     EXPECT_TRUE(find<QLabel>(window, "join_problem")->text().contains("has a programme"));
     const Session& administrator = programme.session("administrator");
