@@ -7,8 +7,11 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
+#include "database/sync/enrolment.h"
 #include "database/sync/programme_server.h"
+#include "database/sync/server_enrolment.h"
 #include "database/sync/sync.h"
+#include "database/sync/trace_fetch.h"
 
 namespace fulcrum::app {
 namespace {
@@ -59,23 +62,74 @@ void print_sync(const database::SyncResult& result) {
         std::cout << "station and server agree\n";
 }
 
-int sync(const Arguments& arguments) {
-    const database::ServerAddress address = address_of(arguments);
-    const database::Store store = open_store(arguments, false);
-    const bool has_people = store.has_administrator();
-    const database::Session session = has_people ? person_session(arguments, store) : store.station_session();
-    database::SyncOptions options;
+/// The server that --to names, or the one at which the station was enrolled; enrols it first with --enrol.
+database::ServerAddress server_to_sync(const Arguments& arguments, const database::Store& store,
+                                       const database::Session& session) {
+    const auto token = arguments.value("--enrol");
+    if (!token) return arguments.has("--to") ? address_of(arguments) : database::server_of(store);
+    const database::Enrolment enrolment =
+        database::enrol_station(store, session, address_of(arguments), *token);
+    if (!arguments.has("--json"))
+        std::cout << "enrolled at " << enrolment.address.text() << ", "
+                  << (enrolment.cohorts.empty()
+                          ? std::string("for everybody")
+                          : "for " + std::to_string(enrolment.cohorts.size()) + " cohorts")
+                  << "; `fulcrum sync` needs no address from now on\n";
+    return enrolment.address;
+}
+
+/// Progress on a terminal, and Ctrl-C; `work` gets them.
+template <typename Work>
+auto watched(Work&& work) {
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    database::SyncOptions options;
     options.progress = [&](double done, const std::string& line) {
         if (terminal) std::cerr << "\r\033[K" << std::lround(100 * done) << " %  " << line << std::flush;
     };
     options.stop = [] { return interrupted != 0; };
-    database::SyncResult result;
-    {
-        const UntilInterrupted until_interrupted;
-        result = database::sync_with_server(store, session, address, options);
-    }
+    const UntilInterrupted until_interrupted;
+    auto result = work(options);
     if (terminal) std::cerr << "\r\033[K" << std::flush;
+    return result;
+}
+
+int fetch_one_trace(const Arguments& arguments, const std::string& attempt) {
+    arguments.exclude("--trace", "--enrol");
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    const database::ServerAddress address =
+        arguments.has("--to") ? address_of(arguments) : database::server_of(store);
+    const database::FetchedTrace fetched = watched([&](const database::SyncOptions& options) {
+        return database::fetch_trace(store, session, address, attempt, options);
+    });
+    if (arguments.has("--json")) {
+        print_json({{"store", store_path(arguments)},
+                    {"server", address.text()},
+                    {"attempt", attempt},
+                    {"complete", fetched.complete},
+                    {"chunks", fetched.chunks},
+                    {"bytes", fetched.bytes},
+                    {"signed_by", or_null(fetched.signed_by)}});
+    } else if (!fetched.complete) {
+        std::cout << "stopped; nothing was stored\n";
+    } else if (fetched.chunks == 0) {
+        std::cout << "the trace is here already\n";
+    } else {
+        std::cout << "the trace is here: " << fetched.chunks << " chunks, " << fetched.bytes
+                  << " bytes, as signed by the key " << fetched.signed_by << '\n';
+    }
+    return fetched.complete ? 0 : 1;
+}
+
+int sync(const Arguments& arguments) {
+    if (const auto attempt = arguments.value("--trace")) return fetch_one_trace(arguments, *attempt);
+    const database::Store store = open_store(arguments, false);
+    const bool has_people = store.has_administrator();
+    const database::Session session = has_people ? person_session(arguments, store) : store.station_session();
+    const database::ServerAddress address = server_to_sync(arguments, store, session);
+    const database::SyncResult result = watched([&](const database::SyncOptions& options) {
+        return database::sync_with_server(store, session, address, options);
+    });
     if (!arguments.has("--json")) {
         print_sync(result);
     } else {
@@ -179,6 +233,135 @@ int erase_at_server(const Arguments& arguments) {
     return 0;
 }
 
+const char* state_name(database::EnrolledStation::State state) {
+    switch (state) {
+        case database::EnrolledStation::State::open:
+            return "open";
+        case database::EnrolledStation::State::ended:
+            return "ended";
+        case database::EnrolledStation::State::enrolled:
+            return "enrolled";
+        case database::EnrolledStation::State::withdrawn:
+            break;
+    }
+    return "withdrawn";
+}
+
+std::string list_of(const std::vector<std::string>& words, const char* none) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list.empty() ? none : list;
+}
+
+int enrol_at_server(const Arguments& arguments) {
+    const database::ServerAddress address = address_of(arguments);
+    const auto hours = arguments.integer("--hours", database::usual_token_h, database::shortest_token_h,
+                                         database::longest_token_h);
+    const database::TokenMade made = database::make_enrolment_token(
+        address, arguments.value_or("--name", ""), arguments.words(), static_cast<int>(hours));
+    if (arguments.has("--json")) {
+        print_json({{"server", address.text()},
+                    {"token", made.text},
+                    {"id", made.id},
+                    {"until", database::iso_utc(made.until)},
+                    {"cohorts", made.cohorts}});
+        return 0;
+    }
+    database::ServerAddress to = address;
+    to.user.clear();
+    std::cout << "token " << made.id << ", once, until " << database::iso_utc(made.until) << ", for "
+              << list_of(made.cohorts, "everybody") << ":\n  " << made.text
+              << "\nat the station, with its own "
+              << "route to the server in place of the address: fulcrum sync --to " << to.text()
+              << " --enrol TOKEN\n";
+    return 0;
+}
+
+int stations_of_server(const Arguments& arguments) {
+    const database::ServerAddress address = address_of(arguments);
+    nlohmann::json list = nlohmann::json::array();
+    for (const database::EnrolledStation& one : database::enrolled_stations(address)) {
+        const auto time = [](database::UtcMilliseconds at) {
+            return at == 0 ? std::string() : database::iso_utc(at);
+        };
+        list.push_back({{"id", one.id},
+                        {"state", state_name(one.state)},
+                        {"name", one.name},
+                        {"cohorts", one.cohorts},
+                        {"made", time(one.made)},
+                        {"made_by", one.made_by},
+                        {"until", time(one.expires)},
+                        {"used", or_null(time(one.used))},
+                        {"withdrawn", or_null(time(one.withdrawn))},
+                        {"station", or_null(one.station_id)},
+                        {"account", or_null(one.account)},
+                        {"key", or_null(one.key)},
+                        {"last_row", or_null(time(one.last_row))}});
+        if (arguments.has("--json")) continue;
+        std::cout << one.id << "  " << state_name(one.state) << (one.name.empty() ? "" : "  " + one.name)
+                  << "  for " << list_of(one.cohorts, "everybody");
+        if (one.used != 0)
+            std::cout << "  station " << one.station_id << ", key " << one.key.substr(0, 16) << ", since "
+                      << time(one.used)
+                      << (one.last_row == 0 ? ", has sent nothing" : ", newest row " + time(one.last_row));
+        else
+            std::cout << "  until " << time(one.expires);
+        std::cout << '\n';
+    }
+    if (arguments.has("--json"))
+        print_json({{"server", address.text()}, {"stations", list}});
+    else if (list.empty())
+        std::cout << "no token was made yet: fulcrum server enrol\n";
+    return 0;
+}
+
+int withdraw_at_server(const Arguments& arguments) {
+    const database::ServerAddress address = address_of(arguments);
+    database::withdraw_enrolment(address, arguments.words()[0]);
+    if (arguments.has("--json"))
+        print_json({{"server", address.text()}, {"withdrawn", arguments.words()[0]}});
+    else
+        std::cout << "withdrawn; what the station has sent stays\n";
+    return 0;
+}
+
+std::vector<Command> station_commands(const Option& to) {
+    constexpr std::size_t most_cohorts = 100;
+    return {
+        {"server enrol",
+         "[COHORT...]",
+         0,
+         most_cohorts,
+         QT_TRANSLATE_NOOP("commands", "Makes a token by which one station becomes one of the server's."),
+         {to,
+          {"--hours", "N", QT_TRANSLATE_NOOP("commands", "How long the token is good."),
+           std::to_string(database::usual_token_h)},
+          {"--name", "TEXT", QT_TRANSLATE_NOOP("commands", "What you call the station.")},
+          json_option()},
+         enrol_at_server,
+         false,
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "The station gets the people of the cohorts that are named, with their attempts and reviews; "
+             "without a cohort those of the whole programme. The token is shown once and works once. To "
+             "change the cohorts of a station, give it another token.")},
+        {"server stations",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP("commands", "Lists the tokens and the stations that used them."),
+         {to, json_option()},
+         stations_of_server},
+        {"server withdraw",
+         "ID",
+         1,
+         1,
+         QT_TRANSLATE_NOOP("commands",
+                           "Makes a token useless, or ends the access of a station (id of either)."),
+         {to, json_option()},
+         withdraw_at_server}};
+}
+
 }  // namespace
 
 std::vector<Command> server_commands() {
@@ -187,11 +370,25 @@ std::vector<Command> server_commands() {
         QT_TRANSLATE_NOOP("commands",
                           "The programme server: postgresql://USER@HOST:PORT/DATABASE. The password comes "
                           "from ~/.pgpass or the file named in PGPASSFILE, never from the command line.")};
-    return {
+    const Option server{
+        "--to", "ADDRESS",
+        QT_TRANSLATE_NOOP(
+            "commands",
+            "The programme server: postgresql://HOST:PORT/DATABASE; not needed once the station "
+            "was enrolled.")};
+    const Option enrol{"--enrol", "TOKEN",
+                       QT_TRANSLATE_NOOP("commands",
+                                         "Makes the station one of the server's first, with the token that "
+                                         "`fulcrum server enrol` printed.")};
+    const Option trace{"--trace", "ATTEMPT",
+                       QT_TRANSLATE_NOOP("commands",
+                                         "Instead: fetches the recording of an attempt of another station "
+                                         "(--as, somebody who may see it).")};
+    std::vector<Command> commands = {
         {"sync", "", 0, 0,
          QT_TRANSLATE_NOOP("commands",
                            "Exchanges people, attempts, scores and reviews with the programme server."),
-         joined({to}, session_options()), sync, false,
+         joined({server, enrol, trace}, session_options()), sync, false,
          QT_TRANSLATE_NOOP("commands",
                            "An administrator signs in with --as; a store without people needs no sign-in for "
                            "its first sync, which brings them. Can be cut off at any time (Ctrl-C too): the "
@@ -238,6 +435,8 @@ std::vector<Command> server_commands() {
           {"--dry-run", "", QT_TRANSLATE_NOOP("commands", "Only show what would be erased.")},
           json_option()},
          erase_at_server}};
+    for (Command& command : station_commands(to)) commands.push_back(std::move(command));
+    return commands;
 }
 
 }  // namespace fulcrum::app

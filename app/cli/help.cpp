@@ -84,24 +84,25 @@ std::string explained(const Option& option, Translate translate) {
 
 /// What stands for a word of the reader. Others (N, HOST, HZ) are the same in every language.
 constexpr const char* placeholder_words[] = {
-    QT_TRANSLATE_NOOP("commands", "ADDRESS"),     QT_TRANSLATE_NOOP("commands", "ATTEMPT"),
-    QT_TRANSLATE_NOOP("commands", "CLASS"),       QT_TRANSLATE_NOOP("commands", "CODE"),
-    QT_TRANSLATE_NOOP("commands", "COMMAND"),     QT_TRANSLATE_NOOP("commands", "DEVICE"),
-    QT_TRANSLATE_NOOP("commands", "EVENTS"),      QT_TRANSLATE_NOOP("commands", "FILE"),
-    QT_TRANSLATE_NOOP("commands", "FINGERPRINT"), QT_TRANSLATE_NOOP("commands", "FOLDER"),
-    QT_TRANSLATE_NOOP("commands", "FORMAT"),      QT_TRANSLATE_NOOP("commands", "FROM"),
-    QT_TRANSLATE_NOOP("commands", "HEAD"),        QT_TRANSLATE_NOOP("commands", "ID"),
-    QT_TRANSLATE_NOOP("commands", "INTO"),        QT_TRANSLATE_NOOP("commands", "KIND"),
-    QT_TRANSLATE_NOOP("commands", "HAND"),        QT_TRANSLATE_NOOP("commands", "LEVEL"),
-    QT_TRANSLATE_NOOP("commands", "LIST"),        QT_TRANSLATE_NOOP("commands", "LOGIN"),
-    QT_TRANSLATE_NOOP("commands", "MAPPING"),     QT_TRANSLATE_NOOP("commands", "NAME"),
-    QT_TRANSLATE_NOOP("commands", "PATH"),        QT_TRANSLATE_NOOP("commands", "PERSON"),
-    QT_TRANSLATE_NOOP("commands", "RATINGS"),     QT_TRANSLATE_NOOP("commands", "ROLE"),
-    QT_TRANSLATE_NOOP("commands", "RULE"),        QT_TRANSLATE_NOOP("commands", "SCALE"),
-    QT_TRANSLATE_NOOP("commands", "SHELL"),       QT_TRANSLATE_NOOP("commands", "TASK"),
-    QT_TRANSLATE_NOOP("commands", "TEXT"),        QT_TRANSLATE_NOOP("commands", "TIME"),
-    QT_TRANSLATE_NOOP("commands", "TO"),          QT_TRANSLATE_NOOP("commands", "TRACE"),
-    QT_TRANSLATE_NOOP("commands", "VALUES"),      QT_TRANSLATE_NOOP("commands", "VERSION")};
+    QT_TRANSLATE_NOOP("commands", "ADDRESS"), QT_TRANSLATE_NOOP("commands", "ATTEMPT"),
+    QT_TRANSLATE_NOOP("commands", "CLASS"),   QT_TRANSLATE_NOOP("commands", "CODE"),
+    QT_TRANSLATE_NOOP("commands", "COHORT"),  QT_TRANSLATE_NOOP("commands", "COMMAND"),
+    QT_TRANSLATE_NOOP("commands", "DEVICE"),  QT_TRANSLATE_NOOP("commands", "EVENTS"),
+    QT_TRANSLATE_NOOP("commands", "FILE"),    QT_TRANSLATE_NOOP("commands", "FINGERPRINT"),
+    QT_TRANSLATE_NOOP("commands", "FOLDER"),  QT_TRANSLATE_NOOP("commands", "FORMAT"),
+    QT_TRANSLATE_NOOP("commands", "FROM"),    QT_TRANSLATE_NOOP("commands", "HEAD"),
+    QT_TRANSLATE_NOOP("commands", "ID"),      QT_TRANSLATE_NOOP("commands", "INTO"),
+    QT_TRANSLATE_NOOP("commands", "KIND"),    QT_TRANSLATE_NOOP("commands", "HAND"),
+    QT_TRANSLATE_NOOP("commands", "LEVEL"),   QT_TRANSLATE_NOOP("commands", "LIST"),
+    QT_TRANSLATE_NOOP("commands", "LOGIN"),   QT_TRANSLATE_NOOP("commands", "MAPPING"),
+    QT_TRANSLATE_NOOP("commands", "NAME"),    QT_TRANSLATE_NOOP("commands", "PATH"),
+    QT_TRANSLATE_NOOP("commands", "PERSON"),  QT_TRANSLATE_NOOP("commands", "RATINGS"),
+    QT_TRANSLATE_NOOP("commands", "ROLE"),    QT_TRANSLATE_NOOP("commands", "RULE"),
+    QT_TRANSLATE_NOOP("commands", "SCALE"),   QT_TRANSLATE_NOOP("commands", "SHELL"),
+    QT_TRANSLATE_NOOP("commands", "TASK"),    QT_TRANSLATE_NOOP("commands", "TEXT"),
+    QT_TRANSLATE_NOOP("commands", "TIME"),    QT_TRANSLATE_NOOP("commands", "TO"),
+    QT_TRANSLATE_NOOP("commands", "TOKEN"),   QT_TRANSLATE_NOOP("commands", "TRACE"),
+    QT_TRANSLATE_NOOP("commands", "VALUES"),  QT_TRANSLATE_NOOP("commands", "VERSION")};
 
 const char* const usage_heading = QT_TRANSLATE_NOOP("commands", "usage:");
 

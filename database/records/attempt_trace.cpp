@@ -147,7 +147,8 @@ void require_trace_here(const Store& store, const std::string& attempt_id) {
         {QT_TRANSLATE_NOOP("errors",
                            "the trace of attempt %1 is not in this store: it was recorded at the station %2"),
          attempt_id, row.text(0)},
-        QT_TRANSLATE_NOOP("errors", "open it there"));
+        {QT_TRANSLATE_NOOP("errors", "open it there, or fetch it with `fulcrum sync --trace %1`"),
+         attempt_id});
 }
 
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {

@@ -128,6 +128,48 @@ std::string sha256_hex(const std::string& text) {
     return to_hex(digest);
 }
 
+namespace {
+
+Bytes hmac_sha256(const Bytes& key, const Bytes& message) {
+    crypto_auth_hmacsha256_state state;
+    Bytes result(crypto_auth_hmacsha256_BYTES);
+    crypto_auth_hmacsha256_init(&state, key.data(), key.size());
+    crypto_auth_hmacsha256_update(&state, message.data(), message.size());
+    crypto_auth_hmacsha256_final(&state, result.data());
+    return result;
+}
+
+std::string base64(const Bytes& bytes) {
+    std::string text(sodium_base64_encoded_len(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
+    sodium_bin2base64(text.data(), text.size(), bytes.data(), bytes.size(), sodium_base64_VARIANT_ORIGINAL);
+    text.pop_back();  // its end
+    return text;
+}
+
+}  // namespace
+
+std::string scram_verifier(const std::string& password) {
+    ready();
+    constexpr int rounds = 4096;  // as the server itself does
+    const Bytes key(password.begin(), password.end()), salt = random_bytes(16);
+    const auto keyed = [](const Bytes& salted, const std::string& use) {
+        return hmac_sha256(salted, Bytes(use.begin(), use.end()));
+    };
+    Bytes block = salt;
+    block.insert(block.end(), {0, 0, 0, 1});
+    block = hmac_sha256(key, block);
+    Bytes salted = block;
+    for (int round = 1; round < rounds; ++round) {
+        block = hmac_sha256(key, block);
+        for (std::size_t i = 0; i < salted.size(); ++i) salted[i] ^= block[i];
+    }
+    const Bytes client = keyed(salted, "Client Key");
+    Bytes stored(crypto_hash_sha256_BYTES);
+    crypto_hash_sha256(stored.data(), client.data(), client.size());
+    return "SCRAM-SHA-256$" + std::to_string(rounds) + ":" + base64(salt) + "$" + base64(stored) + ":" +
+           base64(keyed(salted, "Server Key"));
+}
+
 std::string make_verifier(const std::string& secret) {
     ready();
     char verifier[crypto_pwhash_STRBYTES];

@@ -38,6 +38,9 @@ bool verify_secret(const std::string& verifier, const std::string& secret);
 /// first wrong try with an unknown login takes no longer than with a known one.
 inline constexpr char nobodys_verifier[] =
     "$argon2id$v=19$m=65536,t=2,p=1$oKnGHLxqEMkp0j3yWp2mZA$2f8q0cB6Hk3vEwXz1mJpQyTnRsUoLaKdGhFiVbNcMeY";
+/// What PostgreSQL keeps of an account's password (SCRAM-SHA-256), so that a server is never sent the
+/// password itself and cannot write it into its log. `password`: of ASCII characters.
+std::string scram_verifier(const std::string& password);
 /// Takes as long as a verification and fails: a login that does not exist answers as slowly as one that does.
 bool verify_nothing(const std::string& secret);
 

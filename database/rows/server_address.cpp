@@ -103,7 +103,11 @@ std::string ServerAddress::options() const {
 void fail_to_connect(const std::string& server, const std::string& said) {
     const char* hint = QT_TRANSLATE_NOOP(
         "errors", "check the address, the network, and that the server runs, and try again; nothing is lost");
-    if (contains(said, "password"))
+    if (contains(said, "not permitted to log in"))
+        hint = QT_TRANSLATE_NOOP(
+            "errors",
+            "its access was withdrawn: ask the server's owner for a new token (`fulcrum server enrol`)");
+    else if (contains(said, "password"))
         hint = QT_TRANSLATE_NOOP(
             "errors",
             "put the right password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name "
@@ -150,6 +154,13 @@ void fail_on_server(const std::string& server, const std::string& state, const s
              QT_TRANSLATE_NOOP("errors", "the server has no room or no connection left"),
              QT_TRANSLATE_NOOP("errors",
                                "tell its administrator, then sync again; what was stored before is intact"));
+    if (state == "42883" || state == "42P01")
+        fail(
+            StoreErrorKind::older_schema,
+            QT_TRANSLATE_NOOP("errors", "the server was set up by an older program"),
+            QT_TRANSLATE_NOOP("errors",
+                              "have its administrator run `fulcrum server create` with this program; nothing "
+                              "is lost"));
     throw StoreError(StoreErrorKind::failed,
                      {QT_TRANSLATE_NOOP("errors", "%1: the server refused (%2)"), server, said},
                      QT_TRANSLATE_NOOP("errors", "tell its administrator"));

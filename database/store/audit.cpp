@@ -162,6 +162,13 @@ void sign_row(const Store& store, const LastRow& last, const Bytes& hash) {
 
 }  // namespace
 
+bool signed_row_holds(const SignedRow& row) {
+    return payload_digest(row.salt, row.payload) == row.digest &&
+           row_hash(row.previous, row.sequence, row.time, row.station_id, row.actor_id, row.object_id,
+                    row.operation, row.digest) == row.hash &&
+           row_signature_holds(row.public_half, row.hash, row.signature);
+}
+
 const StationKey& Audit::next_key() const {
     return key_after(store_, last_row(store_));
 }

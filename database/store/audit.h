@@ -45,6 +45,15 @@ std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows eras
 /// "audit row 12", on a server with its station.
 Sentence audit_place(const Connection& connection, const std::string& station, std::int64_t sequence);
 
+/// A row of some station's log with everything that proves it.
+struct SignedRow {
+    std::string station_id, actor_id, object_id, operation, payload;
+    std::int64_t sequence = 0, time = 0;
+    std::vector<std::uint8_t> previous, salt, digest, hash, public_half, signature;
+};
+/// Payload, digest, hash and signature belong together. Whose key it is the caller has to know.
+bool signed_row_holds(const SignedRow& row);
+
 /// Of a programme server: the newest hash of the one station that has sent its log, else the BLAKE2b of one
 /// line "STATION HASH" for each, by id.
 std::string server_audit_head(Connection& server);

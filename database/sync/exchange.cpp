@@ -11,6 +11,7 @@
 #include "database/store/audit.h"
 #include "database/store/store_state.h"
 #include "database/sync/erasure.h"
+#include "database/sync/server_link.h"
 #include "database/sync/server_schema.h"
 
 namespace fulcrum::database {
@@ -98,6 +99,35 @@ void Exchange::require_known_log() {
 void Exchange::look_at_clock() {
     Query row(server_, "SELECT (extract(epoch FROM clock_timestamp()) * 1000)::bigint");
     if (row.next()) result.clock_ahead_s = static_cast<double>(store_.now() - row.integer(0)) * 1e-3;
+}
+
+void Exchange::use_enrolment() {
+    Query enrolment(server_, "SELECT station_id, limited FROM own_enrolment()");
+    if (!enrolment.next()) return;
+    if (enrolment.text(0) != store_.station_id())
+        throw StoreError(
+            StoreErrorKind::conflict,
+            {QT_TRANSLATE_NOOP("errors", "this account of the server is that of another station (%1)"),
+             enrolment.text(0)},
+            QT_TRANSLATE_NOOP("errors",
+                              "enrol this station with a token of its own (`fulcrum server enrol`, then "
+                              "`fulcrum sync --enrol TOKEN`)"));
+    is_limited_ = enrolment.flag(1);
+    if (!is_limited_) return;
+    const auto list = [&](const char* sql) {
+        Query rows(station_, sql);
+        std::string ids;
+        while (rows.next()) ids += (ids.empty() ? "" : ",") + rows.text(0);
+        return "{" + ids + "}";
+    };
+    Query holds(server_, "SELECT station_holds(?::text[], ?::text[])");
+    holds.bind(list("SELECT id FROM person WHERE kind = 'real' UNION SELECT id FROM cohort"))
+        .bind(
+            list("SELECT p.id FROM person p WHERE p.kind = 'real' AND (EXISTS (SELECT 1 FROM attempt a WHERE "
+                 "a.person_id = p.id) OR EXISTS (SELECT 1 FROM standing_override d WHERE d.person_id = "
+                 "p.id) OR EXISTS (SELECT 1 FROM curriculum_move m WHERE m.person_id = p.id) OR EXISTS "
+                 "(SELECT 1 FROM personal_goal g WHERE g.person_id = p.id))"))
+        .run();
 }
 
 void Exchange::apply_erasures() {
@@ -199,6 +229,27 @@ bool Exchange::is_changed_here(const std::string& key) {
     return row.next();
 }
 
+std::set<std::string> Exchange::names_of_hidden(const Units& units,
+                                                const std::map<std::string, UnitState>& here,
+                                                const std::map<std::string, UnitState>& there) {
+    std::set<std::string> taken;
+    if (!is_limited_ || units.table().unique == nullptr) return taken;
+    std::string names;
+    for (const auto& [key, state] : here) {
+        if (there.count(key) != 0) continue;
+        // As an element of an array: in quotes, with those within it escaped.
+        names += names.empty() ? "\"" : ",\"";
+        for (const char c : state.unique) names += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+        names += '"';
+    }
+    if (names.empty()) return taken;
+    const bool is_person = std::string(units.table().table) == "person";
+    Query rows(server_, "SELECT t FROM names_taken(?::text[], ?::text[]) t");
+    rows.bind(is_person ? "{" + names + "}" : "{}").bind(is_person ? "{}" : "{" + names + "}");
+    while (rows.next()) taken.insert(rows.text(0));
+    return taken;
+}
+
 void Exchange::exchange_versioned(const Units& units) {
     const std::map<std::string, UnitState> here = units.states(station_), there = units.states(server_);
     const auto owners = [](const std::map<std::string, UnitState>& states) {
@@ -206,7 +257,9 @@ void Exchange::exchange_versioned(const Units& units) {
         for (const auto& [key, state] : states) owner[state.unique] = key;
         return owner;
     };
-    const auto owners_here = owners(here), owners_there = owners(there);
+    const auto owners_here = owners(here);
+    auto owners_there = owners(there);
+    for (const std::string& name : names_of_hidden(units, here, there)) owners_there.emplace(name, "");
     Keys up, down;
     // Another unit of the receiving side has this login or name already.
     const auto taken = [&](const std::string& key, const UnitState& state,
@@ -323,6 +376,7 @@ void Exchange::run() {
     require_one_programme();
     require_known_log();
     look_at_clock();
+    use_enrolment();
     apply_erasures();
     std::vector<Units> all;
     for (const SyncTable& table : sync_tables()) all.emplace_back(table, station_);
@@ -351,6 +405,23 @@ std::int64_t SyncResult::transferred() const {
     return sum;
 }
 
+std::unique_ptr<Connection> connection_to(const Store& store, const ServerAddress& address) {
+    const std::optional<ServerLink> link = ServerLink::of(store.station_id());
+    const bool is_ours = link && link->is_for(address);
+    return std::make_unique<Connection>(is_ours ? link->address : address, false,
+                                        is_ours ? link->password : std::string());
+}
+
+ServerAddress server_of(const Store& store) {
+    if (const std::optional<ServerLink> link = ServerLink::of(store.station_id())) return link->address;
+    throw StoreError(
+        StoreErrorKind::missing,
+        QT_TRANSLATE_NOOP("errors", "this station was not enrolled at a programme server"),
+        QT_TRANSLATE_NOOP("errors",
+                          "ask the server's owner for a token (`fulcrum server enrol`) and give it "
+                          "with `fulcrum sync --to ADDRESS --enrol TOKEN`"));
+}
+
 SyncResult sync_with_server(const Store& store, const Session& session, const ServerAddress& address,
                             const SyncOptions& options) {
     if (store.is_demo())
@@ -359,7 +430,8 @@ SyncResult sync_with_server(const Store& store, const Session& session, const Se
                          QT_TRANSLATE_NOOP("errors", "name the store of the programme with --db"));
     // A store without people has nobody who could sign in: its first sync brings them.
     if (!session.is_station() || store.has_administrator()) store.require(session, Operation::backup);
-    Connection server(address);
+    const std::unique_ptr<Connection> connection = connection_to(store, address);
+    Connection& server = *connection;
     server.watch([&] {
         if (options.stop && options.stop()) throw SyncStopped();
     });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -15,6 +16,9 @@ namespace fulcrum::database {
 
 /// Thrown where SyncOptions::stop said so.
 struct SyncStopped {};
+
+/// With the station's password where the address is that of its enrolment, else with what libpq finds.
+std::unique_ptr<Connection> connection_to(const Store& store, const ServerAddress& address);
 
 class Exchange {
   public:
@@ -29,6 +33,9 @@ class Exchange {
     void require_one_programme();
     void require_known_log();
     void look_at_clock();
+    /// Of a station that was enrolled: that the account is this one's, and where it gets some cohorts only,
+    /// what else it has and the server is to go on showing it.
+    void use_enrolment();
     void apply_erasures();
     void exchange_versioned(const Units& units);
     void add_missing(const Units& units, Way way);
@@ -36,6 +43,9 @@ class Exchange {
     void pull(const Units& units, const Keys& keys);
     void push_audit();
     bool is_changed_here(const std::string& key);
+    /// Logins or names of units that are only here, which others have whom the server does not show.
+    std::set<std::string> names_of_hidden(const Units& units, const std::map<std::string, UnitState>& here,
+                                          const std::map<std::string, UnitState>& there);
     /// Leaves out the units that name others which the other side lacks.
     std::vector<Unit> transferable(const Units& units, std::vector<Unit> read, Way way);
     const std::set<std::string>& known(const std::string& table, Way way);
@@ -48,6 +58,7 @@ class Exchange {
     Connection& server_;
     const SyncOptions& options_;
     std::string server_id_;
+    bool is_limited_ = false;                                ///< the server shows some cohorts only
     std::map<std::string, std::set<std::string>> known_[2];  ///< by table: keys that the receiving side has
     std::map<std::pair<std::string, Way>, std::int64_t> waiting_;  ///< by title
     std::set<std::string> names_taken_;

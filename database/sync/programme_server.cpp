@@ -15,6 +15,7 @@
 #include "database/store/server_roles.h"
 #include "database/store/signing_keys.h"
 #include "database/sync/erasure.h"
+#include "database/sync/server_enrolment.h"
 #include "database/sync/server_schema.h"
 
 namespace fulcrum::database {
@@ -102,6 +103,7 @@ ServerCheck check_programme_server(const ServerAddress& address) {
     check.signatures = signatures.count;
     for (Sentence& problem : signatures.problems) check.problems.push_back(std::move(problem));
     check.notes = std::move(signatures.notes);
+    for (Sentence& problem : stations_with_other_keys(server)) check.problems.push_back(std::move(problem));
     check_server_records(server, check);
     for (Sentence& problem : merged_into_erased(server)) check.problems.push_back(std::move(problem));
     return check;

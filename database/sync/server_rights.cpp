@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "database/store/server_roles.h"
+#include "database/sync/station_rights.h"
 
 namespace fulcrum::database {
 namespace {
@@ -156,7 +157,7 @@ constexpr Policy policies[] = {
     {"tissue_setting", all, all, all},
     {"tissue_value", all, all, all},
     {"asset_acceptance", all, all, all},
-    // Nobody's: signing in, the audit log, and what the server keeps of erasures.
+    // Nobody's: signing in, the audit log, and what the server keeps of erasures and stations.
     {"sign_in_wait", nullptr, nullptr, nullptr},
     {"recording", nullptr, nullptr, nullptr},
     {"xapi_outbox", nullptr, nullptr, nullptr},
@@ -164,7 +165,11 @@ constexpr Policy policies[] = {
     {"audit_signature", nullptr, nullptr, nullptr},
     {"station_key", nullptr, nullptr, nullptr},
     {"erasure", nullptr, nullptr, nullptr},
-    {"erased_payload", nullptr, nullptr, nullptr}};
+    {"erased_payload", nullptr, nullptr, nullptr},
+    {"enrolment", nullptr, nullptr, nullptr},
+    {"enrolment_cohort", nullptr, nullptr, nullptr},
+    {"station_unit", nullptr, nullptr, nullptr},
+    {"server_log", nullptr, nullptr, nullptr}};
 #undef FULCRUM_HOLDS_DIRECTOR
 
 std::vector<std::string> tables_of(Connection& server) {
@@ -207,11 +212,10 @@ void set_server_rights(Connection& server) {
                                "fulcrum_trainee, fulcrum_educator, fulcrum_director")
                            .arg(function));
     const std::vector<std::string> tables = tables_of(server);
-    for (const std::string& table : tables) {
-        const QString name = QString::fromStdString(table);
-        server.execute(QString("ALTER TABLE %1 ENABLE ROW LEVEL SECURITY").arg(name));
-        set_policy(server, name, "station", "fulcrum_station", "|USING (true) WITH CHECK (true)");
-    }
+    for (const std::string& table : tables)
+        server.execute(
+            QString("ALTER TABLE %1 ENABLE ROW LEVEL SECURITY").arg(QString::fromStdString(table)));
+    set_station_rights(server);
     for (const Policy& policy : policies) {
         // Of a later schema than this server has, or of a station only.
         if (std::find(tables.begin(), tables.end(), policy.table) == tables.end()) continue;

@@ -6,6 +6,7 @@
 #include "database/rows/crypto.h"
 #include "database/schema/server_version.h"
 #include "database/sync/server_rights.h"
+#include "database/sync/station_rights.h"
 
 namespace fulcrum::database {
 namespace {
@@ -95,6 +96,7 @@ ServerSchema create_server(Connection& server, std::int64_t now, int target) {
             .bind(now)
             .run();
     }
+    make_enrolment_tables(server);
     for (const auto& [table, column] : owned) {
         if (!has_server_table(server, table)) continue;  // of a later schema than `target`
         server.execute(

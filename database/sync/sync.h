@@ -37,9 +37,14 @@ struct SyncOptions {
     std::function<bool()> stop = {};
 };
 
+/// The server at which the station was enrolled. Throws StoreError missing where it was not.
+ServerAddress server_of(const Store& store);
+
 /// Operation::backup (an administrator); where the store has no administrator yet, the station itself may.
 /// Throws AccessDenied and StoreError: unreachable, missing, older_schema, newer_schema; conflict where the
 /// store belongs to another programme or is not the one that the server knows; sealed_demo.
+/// An address without an account, or with the one that the station was enrolled with, is asked with the
+/// station's password; others with the one that libpq finds.
 SyncResult sync_with_server(const Store& store, const Session& session, const ServerAddress& address,
                             const SyncOptions& options = {});
 

@@ -117,7 +117,9 @@ PostgresqlServer* PostgresqlServer::of_this_process() {
         int status = 0;
         ::waitpid(initdb, &status, 0);
         if (status != 0) give_up(contents(log));
-        std::ofstream(data + "/pg_hba.conf") << "local all station scram-sha-256\nlocal all all trust\n";
+        std::ofstream(data + "/pg_hba.conf") << "local all +fulcrum_station scram-sha-256\n"
+                                                "local all +fulcrum_enrol scram-sha-256\nlocal all all "
+                                                "trust\n";
         running.process =
             start({programs + "/postgres", "-D", data, "-k", folder, "-c", "listen_addresses=", "-c",
                    "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off"},

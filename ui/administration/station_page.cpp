@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "database/store/signing_keys.h"
+#include "ui/administration/server_card.h"
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
@@ -31,6 +32,10 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     layout->addWidget(build_backup());
     layout->addWidget(build_check());
     layout->addWidget(build_key());
+    server_ = new ServerCard(context);
+    connect(server_, &ServerCard::started, this, &StationPage::start);
+    connect(server_, &ServerCard::ended, this, &StationPage::ended);
+    layout->addWidget(server_);
     layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -140,6 +145,7 @@ void StationPage::change_key() {
 
 void StationPage::enter() {
     show_keys();
+    server_->show_link();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     check_->setVisible(context().allowed(database::Operation::check_store));
@@ -156,12 +162,14 @@ void StationPage::start(BackgroundJob* job, const QString& line) {
     bar_->watch(job, line);
     check_->setEnabled(false);
     backup_->setEnabled(false);
+    server_->set_busy(true);
 }
 
 void StationPage::ended() {
     job_ = nullptr;
     check_->setEnabled(true);
     backup_->setEnabled(true);
+    server_->set_busy(false);
 }
 
 void StationPage::check() {

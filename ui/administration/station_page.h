@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop; the key with which it signs.
+// stop; the key with which it signs; its programme server.
 #pragma once
 
 #include "database/store/store.h"
@@ -16,6 +16,7 @@ namespace fulcrum::ui {
 
 class BackgroundJob;
 class JobBar;
+class ServerCard;
 
 class StationPage : public Page {
     Q_OBJECT
@@ -43,6 +44,7 @@ class StationPage : public Page {
     QLineEdit* key_reason_;
     QPushButton *check_, *backup_, *change_key_;
     JobBar* bar_;
+    ServerCard* server_;
     BackgroundJob* job_ = nullptr;
 };
 

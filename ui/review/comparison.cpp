@@ -8,6 +8,7 @@
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
 #include "ui/language/error_text.h"
+#include "ui/review/remote_trace.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -91,14 +92,17 @@ std::optional<ComparedSide> load_side(const database::Store& store, const databa
         return !progress || progress(0.6 * done, line);
     };
     try {
+        if (!bring_trace(store.path(), session, attempt_id, share_of)) return std::nullopt;
         // The charts chunk by chunk, before the whole trace is in memory: an hour of it takes 1.1 GB.
         std::optional<AttemptModel> model = load_attempt(store, session, attempt_id, scene, share_of);
         if (!model) return std::nullopt;
         side.model = std::move(*model);
         if (summary.meta.keep_trace) *trace = attempts.read_trace(session, attempt_id);
     } catch (const database::StoreError& error) {
-        if (error.kind() != database::StoreErrorKind::not_found) throw;
-        side.why_no_trace = error_text(error);  // it is at the station that recorded it
+        if (error.kind() != database::StoreErrorKind::not_found &&
+            error.kind() != database::StoreErrorKind::unreachable)
+            throw;
+        side.why_no_trace = error_text(error);  // it is at the station that recorded it, or on the server
         side.model = model_of_trace(summary, attempts.score(session, attempt_id), trace, scene);
     }
     if (!summary.meta.keep_trace)

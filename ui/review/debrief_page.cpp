@@ -50,6 +50,12 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     no_trace_->setObjectName(QStringLiteral("no_trace"));
     no_trace_words_ = make_label({});
     card_layout(no_trace_)->addWidget(no_trace_words_);
+    fetch_again_ = make_button(tr("Fetch the recording"), "fetch_recording");
+    connect(fetch_again_, &QPushButton::clicked, this, [this] {
+        leave();
+        load();
+    });
+    card_layout(no_trace_)->addWidget(fetch_again_, 0, Qt::AlignLeft);
     content->addWidget(no_trace_);
     ratings_ = new RatingsCard(context);
     content->addWidget(ratings_);
@@ -269,18 +275,17 @@ void DebriefPage::load() {
         context().guarded([&] { scene = context().services().scene_of(context().session(), attempt); });
     }
     auto loaded = std::make_shared<std::optional<AttemptModel>>();
+    auto missing = std::make_shared<TraceElsewhere>();
     job_ = BackgroundJob::run(
         this,
-        [loaded, scene, attempt_id = attempt_id_, path = context().store().path(),
+        [loaded, missing, scene, attempt_id = attempt_id_, path = context().store().path(),
          session = context().session()](const Progress& progress) {
-            database::StoreOptions options;
-            options.read_only = true;
-            const database::Store store = database::Store::open(path, options);
-            *loaded = load_attempt(store, session, attempt_id, scene, progress);
+            *loaded = load_with_trace(path, session, attempt_id, scene, progress, *missing);
         },
-        [this, loaded] {
+        [this, loaded, missing] {
             job_ = nullptr;
             if (!*loaded) return;
+            elsewhere_ = *missing;
             model_ = std::make_shared<const AttemptModel>(std::move(**loaded));
             show_model();
         },
@@ -312,7 +317,9 @@ void DebriefPage::show_model() {
     content_->show();
     replay_block_->setVisible(model_->summary.meta.keep_trace);
     no_trace_->setVisible(!model_->summary.meta.keep_trace);
-    no_trace_words_->setText(database::is_external_task(model_->summary.meta.task_id)
+    fetch_again_->setVisible(elsewhere_.on_server);
+    no_trace_words_->setText(!elsewhere_.why.isEmpty() ? capital(elsewhere_.why)
+                             : database::is_external_task(model_->summary.meta.task_id)
                                  ? external_trace_text(model_->summary.meta.device)
                                  : trace_not_kept_text());
     fit_replay();

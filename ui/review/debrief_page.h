@@ -11,6 +11,7 @@
 
 #include "ui/page/context.h"
 #include "ui/review/attempt_model.h"
+#include "ui/review/remote_trace.h"
 
 class QFrame;
 class QLabel;
@@ -92,7 +93,9 @@ class DebriefPage : public Page {
     QPushButton *back_, *compare_;
     QWidget* replay_block_;
     QLabel* no_trace_words_;
-    QFrame* no_trace_;  ///< in its place where the trace was not kept
+    QPushButton* fetch_again_;  ///< where it is at another station
+    QFrame* no_trace_;          ///< in its place where the trace was not kept, or is not here
+    TraceElsewhere elsewhere_;
     QTabWidget* tabs_;
     GatesCard* gates_;
     PathologyCard* pathology_;

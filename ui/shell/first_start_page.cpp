@@ -11,6 +11,8 @@
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
+#include "ui/shell/join_form.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -21,6 +23,9 @@ FirstStartPage::FirstStartPage(Context& context) : Page(context, "first_start_pa
     steps_->addWidget(build_choice());
     steps_->addWidget(build_form());
     steps_->addWidget(build_recovery());
+    steps_->addWidget(join_ = new JoinForm(context));
+    connect(join_, &JoinForm::back, this, [this] { steps_->setCurrentIndex(0); });
+    connect(join_, &JoinForm::joined, this, &FirstStartPage::programme_joined);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scrolled(steps_, 860, PagePlace::centred));
@@ -70,10 +75,29 @@ QWidget* FirstStartPage::build_choice() {
     card_layout(look)->addWidget(look_button);
     row->addWidget(look);
     layout->addLayout(row);
+    layout->addWidget(build_join());
     job_ = new JobBar;
     layout->addWidget(job_);
     layout->addStretch();
     return body;
+}
+
+QFrame* FirstStartPage::build_join() {
+    QFrame* card = make_card(8);
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
+    row->add(make_label(tr("Is this a further station of a programme that has a server? Join it with a token "
+                           "of the server's owner."),
+                        "muted"),
+             1, 300);
+    start_join_ = make_button(tr("Join a programme"), "join_programme");
+    connect(start_join_, &QPushButton::clicked, this, [this] {
+        steps_->setCurrentWidget(join_);
+        join_->begin();
+    });
+    row->add(start_join_);
+    card_layout(card)->addWidget(holder);
+    return card;
 }
 
 QWidget* FirstStartPage::build_form() {
@@ -165,6 +189,7 @@ void FirstStartPage::show_trouble(const QString& problem, const QString& hint) {
     trouble_->setVisible(!problem.isEmpty());
     again_->setVisible(!problem.isEmpty());
     start_create_->setEnabled(problem.isEmpty());
+    start_join_->setEnabled(problem.isEmpty());
 }
 
 void FirstStartPage::create() {

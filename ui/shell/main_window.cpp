@@ -168,6 +168,7 @@ void MainWindow::connect_lock_page() {
 void MainWindow::connect_first_pages() {
     auto* first = page<FirstStartPage>();
     connect(first, &FirstStartPage::try_again, this, &MainWindow::start, Qt::UniqueConnection);
+    connect(first, &FirstStartPage::programme_joined, this, &MainWindow::show_sign_in, Qt::UniqueConnection);
     connect(first, &FirstStartPage::demo_opened, this, &MainWindow::show_sign_in, Qt::UniqueConnection);
     connect(first, &FirstStartPage::programme_created, this, &MainWindow::show_home, Qt::UniqueConnection);
     auto* sign_in = page<SignInPage>();
@@ -326,8 +327,6 @@ void MainWindow::show_session() {
     // person's role.
     QEvent look_again(QEvent::StyleChange);
     QCoreApplication::sendEvent(role_, &look_again);
-    // The server signs in, when the program starts.
-    switch_user_->setVisible(!on_server());
     fill_rail();
 }
 

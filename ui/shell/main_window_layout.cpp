@@ -123,8 +123,9 @@ void MainWindow::show_rail() {
     menu_->setVisible(wanted && narrow_);
     programme_->setVisible(!narrow_);
     theme_->setVisible(!narrow_);  // Settings has it too
-    switch_user_->setVisible(!menu_->isVisibleTo(top_bar_));
-    if (!rail_buttons_.empty()) rail_switch_user_->setVisible(narrow_);
+    // The server signs in, when the program starts.
+    switch_user_->setVisible(!on_server() && !menu_->isVisibleTo(top_bar_));
+    if (!rail_buttons_.empty()) rail_switch_user_->setVisible(!on_server() && narrow_);
     rail_->setVisible(wanted && (!narrow_ || menu_->isChecked()));
 }
 

@@ -13,6 +13,7 @@
 #include "database/rows/connection.h"
 #include "tests/app/access_programme.h"
 #include "tests/database/postgresql_server.h"
+#include "tests/database/station_keys.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -90,6 +91,47 @@ TEST_F(SyncCommands, CtrlCEndsItAndTheNextRunCompletesIt) {
     EXPECT_FALSE(stopped["complete"]);
     EXPECT_TRUE(sync(server.text(), 0)["complete"]);
     EXPECT_EQ(sync(server.text(), 0)["transferred"], 0);
+}
+
+TEST_F(SyncCommands, ATokenMakesAStationOfTheServersAndTracesComeOnDemand) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const database::test::KeysOfOneTest keys;
+    const std::string to = database::test::PostgresqlServer::of_this_process()->new_database().text();
+    const std::vector<std::string> as = {"--db",
+                                         programme.path,
+                                         "--as",
+                                         AccessProgramme::login_of(Role::administrator),
+                                         "--role",
+                                         "administrator",
+                                         "--password-file",
+                                         password_file};
+    const auto with = [](std::vector<std::string> words, const std::vector<std::string>& more) {
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    const nlohmann::json first = run({"server", "enrol", "--to", to, "--name", "Lab 1", "--hours", "2"}, 0);
+    EXPECT_TRUE(first["cohorts"].empty());
+    EXPECT_TRUE(run(with({"sync", "--to", to, "--enrol", first["token"]}, as), 0)["complete"]);
+    EXPECT_EQ(run(with({"sync"}, as), 0)["transferred"], 0) << "it knows its server";
+    // A further station, of one cohort: from an empty store, without a sign-in.
+    const nlohmann::json second = run({"server", "enrol", "Year 1", "--to", to}, 0);
+    EXPECT_EQ(second["cohorts"], nlohmann::json({"Year 1"}));
+    const std::string other = programme.folder.filePath("other.db").toStdString();
+    run({"db", "create", "--db", other}, 0);
+    EXPECT_TRUE(run({"sync", "--to", to, "--enrol", second["token"], "--db", other}, 0)["complete"]);
+    EXPECT_THROW(run({"sync", "--to", to, "--enrol", second["token"], "--db", programme.path}, 2),
+                 UsageError);
+    const nlohmann::json stations = run({"server", "stations", "--to", to}, 0)["stations"];
+    ASSERT_EQ(stations.size(), 2U);
+    for (const nlohmann::json& one : stations) EXPECT_EQ(one["state"], "enrolled");
+    const std::vector<std::string> educator = {
+        "--db", other, "--as", "educator", "--role", "educator", "--password-file", password_file};
+    const nlohmann::json fetched = run(with({"sync", "--trace", programme.ann.attempt}, educator), 0);
+    EXPECT_GT(fetched["chunks"], 0);
+    EXPECT_EQ(run(with({"sync", "--trace", programme.ann.attempt}, educator), 0)["chunks"], 0);
+    EXPECT_TRUE(run({"db", "check", "--db", other}, 0)["ok"]);
+    run({"server", "withdraw", second["id"], "--to", to}, 0);
+    EXPECT_EQ(run({"server", "stations", "--to", to}, 0)["stations"][0]["state"], "withdrawn");
 }
 
 TEST_F(SyncCommands, WithoutASignInOrAServerItSaysWhatToDo) {

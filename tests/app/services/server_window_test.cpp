@@ -51,10 +51,11 @@ class ServerWindow : public ::testing::Test {
     QString shown(const char* name) { return find<QLabel>(*window, name)->text(); }
     bool no_button_writes() {
         bool none = true;
-        for (const char* name : {"switch_user", "rail_password", "rail_rate", "rail_assign", "rail_tissues",
-                                 "rail_home", "void_attempt", "reassign_attempt", "request_correction",
-                                 "comment_send", "comment_draft", "ratings_release", "rating_begin",
-                                 "decide_standing", "task_briefing", "replay_take_over", "curriculum_move"})
+        for (const char* name :
+             {"switch_user", "rail_switch_user", "rail_password", "rail_rate", "rail_assign", "rail_tissues",
+              "rail_home", "void_attempt", "reassign_attempt", "request_correction", "comment_send",
+              "comment_draft", "ratings_release", "rating_begin", "decide_standing", "task_briefing",
+              "replay_take_over", "curriculum_move"})
             if (sees(*window, name)) {
                 none = false;
                 ADD_FAILURE() << name << " is shown";

@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cstdio>
 
+#include "database/sync/enrolment.h"
+#include "database/sync/server_enrolment.h"
+#include "tests/database/station_keys.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -47,6 +50,20 @@ TEST_F(SyncLarge, TwoStationsEndWithTheSame) {
     EXPECT_EQ(rows_at(*a.store), rows_on(server, false));
     Query count(a.store->connection(), "SELECT COUNT(*) FROM attempt");
     EXPECT_TRUE(count.next() && count.integer(0) == 2 * attempts);
+    // A station of one cohort, whose rows the server chooses.
+    const KeysOfOneTest keys;
+    const Station c;
+    enrol_station(*c.store, c.store->station_session(), server,
+                  make_enrolment_token(server, "", {"Year 1"}, 1).text);
+    const auto receive = [&] {
+        return sync_with_server(
+            *c.store, c.store->has_administrator() ? c.sign_in("administrator") : c.store->station_session(),
+            server_of(*c.store));
+    };
+    timed("c, of one cohort, receives", receive);
+    EXPECT_EQ(timed("c again", receive).transferred(), 0);
+    Query received(c.store->connection(), "SELECT COUNT(*) FROM attempt");
+    EXPECT_TRUE(received.next() && received.integer(0) == 2 * attempts);
     expect_sound(*a.store);
     expect_sound(*b.store);
     expect_sound(server);

@@ -61,6 +61,13 @@
     </message>
 </context>
 <context>
+    <name>RemoteTrace</name>
+    <message>
+        <source>Fetching the recording from the programme server …</source>
+        <translation>Die Aufzeichnung wird vom Programmserver geholt …</translation>
+    </message>
+</context>
+<context>
     <name>commands</name>
     <message>
         <source>Print this help and exit.</source>
@@ -1249,6 +1256,50 @@
     <message>
         <source>Hand whose instrument is calibrated.</source>
         <translation>Hand, deren Instrument kalibriert wird.</translation>
+    </message>
+    <message>
+        <source>Makes a token by which one station becomes one of the server&apos;s.</source>
+        <translation>Erzeugt ein Token, mit dem eine Station auf dem Server aufgenommen wird.</translation>
+    </message>
+    <message>
+        <source>How long the token is good.</source>
+        <translation>Wie viele Stunden das Token gilt.</translation>
+    </message>
+    <message>
+        <source>What you call the station.</source>
+        <translation>Wie Sie die Station nennen.</translation>
+    </message>
+    <message>
+        <source>The station gets the people of the cohorts that are named, with their attempts and reviews; without a cohort those of the whole programme. The token is shown once and works once. To change the cohorts of a station, give it another token.</source>
+        <translation>Die Station bekommt die Personen der genannten Gruppen mit ihren Versuchen und Beurteilungen; ohne Gruppe die des ganzen Programms. Das Token wird einmal gezeigt und gilt einmal. Um die Gruppen einer Station zu ändern, geben Sie ihr ein weiteres Token.</translation>
+    </message>
+    <message>
+        <source>Lists the tokens and the stations that used them.</source>
+        <translation>Listet die Tokens auf und die Stationen, die sie verwendet haben.</translation>
+    </message>
+    <message>
+        <source>Makes a token useless, or ends the access of a station (id of either).</source>
+        <translation>Macht ein Token ungültig oder beendet den Zugang einer Station (Kennung des einen oder der anderen).</translation>
+    </message>
+    <message>
+        <source>The programme server: postgresql://HOST:PORT/DATABASE; not needed once the station was enrolled.</source>
+        <translation>Der Programmserver: postgresql://HOST:PORT/DATABASE; nicht nötig, wenn die Station aufgenommen ist.</translation>
+    </message>
+    <message>
+        <source>Makes the station one of the server&apos;s first, with the token that `fulcrum server enrol` printed.</source>
+        <translation>Nimmt die Station zuerst auf dem Server auf, mit dem Token, das `fulcrum server enrol` ausgegeben hat.</translation>
+    </message>
+    <message>
+        <source>Instead: fetches the recording of an attempt of another station (--as, somebody who may see it).</source>
+        <translation>Stattdessen: holt die Aufzeichnung eines Versuchs einer anderen Station (--as, jemand, der sie sehen darf).</translation>
+    </message>
+    <message>
+        <source>COHORT</source>
+        <translation>GRUPPE</translation>
+    </message>
+    <message>
+        <source>TOKEN</source>
+        <translation>TOKEN</translation>
     </message>
 </context>
 <context>
@@ -5534,10 +5585,6 @@
         <translation>die Aufzeichnung des Versuchs %1 ist nicht in diesem Speicher: Sie wurde an der Station %2 gemacht</translation>
     </message>
     <message>
-        <source>open it there</source>
-        <translation>öffnen Sie ihn dort</translation>
-    </message>
-    <message>
         <source>the PostgreSQL driver of Qt is missing</source>
         <translation>der PostgreSQL-Treiber von Qt fehlt</translation>
     </message>
@@ -7700,6 +7747,178 @@
     <message>
         <source>ask the administrator for the right to it: `sudo chmod a+rw %1`, and a+x for the folder that it is in</source>
         <translation>bitten Sie die Administration um das Recht dazu: `sudo chmod a+rw %1`, und a+x für seinen Ordner</translation>
+    </message>
+    <message>
+        <source>its access was withdrawn: ask the server&apos;s owner for a new token (`fulcrum server enrol`)</source>
+        <translation>sein Zugang wurde beendet: Lassen Sie sich vom Eigentümer des Servers ein neues Token geben (`fulcrum server enrol`)</translation>
+    </message>
+    <message>
+        <source>the server was set up by an older program</source>
+        <translation>der Server wurde von einer älteren Software eingerichtet</translation>
+    </message>
+    <message>
+        <source>have its administrator run `fulcrum server create` with this program; nothing is lost</source>
+        <translation>lassen Sie seinen Administrator `fulcrum server create` mit dieser Software ausführen; nichts ist verloren</translation>
+    </message>
+    <message>
+        <source>ask the server&apos;s owner for a new one (`fulcrum server enrol`)</source>
+        <translation>lassen Sie sich vom Eigentümer des Servers ein neues geben (`fulcrum server enrol`)</translation>
+    </message>
+    <message>
+        <source>the token was good until %1</source>
+        <translation>das Token galt bis %1</translation>
+    </message>
+    <message>
+        <source>%1: does not know this token</source>
+        <translation>%1: kennt dieses Token nicht</translation>
+    </message>
+    <message>
+        <source>it is for another server, or it was withdrawn: check the address, or ask the server&apos;s owner for a new one (`fulcrum server enrol`)</source>
+        <translation>es ist für einen anderen Server oder wurde zurückgezogen: Prüfen Sie die Adresse, oder lassen Sie sich vom Eigentümer des Servers ein neues geben (`fulcrum server enrol`)</translation>
+    </message>
+    <message>
+        <source>this station has used this token already, on %1</source>
+        <translation>diese Station hat dieses Token schon verwendet, am %1</translation>
+    </message>
+    <message>
+        <source>run `fulcrum sync`; if the password of its account was lost, ask the server&apos;s owner for a new token (`fulcrum server enrol`)</source>
+        <translation>führen Sie `fulcrum sync` aus; ist das Passwort ihres Kontos verloren, lassen Sie sich vom Eigentümer des Servers ein neues Token geben (`fulcrum server enrol`)</translation>
+    </message>
+    <message>
+        <source>another station has used this token, on %1: %2</source>
+        <translation>eine andere Station hat dieses Token verwendet, am %1: %2</translation>
+    </message>
+    <message>
+        <source>each station needs its own: ask the server&apos;s owner for a new one (`fulcrum server enrol`), and tell them if that station is not known</source>
+        <translation>jede Station braucht ihr eigenes: Lassen Sie sich vom Eigentümer des Servers ein neues geben (`fulcrum server enrol`), und sagen Sie es ihm, wenn jene Station nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the token was withdrawn on %1</source>
+        <translation>das Token wurde am %1 zurückgezogen</translation>
+    </message>
+    <message>
+        <source>the server knows this station with another signing key</source>
+        <translation>der Server kennt diese Station mit einem anderen Signaturschlüssel</translation>
+    </message>
+    <message>
+        <source>put the copy of its key back; if the key is lost, have the server&apos;s owner run `fulcrum server withdraw %1` first</source>
+        <translation>legen Sie die Kopie ihres Schlüssels zurück; ist er verloren, lassen Sie den Eigentümer des Servers zuerst `fulcrum server withdraw %1` ausführen</translation>
+    </message>
+    <message>
+        <source>the token %1</source>
+        <translation>das Token %1</translation>
+    </message>
+    <message>
+        <source>copy it again from `fulcrum server enrol`, whole; nothing was sent, so it is still good</source>
+        <translation>übernehmen Sie es noch einmal ganz aus der Ausgabe von `fulcrum server enrol`; es wurde nichts gesendet, also gilt es noch</translation>
+    </message>
+    <message>
+        <source>contains &apos;%1&apos;, which no token does</source>
+        <translation>enthält „%1“, das in keinem Token vorkommt</translation>
+    </message>
+    <message>
+        <source>has %1 characters instead of %2</source>
+        <translation>hat %1 Zeichen statt %2</translation>
+    </message>
+    <message>
+        <source>is mistyped</source>
+        <translation>enthält einen Tippfehler</translation>
+    </message>
+    <message>
+        <source>this account of the server is that of another station (%1)</source>
+        <translation>dieses Konto des Servers gehört einer anderen Station (%1)</translation>
+    </message>
+    <message>
+        <source>enrol this station with a token of its own (`fulcrum server enrol`, then `fulcrum sync --enrol TOKEN`)</source>
+        <translation>nehmen Sie diese Station mit einem eigenen Token auf (`fulcrum server enrol`, dann `fulcrum sync --enrol TOKEN`)</translation>
+    </message>
+    <message>
+        <source>this station was not enrolled at a programme server</source>
+        <translation>diese Station ist auf keinem Programmserver aufgenommen</translation>
+    </message>
+    <message>
+        <source>ask the server&apos;s owner for a token (`fulcrum server enrol`) and give it with `fulcrum sync --to ADDRESS --enrol TOKEN`</source>
+        <translation>lassen Sie sich vom Eigentümer des Servers ein Token geben (`fulcrum server enrol`), und verwenden Sie es mit `fulcrum sync --to ADRESSE --enrol TOKEN`</translation>
+    </message>
+    <message>
+        <source>%1: has no cohort %2</source>
+        <translation>%1: hat keine Gruppe %2</translation>
+    </message>
+    <message>
+        <source>sync the station where the cohort was made first, and write its name as there</source>
+        <translation>gleichen Sie zuerst die Station ab, an der die Gruppe angelegt wurde, und schreiben Sie ihren Namen wie dort</translation>
+    </message>
+    <message>
+        <source>a token is good for %1 to %2 hours (not %3)</source>
+        <translation>ein Token gilt %1 bis %2 Stunden (nicht %3)</translation>
+    </message>
+    <message>
+        <source>choose as long as it takes to reach the station</source>
+        <translation>wählen Sie so lange, wie es dauert, bis es an der Station ist</translation>
+    </message>
+    <message>
+        <source>%1: has no token and no enrolled station %2</source>
+        <translation>%1: hat kein Token und keine aufgenommene Station %2</translation>
+    </message>
+    <message>
+        <source>give an id that `fulcrum server stations` prints</source>
+        <translation>geben Sie eine Kennung an, die `fulcrum server stations` ausgibt</translation>
+    </message>
+    <message>
+        <source>station %1: its log is signed by the key %2, not by %3, with which it was enrolled, nor by one that leads from it</source>
+        <translation>Station %1: ihr Protokoll ist mit dem Schlüssel %2 signiert, nicht mit %3, mit dem sie aufgenommen wurde, und nicht mit einem, der darauf zurückgeht</translation>
+    </message>
+    <message>
+        <source>%1: the programme server of this station: %2</source>
+        <translation>%1: der Programmserver dieser Station: %2</translation>
+    </message>
+    <message>
+        <source>make its folder readable and writable for you, or move the file away and enrol the station again</source>
+        <translation>machen Sie seinen Ordner für sich lesbar und beschreibbar, oder legen Sie die Datei beiseite und nehmen Sie die Station neu auf</translation>
+    </message>
+    <message>
+        <source>the trace of attempt %1 was not taken from the server: %2</source>
+        <translation>die Aufzeichnung von Versuch %1 wurde nicht vom Server übernommen: %2</translation>
+    </message>
+    <message>
+        <source>tell the server&apos;s administrator, who runs `fulcrum server check`</source>
+        <translation>sagen Sie es dem Administrator des Servers, der `fulcrum server check` ausführt</translation>
+    </message>
+    <message>
+        <source>the signature of audit row %1 of station %2 does not fit</source>
+        <translation>die Signatur der Protokollzeile %1 von Station %2 passt nicht</translation>
+    </message>
+    <message>
+        <source>the station that recorded it has not signed it</source>
+        <translation>die Station, die sie gemacht hat, hat sie nicht signiert</translation>
+    </message>
+    <message>
+        <source>no audit row there says what it is</source>
+        <translation>keine Protokollzeile dort sagt, was sie ist</translation>
+    </message>
+    <message>
+        <source>a part of it does not match its checksum</source>
+        <translation>ein Teil davon passt nicht zu seiner Prüfsumme</translation>
+    </message>
+    <message>
+        <source>it is not as the station that recorded it has signed it</source>
+        <translation>sie ist nicht so, wie die Station sie signiert hat, die sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>the server has no trace of attempt %1</source>
+        <translation>der Server hat keine Aufzeichnung von Versuch %1</translation>
+    </message>
+    <message>
+        <source>sync the station that recorded it, then try again</source>
+        <translation>gleichen Sie die Station ab, die sie gemacht hat, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>open it there, or fetch it with `fulcrum sync --trace %1`</source>
+        <translation>öffnen Sie ihn dort, oder holen Sie die Aufzeichnung mit `fulcrum sync --trace %1`</translation>
+    </message>
+    <message>
+        <source>the recording of this attempt is on the programme server, which cannot be reached now</source>
+        <translation>die Aufzeichnung dieses Versuchs ist auf dem Programmserver, der jetzt nicht erreichbar ist</translation>
     </message>
 </context>
 <context>
@@ -12161,6 +12380,10 @@ Kennzahlen: %2</translation>
         <source>Show name and score (my rating is then not blind)</source>
         <translation>Name und Bewertung zeigen (meine Beurteilung ist dann nicht blind)</translation>
     </message>
+    <message>
+        <source>Fetch the recording</source>
+        <translation>Aufzeichnung holen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DeviceTest</name>
@@ -12568,6 +12791,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>This code is shown only once. Write it down and lock it away: without it, the last administrator cannot set a new password.</source>
         <translation>Dieser Code wird nur einmal gezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Ohne ihn kann der letzte Administrator kein neues Passwort setzen.</translation>
+    </message>
+    <message>
+        <source>Is this a further station of a programme that has a server? Join it with a token of the server&apos;s owner.</source>
+        <translation>Ist dies eine weitere Station eines Programms, das einen Server hat? Treten Sie ihm mit einem Token vom Eigentümer des Servers bei.</translation>
+    </message>
+    <message>
+        <source>Join a programme</source>
+        <translation>Einem Programm beitreten</translation>
     </message>
 </context>
 <context>
@@ -13217,6 +13448,37 @@ Kennzahlen: %2</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::JoinForm</name>
+    <message>
+        <source>Join a programme</source>
+        <translation>Einem Programm beitreten</translation>
+    </message>
+    <message>
+        <source>The owner of the programme server makes a token for this station with &quot;fulcrum server enrol&quot; and tells you the server&apos;s address. People sign in here with the passwords that they have at the other stations.</source>
+        <translation>Der Eigentümer des Programmservers erzeugt mit „fulcrum server enrol“ ein Token für diese Station und nennt Ihnen die Adresse des Servers. Hier melden sich alle mit dem Passwort an, das sie an den anderen Stationen haben.</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation>Token</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Beitreten</translation>
+    </message>
+    <message>
+        <source>Fetching the programme …</source>
+        <translation>Das Programm wird geholt …</translation>
     </message>
 </context>
 <context>
@@ -15527,6 +15789,100 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ServerCard</name>
+    <message>
+        <source>Programme server</source>
+        <translation>Programmserver</translation>
+    </message>
+    <message>
+        <source>The stations of a programme exchange people, attempts and reviews through its server. This station works without it, too, and sends what is new at the next exchange.</source>
+        <translation>Die Stationen eines Programms tauschen Personen, Versuche und Beurteilungen über seinen Server aus. Diese Station arbeitet auch ohne ihn und sendet beim nächsten Abgleich, was neu ist.</translation>
+    </message>
+    <message>
+        <source>Exchange now</source>
+        <translation>Jetzt abgleichen</translation>
+    </message>
+    <message>
+        <source>Enrol again …</source>
+        <translation>Neu aufnehmen …</translation>
+    </message>
+    <message>
+        <source>With another token of the server&apos;s owner: for other cohorts, or where the password of the station&apos;s account was lost.</source>
+        <translation>Mit einem weiteren Token vom Eigentümer des Servers: für andere Gruppen, oder wenn das Passwort des Kontos der Station verloren ist.</translation>
+    </message>
+    <message>
+        <source>The server&apos;s owner makes a token with &quot;fulcrum server enrol&quot; and tells you its address. A token is good for one station, once, and for some days.</source>
+        <translation>Der Eigentümer des Servers erzeugt ein Token mit „fulcrum server enrol“ und nennt Ihnen die Adresse. Ein Token gilt für eine Station, einmal und einige Tage lang.</translation>
+    </message>
+    <message>
+        <source>Address of the server</source>
+        <translation>Adresse des Servers</translation>
+    </message>
+    <message>
+        <source>Token, such as 0A1B2-…</source>
+        <translation>Token, etwa 0A1B2-…</translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation>Token</translation>
+    </message>
+    <message>
+        <source>Enrol this station</source>
+        <translation>Diese Station aufnehmen</translation>
+    </message>
+    <message>
+        <source>Enrolled at %1</source>
+        <translation>Aufgenommen bei %1</translation>
+    </message>
+    <message>
+        <source>Gets everybody of the programme.</source>
+        <translation>Bekommt alle Personen des Programms.</translation>
+    </message>
+    <message>
+        <source>Gets the people of: %1</source>
+        <translation>Bekommt die Personen von: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was exchanged yet.</source>
+        <translation>Noch nichts abgeglichen.</translation>
+    </message>
+    <message>
+        <source>Last exchange with something new: %1</source>
+        <translation>Letzter Abgleich mit etwas Neuem: %1</translation>
+    </message>
+    <message>
+        <source>Enrolling, then exchanging …</source>
+        <translation>Aufnehmen, dann abgleichen …</translation>
+    </message>
+    <message>
+        <source>Exchanging …</source>
+        <translation>Abgleichen …</translation>
+    </message>
+    <message>
+        <source>Stopped before the end. Nothing is lost; the next exchange completes it.</source>
+        <translation>Vor dem Ende angehalten. Nichts ist verloren; der nächste Abgleich macht es fertig.</translation>
+    </message>
+    <message>
+        <source>✓ Station and server agree already.</source>
+        <translation>✓ Station und Server stimmen schon überein.</translation>
+    </message>
+    <message>
+        <source>✓ Station and server agree: %1 records sent, %2 received.</source>
+        <translation>✓ Station und Server stimmen überein: %1 Datensätze gesendet, %2 empfangen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) were erased here, as on the server.</source>
+        <translation>
+            <numerusform>%n Person wurde hier gelöscht, wie auf dem Server.</numerusform>
+            <numerusform>%n Personen wurden hier gelöscht, wie auf dem Server.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The clocks of station and server differ by %1 s: set this one.</source>
+        <translation>Die Uhren von Station und Server weichen um %1 s voneinander ab: Stellen Sie diese.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::SettingsPage</name>
     <message>
         <source>Settings</source>
@@ -16973,6 +17329,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Keys of the station: all</source>
         <translation>Schlüssel des Arbeitsplatzes: alle</translation>
+    </message>
+    <message>
+        <source>Enrolled at the programme server</source>
+        <translation>Auf dem Programmserver aufgenommen</translation>
+    </message>
+    <message>
+        <source>Station: all</source>
+        <translation>Station: alle</translation>
     </message>
 </context>
 <context>

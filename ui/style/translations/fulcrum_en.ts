@@ -264,4 +264,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>fulcrum::ui::ServerCard</name>
+    <message numerus="yes">
+        <source>%n person(s) were erased here, as on the server.</source>
+        <translation>
+            <numerusform>%n person was erased here, as on the server.</numerusform>
+            <numerusform>%n people were erased here, as on the server.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

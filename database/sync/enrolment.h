@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a station becomes one of a programme server: the server's owner makes a token
+// (database/sync/server_enrolment.h), the station gives it once and gets an account of its own.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/rows/server_address.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+struct Enrolment {
+    ServerAddress address;             ///< of the station's account
+    std::vector<std::string> cohorts;  ///< ids of those whose people it gets; empty: everybody
+};
+
+/// Registers the station with the public half of its key; its account's password goes next to the key.
+/// Audited. Cut off anywhere, the same call with the same token completes it. Operation::backup (an
+/// administrator); where the store has no administrator yet, the station itself may. Throws StoreError:
+/// bad_value (mistyped), conflict (used, withdrawn, out of date, of another server; another key),
+/// unreachable, sealed_demo.
+Enrolment enrol_station(const Store& store, const Session& session, const ServerAddress& server,
+                        const std::string& token);
+
+/// Whether the station has an account of this server (whatever account the address names).
+bool is_enrolled_at(const Store& store, const ServerAddress& server);
+
+/// What the station was enrolled for, in words of its store.
+struct LinkedServer {
+    std::string address;               ///< as people write it
+    std::vector<std::string> cohorts;  ///< names, or ids of cohorts that have not come yet; empty: everybody
+    UtcMilliseconds last_sync = 0;     ///< the last exchange that transferred something; 0: none
+};
+/// Nothing where the station was not enrolled. Operation::backup. Throws StoreError (failed).
+std::optional<LinkedServer> linked_server(const Store& store, const Session& session);
+
+}  // namespace fulcrum::database
