@@ -159,7 +159,8 @@ std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefini
                 QT_TRANSLATE_NOOP("errors", "add a grasper to the scene"));
         }
     }
-    return std::make_unique<SyntheticOperator>(skill, task, scene, attempt);
+    return std::make_unique<SyntheticOperator>(site == GoalSite::objects ? with_objects(skill) : skill, task,
+                                               scene, attempt);
 }
 
 std::unique_ptr<ObservingRig> make_operator(OperatorLevel level, const TaskDefinition& task,

@@ -145,7 +145,9 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
 /// and on bands the hands are a third as unsteady as elsewhere, bands are lifted with less traction, and the
 /// pedal is used with two thirds of an expert's foresight: without that none of 60 would pass C4, and 3 % B3.
 /// Ends the first movement to a target two thirds of the way on a logarithmic scale: further off, 42 to 43 %
-/// would pass A2. Chosen for these limits, not measured on people.
+/// would pass A2. With rigid objects, which do not yield and which training begins with, the hands are half
+/// as far from an expert's as elsewhere: without that 1 of 60 would pass A3. Chosen for these limits, not
+/// measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
@@ -168,6 +170,7 @@ Skill intermediate() {
     skill.scope.level_error = std::sqrt(a.scope.level_error * b.scope.level_error);
     skill.scope.together = between(a.scope.together, b.scope.together);
     skill.scope.lead = between(a.scope.lead, b.scope.lead);
+    skill.object.ease = 0.5;
     return skill;
 }
 
@@ -179,6 +182,15 @@ constexpr LevelRow level_rows[] = {
 static_assert(in_order(level_rows));
 
 }  // namespace
+
+Skill with_objects(const Skill& skill) {
+    if (skill.object.ease == 0) return skill;
+    const Skill best = expert();
+    Skill there = skill;
+    for (const auto faculty : faculties)
+        there.*faculty += skill.object.ease * (best.*faculty - skill.*faculty);
+    return there;
+}
 
 void draw_individual(OperatorLevel level, std::uint64_t seed, Skill& skill) {
     skill = row_of(level_rows, level).typical();
@@ -249,6 +261,7 @@ void draw_learner(double mastery, std::uint64_t individual, std::uint64_t attemp
     skill.scope.level_error = between(low.scope.level_error, high.scope.level_error);
     skill.scope.together = between(low.scope.together, high.scope.together);
     skill.scope.lead = between(low.scope.lead, high.scope.lead);
+    skill.object.ease = between(low.object.ease, high.object.ease);
     draw_form(at < 0.25   ? OperatorLevel::novice
               : at < 0.75 ? OperatorLevel::intermediate
                           : OperatorLevel::expert,

@@ -51,6 +51,11 @@ struct ScopeSkill {
     double lead = 1;            ///< share of a tip's movement during the delay that is foreseen
 };
 
+/// Skill used only with rigid objects.
+struct ObjectSkill {
+    double ease = 0;  ///< share of the way to an expert's hands by which they are better there than elsewhere
+};
+
 /// Skill used by every behaviour, and the parts used by some.
 struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
@@ -81,8 +86,11 @@ struct Skill {
     LineSkill line;
     PlaneSkill plane;
     ScopeSkill scope;
+    ObjectSkill object;
 };
 
+/// The skill that shows with rigid objects: nearer to a typical expert's by object.ease. Pure.
+Skill with_objects(const Skill& skill);
 /// Draws an individual of a level. Pure.
 void draw_individual(OperatorLevel level, std::uint64_t seed, Skill& skill);
 /// The same individual on the day of one attempt: a little faster or slower. Pure.

@@ -59,7 +59,8 @@ std::vector<double> values(const Skill& s) {
             s.scope.post_error,
             s.scope.level_error,
             s.scope.together,
-            s.scope.lead};
+            s.scope.lead,
+            s.object.ease};
 }
 
 TEST(LearnerSkill, AtTheLevelsIsTheIndividualOfThatLevel) {
