@@ -267,7 +267,7 @@ bool in_the_bands(const std::array<int, groups>& passed, int seeds) {
 
 /// One row a task and class of devices; adds the same to `document`.
 std::vector<std::string> passes_row(const LoadedTask& loaded, DeviceClass device_class, int seeds,
-                                    nlohmann::json& document) {
+                                    lab::ResultTable& gates, nlohmann::json& document) {
     const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
     const std::string name = row_of(device_classes, device_class).name;
     std::vector<std::string> row = {loaded.task.id, name};
@@ -278,6 +278,11 @@ std::vector<std::string> passes_row(const LoadedTask& loaded, DeviceClass device
     const Summary summary = perform_all(loaded, limits, {seeds, 0, 0, device_class});
     for (const int passed : summary.passed)
         row.push_back(std::to_string(passed) + " (" + short_number(100.0 * passed / seeds, 3) + " %)");
+    for (const auto& [gate, failed] : summary.failed) {
+        std::vector<std::string> cells = {loaded.task.id, name, gate.first, gate.second};
+        for (const int count : failed) cells.push_back(std::to_string(count));
+        gates.rows.push_back(std::move(cells));
+    }
     const bool right = in_the_bands(summary.passed, seeds);
     row.push_back(right ? "yes" : "**no**");
     document.push_back({{"task", loaded.task.id},
@@ -301,15 +306,19 @@ Measured measure_passes(const std::vector<std::string>& tasks, int seeds) {
     lab::ResultTable table;
     table.name = "passes_by_device";
     table.columns = {"task", "device class", "experts", "intermediates", "novices", "within the ranges"};
+    lab::ResultTable gates;
+    gates.name = "passes_by_device_gates";
+    gates.columns = {"task",           "device class",         "gate",          "hand",
+                     "experts failed", "intermediates failed", "novices failed"};
     for (const std::string& task : tasks) {
         const LoadedTask loaded = load_task_and_scene(task);
-        const std::vector<GateSpec>& gates = loaded.task.gates;
-        if (std::none_of(gates.begin(), gates.end(),
+        const std::vector<GateSpec>& judged = loaded.task.gates;
+        if (std::none_of(judged.begin(), judged.end(),
                          [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; }))
             continue;  // B0: the same for every class
         for (const DeviceClass device_class : loaded.task.device_classes)
             if (device_class != DeviceClass::haptic)
-                table.rows.push_back(passes_row(loaded, device_class, seeds, measured.document));
+                table.rows.push_back(passes_row(loaded, device_class, seeds, gates, measured.document));
     }
     measured.page.paragraph(
         "Attempts that pass with the delivered benchmark set of the task and class. Operators work through a "
@@ -317,6 +326,8 @@ Measured measure_passes(const std::vector<std::string>& tasks, int seeds) {
         "count those attempts. Expected: 80 to 95 % of experts, 5 to 40 % of intermediates, less than 3 % of "
         "novices.");
     measured.page.table(table);
+    measured.page.paragraph("Whom each gate fails:");
+    measured.page.table(gates);
     measured.page.document(measured.document);
     return measured;
 }

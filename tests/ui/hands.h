@@ -61,6 +61,12 @@ inline void click(QWidget& window, const char* name) {
     QTest::mouseClick(button, Qt::LeftButton);
 }
 
+/// Clicks in the list of pages, which large text in a small window puts behind a menu.
+inline void choose_page(QWidget& window, const char* name) {
+    if (sees(window, "menu")) click(window, "menu");
+    click(window, name);
+}
+
 /// Clicks a tab by its title.
 inline void choose_tab(QWidget& window, const char* tabs, const QString& title) {
     auto* widget = find<QTabWidget>(window, tabs);

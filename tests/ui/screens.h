@@ -34,8 +34,7 @@ class Screens : public ::testing::Test {
     /// Names of the rail's pages for the role.
     std::vector<const char*> rail();
     void go_to(const char* name) {
-        if (sees(*window, "menu")) click(*window, "menu");
-        click(*window, name);
+        choose_page(*window, name);
         settle();
     }
     /// The trainee's attempt A2, by mouse, with too much force; its id.

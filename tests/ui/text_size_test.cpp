@@ -129,7 +129,7 @@ TEST_F(LargeText, LeavesTheWholeWidthToThePageAndAMenuShowsTheOtherPages) {
     EXPECT_FALSE(sees(*window, "rail_metrics")) << "closed by the choice";
 
     click(*window, "menu");
-    window->resize(1600, 768);
+    window->resize(1400, 768);
     EXPECT_TRUE(wait_for([&] { return !sees(*window, "menu") && sees(*window, "rail_metrics"); }));
     EXPECT_LT(window->current_page()->width(), window->width());
     window->resize(1024, 768);

@@ -258,13 +258,13 @@ void AttemptsPage::fill_requests() {
     requests_card_->setVisible(!open.empty());
     requests_->addWidget(make_label(tr("Requested corrections: %1").arg(open.size()), "heading"));
     for (const database::CorrectionRequest& request : open) {
-        QPushButton* button = make_button(tr("%1, %2: %3")
-                                              .arg(text(request.person_name), local_time(request.asked),
-                                                   text(request.text).simplified().left(110)),
-                                          "correction_request", "link");
+        QPushButton* button =
+            make_button(join_with_dots({text(request.person_name), local_time(request.asked)}),
+                        "correction_request", "link");
         connect(button, &QPushButton::clicked, this,
                 [this, id = text(request.attempt_id)] { emit context().debrief_wanted(id, -1); });
         requests_->addWidget(button);
+        requests_->addWidget(make_label(text(request.text).simplified().left(200)));
     }
 }
 
@@ -283,15 +283,16 @@ void AttemptsPage::fill_cut_off() {
         for (const database::AttemptSummary& attempt : one.attempts)
             recorded +=
                 tr("%1 %2").arg(clock_text(attempt.duration_s), verdict(attempt.passed, attempt.provisional));
-        QPushButton* button =
-            make_button(tr("%1, %2: %3 interrupted attempts, the last on %4. Recorded: %5")
-                            .arg(person_text(last.person_name, last.synthetic), text(last.meta.task_id),
-                                 QString::number(one.attempts.size()), local_time(last.meta.started),
-                                 recorded.mid(0, 5).join(QStringLiteral(", "))),
-                        "cut_off_series", "link");
+        QPushButton* button = make_button(
+            join_with_dots({person_text(last.person_name, last.synthetic), text(last.meta.task_id)}),
+            "cut_off_series", "link");
         connect(button, &QPushButton::clicked, this,
                 [this, id = text(last.meta.id)] { emit context().debrief_wanted(id, -1); });
         cut_off_->addWidget(button);
+        cut_off_->addWidget(
+            make_label(tr("%1 interrupted attempts, the last on %2. Recorded: %3")
+                           .arg(QString::number(one.attempts.size()), local_time(last.meta.started),
+                                recorded.mid(0, 5).join(QStringLiteral(", ")))));
     }
 }
 

@@ -104,8 +104,8 @@ void MainWindow::fit_rail() {
         widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(button->text()));
     constexpr int beside = 2 * (8 + 8);  // margins of the rail and of a button
     rail_->setFixedWidth(std::max(170, widest + beside + 2));
-    constexpr double most = 0.28;  // of the window's width
-    const bool narrow = rail_->width() > most * width();
+    constexpr double page_needs = 4.7;  // pixels a percent of text size: the widest page
+    const bool narrow = width() - rail_->width() < page_needs * text_percent();
     if (narrow != narrow_) {
         narrow_ = narrow;
         if (narrow)

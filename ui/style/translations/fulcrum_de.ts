@@ -10975,10 +10975,6 @@
         <translation>Angefragte Korrekturen: %1</translation>
     </message>
     <message>
-        <source>%1, %2: %3</source>
-        <translation>%1, %2: %3</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -11014,10 +11010,6 @@
         <translation>Personen mit drei oder mehr unterbrochenen Versuchen in Folge: %1</translation>
     </message>
     <message>
-        <source>%1, %2: %3 interrupted attempts, the last on %4. Recorded: %5</source>
-        <translation>%1, %2: %3 unterbrochene Versuche, der letzte am %4. Aufgezeichnet: %5</translation>
-    </message>
-    <message>
         <source>newest 500 attempts</source>
         <translation>die neuesten 500 Versuche</translation>
     </message>
@@ -11027,6 +11019,10 @@
             <numerusform>%n Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 interrupted attempts, the last on %2. Recorded: %3</source>
+        <translation>%1 unterbrochene Versuche, der letzte am %2. Aufgezeichnet: %3</translation>
     </message>
 </context>
 <context>
