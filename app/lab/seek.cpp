@@ -283,17 +283,48 @@ lab::ResultTable practice_table(const std::vector<Seeks>& all) {
     return table;
 }
 
+double bytes_per_minute(const Seeks& one) {
+    return static_cast<double>(one.bytes) * 60 / one.length_s;
+}
+
+nlohmann::json json_of_seeks(const Seeks& one) {
+    return {{"task", one.task},
+            {"attempt_s", one.length_s},
+            {"simulate_s", one.simulate_s},
+            {"frames_s", one.frames_s},
+            {"frames", one.frames},
+            {"bytes_per_minute", bytes_per_minute(one)},
+            {"frame_bytes", one.plain_bytes},
+            {"seek_median_s", median_of(one.times)},
+            {"seek_worst_s", one.times.back()},
+            {"identical", one.identical},
+            {"keep_s", one.keep_s},
+            {"opened_again_s", one.reopen_s},
+            {"kept_seek_median_s", median_of(one.kept_times)},
+            {"kept_seek_worst_s", one.kept_times.back()},
+            {"kept_identical", one.reopened_identical},
+            {"take_over_median_s", median_of(one.take_over_times)},
+            {"take_over_worst_s", one.take_over_times.back()},
+            {"taken_over_identical", one.taken_over_identical},
+            {"ghost_s", one.ghost_s},
+            {"ghost_points", one.ghost_points},
+            {"ghost_follow_s", one.follow_s}};
+}
+
 lab::ResultTable reopened_table(const std::vector<Seeks>& all) {
     lab::ResultTable table;
     table.name = "lab_opened_again";
-    table.columns = {"task", "file written in (ms)", "opened again: until the end is shown (ms)",
-                     "seek, median (ms)", "seek, worst (ms)", "bit for bit"};
+    table.columns = {"task",
+                     "file written in (ms)",
+                     "opened again: until the end is shown (ms)",
+                     "seek, median (ms)",
+                     "seek, worst (ms)",
+                     "bit for bit"};
     for (const Seeks& one : all)
-        table.rows.push_back({one.task, lab::short_number(1e3 * one.keep_s, 3),
-                              lab::short_number(1e3 * one.reopen_s, 3),
-                              lab::short_number(1e3 * median_of(one.kept_times), 3),
-                              lab::short_number(1e3 * one.kept_times.back(), 3),
-                              one.reopened_identical ? "yes" : "no"});
+        table.rows.push_back(
+            {one.task, lab::short_number(1e3 * one.keep_s, 3), lab::short_number(1e3 * one.reopen_s, 3),
+             lab::short_number(1e3 * median_of(one.kept_times), 3),
+             lab::short_number(1e3 * one.kept_times.back(), 3), one.reopened_identical ? "yes" : "no"});
     return table;
 }
 
@@ -329,35 +360,14 @@ Measured measure_seeks(const std::vector<std::string>& tasks, double seconds, in
         const double median = median_of(one.times), worst = one.times.back();
         worst_of_all = std::max(worst_of_all, worst);
         const auto frames = static_cast<double>(one.frames), bytes = static_cast<double>(one.bytes);
-        const double per_minute = bytes * 60 / one.length_s;
         table.rows.push_back({task, lab::short_number(one.length_s, 4), lab::short_number(one.simulate_s, 3),
                               lab::short_number(one.frames_s, 3), std::to_string(one.frames),
                               lab::short_number(bytes / frames / 1024, 3),
-                              lab::short_number(per_minute / (1 << 20), 3),
+                              lab::short_number(bytes_per_minute(one) / (1 << 20), 3),
                               lab::short_number(static_cast<double>(one.plain_bytes) / 1024, 4),
                               lab::short_number(1e3 * median, 3), lab::short_number(1e3 * worst, 3),
                               one.identical ? "yes" : "no"});
-        document.push_back({{"task", task},
-                            {"attempt_s", one.length_s},
-                            {"simulate_s", one.simulate_s},
-                            {"frames_s", one.frames_s},
-                            {"frames", one.frames},
-                            {"bytes_per_minute", per_minute},
-                            {"frame_bytes", one.plain_bytes},
-                            {"seek_median_s", median},
-                            {"seek_worst_s", worst},
-                            {"identical", one.identical},
-                            {"keep_s", one.keep_s},
-                            {"opened_again_s", one.reopen_s},
-                            {"kept_seek_median_s", median_of(one.kept_times)},
-                            {"kept_seek_worst_s", one.kept_times.back()},
-                            {"kept_identical", one.reopened_identical},
-                            {"take_over_median_s", median_of(one.take_over_times)},
-                            {"take_over_worst_s", one.take_over_times.back()},
-                            {"taken_over_identical", one.taken_over_identical},
-                            {"ghost_s", one.ghost_s},
-                            {"ghost_points", one.ghost_points},
-                            {"ghost_follow_s", one.follow_s}});
+        document.push_back(json_of_seeks(one));
     }
     measured.page.paragraph(
         "An attempt of the expert operator (seed 2001), continued with its own inputs backwards and "
