@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In the machine's order of bytes, as the states themselves: a head (FileHead), a FileEntry for each frame, the
-// BLAKE2b-256 of both, the packed frames one after the other.
+// In the machine's order of bytes, as the states themselves: a head (FileHead), a FileEntry for each frame,
+// the BLAKE2b-256 of both, the packed frames one after the other.
 #include "app/live/frame_file.h"
 
 #include <dirent.h>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr char format_word[8] = {'F', 'U', 'L', 'F', 'R', 'A', 'M', '1'};
 constexpr const char* unfinished_word = ".new-";
-constexpr std::time_t abandoned_after_s = 3600;  // an unfinished file that nobody will finish
+constexpr std::time_t abandoned_after_s = 3600;    // an unfinished file that nobody will finish
 constexpr std::uint64_t share_of_free_space = 10;  // a file takes at most this part: attempts need the disk
 
 struct FileHead {
@@ -266,7 +266,8 @@ bool FrameFileWriter::begin() {
     static std::atomic<int> number{0};
     unfinished_ =
         keeping_.name + unfinished_word + std::to_string(::getpid()) + '-' + std::to_string(++number);
-    file_ = ::openat(folder_, unfinished_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    file_ =
+        ::openat(folder_, unfinished_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     return file_ >= 0 && write_exactly(file_, table);
 }
 

@@ -56,7 +56,7 @@ class FrameStore {
     const std::size_t most_;
     double gap_s_ = longest_gap_s;  ///< add()'s thread, as what follows
     StateImage newest_, added_;
-    mutable std::mutex mutex_;  ///< guards what follows
+    mutable std::mutex mutex_;   ///< guards what follows
     std::vector<Frame> frames_;  ///< with ticks alone where they are in file_
     std::shared_ptr<const FrameFile> file_;
     std::size_t bytes_ = 0;

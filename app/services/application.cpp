@@ -414,8 +414,7 @@ class Services : public ui::ApplicationServices {
         keeping.name = database::kept_frames_name(attempt.meta.id);
         std::string record = database::Attempts(*store_).record_digest(session, attempt.meta.id) + '\n' +
                              loaded.scene_text + '\n' + std::to_string(loaded.scene.tick_rate) + '\n';
-        for (const database::AssetFile& file : loaded.assets)
-            record += file.name + ' ' + file.digest + '\n';
+        for (const database::AssetFile& file : loaded.assets) record += file.name + ' ' + file.digest + '\n';
         keeping.belongs = frames_belong_to(record);
         return keeping;
     }

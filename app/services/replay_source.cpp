@@ -20,7 +20,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::uint32_t slice_ticks = 10;    // of a run between two looks at what is asked for
+constexpr std::uint32_t slice_ticks = 10;  // of a run between two looks at what is asked for
 constexpr std::uint32_t nothing_viewed = 0xffffffff;
 constexpr std::uint32_t settled_ticks = 11;  // by which the world follows the tick
 constexpr std::uint32_t ahead_picture_ticks = 100;

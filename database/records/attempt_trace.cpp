@@ -247,12 +247,14 @@ std::string Attempts::record_digest(const Session& session, const std::string& a
         }
         all += '\n';
     };
-    add("SELECT stream, number, records, checksum FROM trace_chunk WHERE attempt_id = ? ORDER BY stream, number",
+    add("SELECT stream, number, records, checksum FROM trace_chunk WHERE attempt_id = ? ORDER BY stream, "
+        "number",
         4);
     add("SELECT tick, build, checksum FROM attempt_origin WHERE attempt_id = ?", 3);
-    Query row(store_.connection(),
-              "SELECT task_id, task_version, variant, seed, fidelity, scene, scene_digest, events, state_hash "
-              "FROM attempt WHERE id = ?");
+    Query row(
+        store_.connection(),
+        "SELECT task_id, task_version, variant, seed, fidelity, scene, scene_digest, events, state_hash "
+        "FROM attempt WHERE id = ?");
     row.bind(attempt_id);
     if (row.next())
         for (int i = 0; i < 9; ++i) all += row.text(i) + '\n';
