@@ -229,7 +229,13 @@ class Replay : public ui::ReplaySource {
     /// Towards what is asked for, as far as there is time until a picture is due.
     void run_viewer(std::uint32_t wanted) {
         ReplayCursor& cursor = viewer_->cursor;
-        if (cursor.tick() > wanted || cursor.tick() < frames_.before(wanted)) frames_.put(wanted, cursor);
+        const std::int64_t frame = frames_.before(wanted);
+        if (cursor.tick() > wanted || cursor.tick() < frame) {
+            frames_.put(wanted, cursor);
+            if (cursor.tick() != frame)
+                throw StateArchiveError(QT_TRANSLATE_NOOP(
+                    "errors", "a kept key frame cannot be read, or does not match its checksum"));
+        }
         const Clock::time_point begin = Clock::now();
         while (cursor.tick() < wanted && !cursor.at_end() && !stop_.load()) {
             cursor.run_to(std::min(wanted, cursor.tick() + slice_ticks));

@@ -137,7 +137,7 @@ TEST_F(FrameFiles, CutOffOrAlteredTheyAreRemovedOrRefuseTheFrame) {
     EXPECT_THROW(opened->packed(2), StateArchiveError);
 }
 
-TEST_F(FrameFiles, WhatIsNoFileOfOursIsNotFollowed) {
+TEST_F(FrameFiles, LinksPipesAndFoldersAreNotFollowed) {
     const std::vector<PackedFrame> frames = some_frames(3, 40);
     keep(keeping, frames);
     const files::path elsewhere = folder / "elsewhere";

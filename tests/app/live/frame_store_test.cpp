@@ -147,7 +147,7 @@ TEST_P(Frames, WithoutOneNothingIsMoved) {
 }
 
 TEST_P(Frames, FromAFileTheyContinueBitForBitAtEveryMoment) {
-    const std::uint32_t last = 7000;
+    const std::uint32_t last = 5100;  // two groups
     FrameStore made_now;
     leave(made_now, 150, last);
     const test::OwnFolder folder;

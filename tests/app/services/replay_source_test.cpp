@@ -11,6 +11,8 @@
 #include <thread>
 
 #include "app/live/frame_store.h"
+#include "assessment/attempt/memory_sink.h"
+#include "assessment/operators/operator.h"
 #include "database/scoring/loaded_task.h"
 #include "tests/assessment/attempt/expert_record.h"
 #include "tests/support/own_folder.h"
@@ -43,44 +45,73 @@ class KeptReplay : public ::testing::Test {
         }
         return true;
     }
-    /// The end of the attempt is shown.
-    static WorldSnapshot end_of(ui::ReplaySource& replay) {
+    /// What a cursor without key frames makes of the request.
+    void use_reference() {
+        const database::Trace& all = *request.trace;
+        const AttemptRecord record{all.inputs, all.samples, all.steps, all.events, request.devices};
+        AttemptEngine engine(request.loaded.scene, request.loaded.task, request.seed);
+        ReplayCursor cursor(engine, record);
+        cursor.run_to(all.inputs.back().tick);
+        right_end = engine.world().snapshot();
+    }
+    /// The end of the attempt is shown, and is the right one.
+    void expect_end(ui::ReplaySource& replay) const {
         replay.seek(replay.duration_s());
-        EXPECT_TRUE(
-            wait_until([&] { return replay.update() && replay.shown_s() >= replay.duration_s() - 1e-6; }));
+        EXPECT_TRUE(wait_until([&] { return replay.update() && replay.snapshot().step == right_end.step; }));
         EXPECT_FALSE(replay.differs_from_s());
-        return replay.snapshot();
+        expect_same(replay.snapshot(), right_end);
     }
     static void expect_same(const WorldSnapshot& found, const WorldSnapshot& expected) {
+        EXPECT_EQ(found.bowel.nodes, expected.bowel.nodes);
+        EXPECT_EQ(found.step, expected.step);
         ASSERT_EQ(found.targets.size(), expected.targets.size());
         for (std::size_t i = 0; i < found.targets.size(); ++i)
             EXPECT_EQ(found.targets[i].centre, expected.targets[i].centre);
-        for (int hand = 0; hand < hand_count; ++hand)
-            EXPECT_EQ(found.tools[hand].tip, expected.tools[hand].tip);
-        EXPECT_EQ(found.tick, expected.tick);
     }
     /// Opened, prepared, and closed when its frames are in the file.
-    WorldSnapshot prepare() {
+    void prepare() {
+        use_reference();
         const auto replay = make_replay_source(request);
-        const WorldSnapshot end = end_of(*replay);
+        expect_end(*replay);
         EXPECT_TRUE(wait_until([&] { return FrameFile::open(request.keeping) != nullptr; }));
-        return end;
+    }
+
+    void write(const std::vector<PackedFrame>& frames, std::uint32_t last) const {
+        FrameFileWriter writer(request.keeping, frames, last);
+        while (writer.write_more()) {
+        }
+    }
+    /// The replay shows the right end in spite of the file that is there, and puts a new one in its place.
+    void expect_made_again() const {
+        struct stat before {
+        }, after{};
+        ASSERT_EQ(::stat(file().c_str(), &before), 0);
+        const auto wrong = FrameFile::open(request.keeping);  // its inode is not given to another file
+        ASSERT_NE(wrong, nullptr);
+        const auto again = make_replay_source(request);
+        ASSERT_TRUE(wait_until([&] { return again->update(); }));
+        EXPECT_TRUE(wait_until([&] {
+            again->seek(again->duration_s());
+            return ::stat(file().c_str(), &after) == 0 && after.st_ino != before.st_ino;
+        })) << "kept again";
+        expect_end(*again);
     }
 
     const test::ExpertRecord& made;
     const test::OwnFolder folder;
     std::shared_ptr<const database::Trace> trace;
     ReplayRequest request;
+    WorldSnapshot right_end;
 };
 
 TEST_F(KeptReplay, OpenedAgainIsPreparedAtOnceAndShowsTheSame) {
-    const WorldSnapshot end = prepare();
+    prepare();
     struct stat before {
     }, after{};
     ASSERT_EQ(::stat(file().c_str(), &before), 0);
     const auto again = make_replay_source(request);
     ASSERT_TRUE(wait_until([&] { return again->update(); }));
-    expect_same(end_of(*again), end);
+    expect_end(*again);
     EXPECT_EQ(again->ready(), 1);
     const auto moment = again->moment(0.5 * again->duration_s());
     ASSERT_NE(moment, nullptr) << "practice can begin anywhere";
@@ -92,44 +123,56 @@ TEST_F(KeptReplay, OpenedAgainIsPreparedAtOnceAndShowsTheSame) {
 }
 
 TEST_F(KeptReplay, AlteredFramesAreMadeAgain) {
-    const WorldSnapshot end = prepare();
+    prepare();
     {
         std::fstream altered(file(), std::ios::in | std::ios::out | std::ios::binary);
         altered.seekp(-3, std::ios::end);
         altered.put('\x55').put('\x55').put('\x55');
     }
-    ASSERT_NE(FrameFile::open(request.keeping), nullptr) << "its table is right";
-    const auto again = make_replay_source(request);
-    expect_same(end_of(*again), end);
-    EXPECT_TRUE(wait_until([&] {
-        const auto opened = FrameFile::open(request.keeping);
-        return opened != nullptr && !opened->packed(opened->count() - 1).empty();
-    })) << "and kept again";
+    expect_made_again();
+}
+
+TEST_F(KeptReplay, FramesOfOtherMomentsAreMadeAgain) {
+    prepare();
+    const std::uint32_t last = trace->inputs.back().tick;
+    {
+        // Whole and with right checksums, but each one is said to be 100 ticks later.
+        AttemptEngine engine(made.scene, made.task, test::expert_seed);
+        ReplayCursor cursor(engine, made.record);
+        FrameStore frames;
+        for (; !cursor.at_end(); cursor.run_to(cursor.tick() + 5000)) frames.add(cursor);
+        std::vector<PackedFrame> wrong = frames.frames();
+        for (PackedFrame& frame : wrong) frame.tick += 100;
+        write(wrong, last);
+    }
+    expect_made_again();
+}
+
+/// The beginning of B1, by an operator of this level.
+AttemptRecord short_record(const LoadedTask& loaded, OperatorLevel level) {
+    AttemptEngine engine(loaded.scene, loaded.task, test::expert_seed);
+    const auto rig = make_operator(level, loaded.task, loaded.scene, test::expert_seed);
+    MemorySink sink;
+    run_headless(engine, *rig, sink, [](double now) { return now < 1.2; });
+    return std::move(sink.record);
 }
 
 TEST_F(KeptReplay, FramesThatLeadAwayFromTheRecordAreMadeAgain) {
-    const WorldSnapshot end = prepare();
-    const auto right = FrameFile::open(request.keeping);
+    request.loaded = load_task_and_scene("B1");
+    const AttemptRecord record = short_record(request.loaded, OperatorLevel::expert);
+    request.trace = std::make_shared<const database::Trace>(
+        database::Trace{record.samples, record.inputs, record.steps, record.events});
+    prepare();
     {
-        // Whole and with right checksums, but of another seed: its spheres are elsewhere.
-        AttemptEngine engine(made.scene, made.task, test::expert_seed + 1);
-        ReplayCursor cursor(engine, made.record);
-        FrameStore wrong;
-        while (!cursor.at_end()) {
-            wrong.add(cursor);
-            cursor.run_to(cursor.tick() + 5000);
-        }
-        FrameFileWriter writer(request.keeping, wrong.frames(), right->last_tick());
-        while (writer.write_more()) {
-        }
+        // Of this task, seed and length, but of other hands.
+        const AttemptRecord other = short_record(request.loaded, OperatorLevel::novice);
+        AttemptEngine engine(request.loaded.scene, request.loaded.task, test::expert_seed);
+        ReplayCursor cursor(engine, other);
+        FrameStore frames;
+        for (; !cursor.at_end(); cursor.run_to(cursor.tick() + 400)) frames.add(cursor);
+        write(frames.frames(), record.inputs.back().tick);
     }
-    const auto again = make_replay_source(request);
-    expect_same(end_of(*again), end);
-    EXPECT_TRUE(wait_until([&] {
-        const auto opened = FrameFile::open(request.keeping);
-        return opened != nullptr && opened->bytes() == std::filesystem::file_size(file()) &&
-               opened->packed(0) == right->packed(0);
-    }));
+    expect_made_again();
 }
 
 TEST_F(KeptReplay, OfAPassThatDiffersFromTheRecordNothingIsKept) {

@@ -189,7 +189,7 @@ TEST(Attempt, TheDigestOfItsRecordChangesWithTheRecordAlone) {
     const Session& ann = programme.session("ann");
     const std::string digest = attempts.record_digest(ann, one);
     EXPECT_EQ(digest.size(), 64U);
-    attempts.add_score(programme.session("station"), one, example_score(true, 10));
+    attempts.add_score(programme.session("educator"), one, example_score(true, 10));
     EXPECT_EQ(attempts.record_digest(ann, one), digest) << "a further score is no other record";
     EXPECT_THROW(attempts.record_digest(programme.session("ben"), one), AccessDenied);
     std::set<std::string> digests = {digest};
