@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the replay says while the pass through its record has not come to the moment chosen.
+// FULCRUM_PICTURES=FOLDER stores it.
 #include "ui/review/replay_panel.h"
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLabel>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/style/palette.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -92,6 +95,12 @@ TEST_F(PreparingReplay, SaysWhichMomentIsShownAndAnEarlierOneEndsTheWait) {
     *state = {0.6, 360, true};
     EXPECT_TRUE(says(QStringLiteral(
         "preparing 60\u00a0%: the tissue is that of 6:00.0 so far; earlier moments are shown at once")));
+    const QString folder = qEnvironmentVariable("FULCRUM_PICTURES");
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        apply_theme(*qApp, theme);
+        if (!folder.isEmpty())
+            panel.grab().save(folder + (theme == Theme::dark ? "/preparing-dark.png" : "/preparing.png"));
+    }
     panel.seek(100);
     EXPECT_TRUE(says(QStringLiteral("preparing 60\u00a0%")));
     EXPECT_EQ(panel.shown_time(), 100);
