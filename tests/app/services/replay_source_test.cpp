@@ -148,7 +148,7 @@ TEST_F(KeptReplay, FramesOfOtherMomentsAreMadeAgain) {
     expect_made_again();
 }
 
-/// The beginning of B1, by an operator of this level.
+/// The beginning of B3, by an operator of this level.
 AttemptRecord short_record(const LoadedTask& loaded, OperatorLevel level) {
     AttemptEngine engine(loaded.scene, loaded.task, test::expert_seed);
     const auto rig = make_operator(level, loaded.task, loaded.scene, test::expert_seed);
@@ -158,7 +158,7 @@ AttemptRecord short_record(const LoadedTask& loaded, OperatorLevel level) {
 }
 
 TEST_F(KeptReplay, FramesThatLeadAwayFromTheRecordAreMadeAgain) {
-    request.loaded = load_task_and_scene("B1");
+    request.loaded = load_task_and_scene("B3");
     const AttemptRecord record = short_record(request.loaded, OperatorLevel::expert);
     request.trace = std::make_shared<const database::Trace>(
         database::Trace{record.samples, record.inputs, record.steps, record.events});
