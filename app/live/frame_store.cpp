@@ -22,9 +22,29 @@ FrameStore::Frame FrameStore::packed(std::size_t number, std::uint32_t tick, con
 }
 
 /// `image`: of the frame before; anything where this one is whole.
-void FrameStore::unpack(std::size_t number, const Frame& frame, StateImage& image) {
+void FrameStore::unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image) {
     const bool whole = number % frames_in_group == 0;
-    image = apply_difference(whole ? StateImage() : image, database::unpack_bytes(*frame.packed));
+    image = apply_difference(whole ? StateImage() : image, database::unpack_bytes(packed));
+    if (image.bytes.size() > database::packed_maximum_bytes)  // of a file: each frame could add as much
+        throw StateArchiveError(
+            QT_TRANSLATE_NOOP("errors", "a kept key frame cannot be read, or does not match its checksum"));
+}
+
+void FrameStore::restore(std::shared_ptr<const FrameFile> file) {
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; file != nullptr && i < file->count(); ++i)
+        frames.push_back({file->tick(i), nullptr});
+    newest_ = {};
+    gap_s_ = longest_gap_s;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    bytes_ = file != nullptr ? file->bytes() : 0;
+    frames_ = std::move(frames);
+    file_ = std::move(file);
+}
+
+std::vector<PackedFrame> FrameStore::frames() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return frames_;
 }
 
 void FrameStore::add(ReplayCursor& cursor) {
@@ -47,7 +67,7 @@ void FrameStore::drop_every_second() {
     std::size_t bytes = 0;
     StateImage image, last;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-        unpack(i, frames_[i], image);
+        unpack(i, *frames_[i].packed, image);
         if (i % 2 != 0) continue;
         kept.push_back(packed(kept.size(), frames_[i].tick, last, image));
         bytes += kept.back().packed->size();
@@ -69,6 +89,8 @@ std::int64_t FrameStore::before(std::uint32_t tick) const {
 
 std::vector<std::uint8_t> FrameStore::state(std::uint32_t tick) const {
     std::vector<Frame> group;  // from its whole frame to the one asked for
+    std::shared_ptr<const FrameFile> file;
+    std::size_t first = 0;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         const auto after =
@@ -76,11 +98,13 @@ std::vector<std::uint8_t> FrameStore::state(std::uint32_t tick) const {
                              [](std::uint32_t t, const Frame& frame) { return t < frame.tick; });
         if (after == frames_.begin()) return {};
         const auto last = static_cast<std::size_t>(after - frames_.begin()) - 1;
-        const auto first = static_cast<std::ptrdiff_t>(last - last % frames_in_group);
-        group.assign(frames_.begin() + first, after);
+        first = last - last % frames_in_group;
+        group.assign(frames_.begin() + static_cast<std::ptrdiff_t>(first), after);
+        file = file_;
     }
     StateImage image;
-    for (std::size_t i = 0; i < group.size(); ++i) unpack(i, group[i], image);
+    for (std::size_t i = 0; i < group.size(); ++i)
+        unpack(i, file != nullptr ? file->packed(first + i) : *group[i].packed, image);
     return std::move(image.bytes);
 }
 

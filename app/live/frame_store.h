@@ -7,6 +7,7 @@
 #include <mutex>
 #include <vector>
 
+#include "app/live/frame_file.h"
 #include "app/live/state_difference.h"
 #include "assessment/attempt/replay_cursor.h"
 
@@ -27,9 +28,15 @@ class FrameStore {
     /// Whether the cursor, which has run for `run_s` since the last frame, shall leave one here.
     bool wants(double run_s) const { return run_s >= gap_s_; }
     void add(ReplayCursor& cursor);
+    /// In place of what is here: the frames of a file, which are read when they are asked for; null: none.
+    /// Of add()'s thread, which adds none to them.
+    void restore(std::shared_ptr<const FrameFile> file);
+    /// All frames, to be kept in a file.
+    std::vector<PackedFrame> frames() const;
     /// Tick of the last frame at or before this one; -1: there is none.
     std::int64_t before(std::uint32_t tick) const;
-    /// The cursor's state (ReplayCursor::transfer) at that frame; empty: there is none.
+    /// The cursor's state (ReplayCursor::transfer) at that frame; empty: there is none. This and put() throw
+    /// StateArchiveError, StoreError where the file is damaged.
     std::vector<std::uint8_t> state(std::uint32_t tick) const;
     /// Brings the cursor to that frame; where there is none, it stays.
     void put(std::uint32_t tick, ReplayCursor& cursor) const;
@@ -40,20 +47,18 @@ class FrameStore {
     std::size_t plain_bytes() const { return newest_.bytes.size(); }
 
   private:
-    struct Frame {
-        std::uint32_t tick = 0;
-        std::shared_ptr<const std::vector<std::uint8_t>> packed;
-    };
+    using Frame = PackedFrame;
     static Frame packed(std::size_t number, std::uint32_t tick, const StateImage& before,
                         const StateImage& image);
-    static void unpack(std::size_t number, const Frame& frame, StateImage& image);
+    static void unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image);
     void drop_every_second();
 
     const std::size_t most_;
     double gap_s_ = longest_gap_s;  ///< add()'s thread, as what follows
     StateImage newest_, added_;
-    mutable std::mutex mutex_;  ///< guards what follows
-    std::vector<Frame> frames_;
+    mutable std::mutex mutex_;   ///< guards what follows
+    std::vector<Frame> frames_;  ///< with ticks alone where they are in file_
+    std::shared_ptr<const FrameFile> file_;
     std::size_t bytes_ = 0;
 };
 

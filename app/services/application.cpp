@@ -30,6 +30,7 @@
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
 #include "database/store/accepted_assets.h"
+#include "database/store/kept_frames.h"
 #include "database/sync/station_erasure.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
@@ -65,6 +66,7 @@ class Services : public ui::ApplicationServices {
         database::Curricula(*opened).check(curriculum());
         if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);
+        frames_swept_ = false;
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool unpack_demo(const ui::Progress& progress) override {
@@ -195,6 +197,7 @@ class Services : public ui::ApplicationServices {
             replay.start_is_readable = attempt.meta.origin->build == state_build();
             replay.start = attempts.start_state(session, attempt.meta.id);
         }
+        replay.keeping = frames_of(session, attempt, replay.loaded);
         replay.tap = sending_.begin(replay.loaded.scene);
         return make_replay_source(std::move(replay));
     }
@@ -400,7 +403,24 @@ class Services : public ui::ApplicationServices {
         meta.assets.push_back(file_of(followed));
     }
     std::list<Curriculum> curricula_;  ///< the newest last; pages hold on to those before it
+    /// Where the key frames of this attempt's replay are kept.
+    FrameKeeping frames_of(const database::Session& session, const database::AttemptSummary& attempt,
+                           const LoadedTask& loaded) {
+        FrameKeeping keeping;
+        keeping.folder = database::kept_frames_folder(*store_);
+        if (keeping.folder.empty()) return keeping;
+        if (!frames_swept_) database::remove_frames_without_attempt(*store_);
+        frames_swept_ = true;
+        keeping.name = database::kept_frames_name(attempt.meta.id);
+        std::string record = database::Attempts(*store_).record_digest(session, attempt.meta.id) + '\n' +
+                             loaded.scene_text + '\n' + std::to_string(loaded.scene.tick_rate) + '\n';
+        for (const database::AssetFile& file : loaded.assets) record += file.name + ' ' + file.digest + '\n';
+        keeping.belongs = frames_belong_to(record);
+        return keeping;
+    }
+
     std::unique_ptr<database::Store> store_;
+    bool frames_swept_ = false;  ///< once for each store opened: frames whose attempts are gone
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
     Sending sending_;
     Sounds sounds_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "app/live/frame_store.h"
@@ -19,7 +20,8 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::uint32_t slice_ticks = 10;    // of a run between two looks at what is asked for
+constexpr std::uint32_t slice_ticks = 10;  // of a run between two looks at what is asked for
+constexpr std::uint32_t nothing_viewed = 0xffffffff;
 constexpr std::uint32_t settled_ticks = 11;  // by which the world follows the tick
 constexpr std::uint32_t ahead_picture_ticks = 100;
 constexpr double longest_without_picture = 0.05;  // s
@@ -123,7 +125,11 @@ class Replay : public ui::ReplaySource {
         moment->record = record_;
         moment->start = request_.start;
         moment->tick = settled;
-        moment->frame = frames_.state(settled);
+        try {
+            moment->frame = frames_.state(settled);
+        } catch (const std::exception&) {
+            moment->frame.clear();  // a damaged file: practice is brought there from the beginning
+        }
         for (const Event& event : record_->events) {
             if (event.tick <= settled && event.kind == EventKind::phase_begin) moment->goal = event.detail;
         }
@@ -142,14 +148,14 @@ class Replay : public ui::ReplaySource {
                     "errors",
                     "the stored state was written by another version of the program, or for another scene"));
             }
-            Player ahead(request_, *record_);
-            publish(ahead.engine.initial_snapshot(), ahead.cursor.tick());
-            Player viewer(request_, *record_);
-            simulated_.store(ahead.cursor.tick());
-            frames_.add(ahead.cursor);
+            viewer_.emplace(request_, *record_);
+            publish(viewer_->engine.initial_snapshot(), viewer_->cursor.tick());
+            simulated_.store(viewer_->cursor.tick());
+            use_kept_frames();
             while (!stop_.load()) {
-                const bool viewed = view(viewer, ahead), simulated = simulate(ahead);
-                if (!viewed && !simulated) wait();
+                if (!finished_.load() && !ahead_) begin_pass();
+                const bool viewed = view(), simulated = simulate(), kept = keep();
+                if (!viewed && !simulated && !kept) wait();
             }
         } catch (const std::exception&) {
             // The tissue cannot be simulated here: only the recorded poses are shown.
@@ -159,52 +165,117 @@ class Replay : public ui::ReplaySource {
         }
     }
 
+    void use_kept_frames() {
+        const std::shared_ptr<const FrameFile> file = FrameFile::open(request_.keeping);
+        if (file == nullptr || record_->inputs.empty() || file->last_tick() != record_->inputs.back().tick)
+            return;
+        frames_.restore(file);
+        from_file_ = true;
+        simulated_.store(file->last_tick());
+        finished_.store(true);
+    }
+
+    /// The kept frames are not those of this record after all: they are made, as if there had been none.
+    void forget_kept_frames() {
+        request_.keeping.forget();
+        frames_.restore(nullptr);
+        from_file_ = false;
+        viewer_.emplace(request_, *record_);
+        simulated_.store(viewer_->cursor.tick());
+        viewed_ = nothing_viewed;
+        shown_ahead_ = 0;
+        finished_.store(false);
+    }
+
+    void begin_pass() {
+        ahead_.emplace(request_, *record_);
+        simulated_.store(ahead_->cursor.tick());
+        frames_.add(ahead_->cursor);
+    }
+
     /// Makes the world that is asked for; false where that is shown already, or is not simulated yet.
-    bool view(Player& viewer, Player& ahead) {
+    bool view() {
         const std::uint32_t wanted = wanted_.load();
         if (wanted == viewed_) return false;
         if (wanted > simulated_.load() && !finished_.load()) {
             // Until the simulation has come to what is asked for, its newest world is shown.
             if (simulated_.load() >= shown_ahead_ + ahead_picture_ticks) {
                 shown_ahead_ = simulated_.load();
-                publish(ahead.engine.world().snapshot(), shown_ahead_);
+                publish(ahead_->engine.world().snapshot(), shown_ahead_);
             }
             return false;
         }
-        if (viewer.cursor.tick() > wanted || viewer.cursor.tick() < frames_.before(wanted))
-            frames_.put(wanted, viewer.cursor);
-        const Clock::time_point begin = Clock::now();
-        while (viewer.cursor.tick() < wanted && !viewer.cursor.at_end() && !stop_.load()) {
-            viewer.cursor.run_to(std::min(wanted, viewer.cursor.tick() + slice_ticks));
-            const bool changed = wanted_.load() < wanted;
-            if (changed || seconds_since(begin) > longest_without_picture) break;
+        if (!from_file_) {
+            run_viewer(wanted);
+        } else {
+            try {
+                run_viewer(wanted);
+            } catch (const std::exception&) {
+                forget_kept_frames();
+                return true;
+            }
+            if (!viewer_->cursor.outcome().identical) {
+                forget_kept_frames();
+                return true;
+            }
         }
-        const bool there = viewer.cursor.tick() >= wanted || viewer.cursor.at_end();
-        viewed_ = there ? wanted : viewer.cursor.tick();
+        const bool there = viewer_->cursor.tick() >= wanted || viewer_->cursor.at_end();
+        viewed_ = there ? wanted : viewer_->cursor.tick();
         shown_ahead_ = 0;
-        publish(viewer.engine.world().snapshot(), viewed_);
+        publish(viewer_->engine.world().snapshot(), viewed_);
         return true;
     }
 
-    /// A slice of the pass through the whole record; false at its end.
-    bool simulate(Player& ahead) {
-        if (finished_.load()) return false;
+    /// Towards what is asked for, as far as there is time until a picture is due.
+    void run_viewer(std::uint32_t wanted) {
+        ReplayCursor& cursor = viewer_->cursor;
+        const std::int64_t frame = frames_.before(wanted);
+        if (cursor.tick() > wanted || cursor.tick() < frame) {
+            frames_.put(wanted, cursor);
+            if (cursor.tick() != frame)
+                throw StateArchiveError(QT_TRANSLATE_NOOP(
+                    "errors", "a kept key frame cannot be read, or does not match its checksum"));
+        }
         const Clock::time_point begin = Clock::now();
-        if (ahead.cursor.at_end()) {
-            ahead.cursor.run_to_end();
+        while (cursor.tick() < wanted && !cursor.at_end() && !stop_.load()) {
+            cursor.run_to(std::min(wanted, cursor.tick() + slice_ticks));
+            const bool changed = wanted_.load() < wanted;
+            if (changed || seconds_since(begin) > longest_without_picture) break;
+        }
+    }
+
+    /// A slice of the pass through the whole record; false at its end.
+    bool simulate() {
+        if (finished_.load()) return false;
+        if (!ahead_) return true;  // begins with the next slice
+        ReplayCursor& cursor = ahead_->cursor;
+        const Clock::time_point begin = Clock::now();
+        if (cursor.at_end()) {
+            cursor.run_to_end();
         } else {
-            ahead.cursor.run_to(ahead.cursor.tick() + slice_ticks);
+            cursor.run_to(cursor.tick() + slice_ticks);
         }
         run_since_frame_ += seconds_since(begin);
-        if (!ahead.cursor.outcome().identical && differs_from_.load() < 0)
-            differs_from_.store(ahead.cursor.outcome().first_divergence_s);
-        const bool done = ahead.cursor.at_end();
+        if (!cursor.outcome().identical && differs_from_.load() < 0)
+            differs_from_.store(cursor.outcome().first_divergence_s);
+        const bool done = cursor.at_end();
         if (!done && frames_.wants(run_since_frame_)) {
-            frames_.add(ahead.cursor);
+            frames_.add(cursor);
             run_since_frame_ = 0;
         }
-        simulated_.store(ahead.cursor.tick());
-        if (done) finished_.store(true);
+        simulated_.store(cursor.tick());
+        if (!done) return true;
+        finished_.store(true);
+        if (request_.keeping.wanted() && differs_from_.load() < 0 && !record_->inputs.empty())
+            writer_.emplace(request_.keeping, frames_.frames(), record_->inputs.back().tick);
+        ahead_.reset();
+        return true;
+    }
+
+    /// A piece of the file of key frames; false where there is none to write.
+    bool keep() {
+        if (!writer_) return false;
+        if (!writer_->write_more()) writer_.reset();
         return true;
     }
 
@@ -261,6 +332,9 @@ class Replay : public ui::ReplaySource {
     std::atomic<double> differs_from_{-1.0};
     std::atomic<bool> stop_{false}, finished_{false};
     // The thread's own.
+    std::optional<Player> viewer_, ahead_;
+    std::optional<FrameFileWriter> writer_;
+    bool from_file_ = false;  // the key frames are kept ones
     std::uint32_t viewed_ = 0, shown_ahead_ = 0;
     double run_since_frame_ = 0;
 

@@ -234,6 +234,33 @@ std::vector<std::uint8_t> Attempts::start_state(const Session& session, const st
     return unpack_bytes(packed);
 }
 
+std::string Attempts::record_digest(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
+    std::string all;
+    const auto add = [&](const char* statement, int columns) {
+        Query rows(store_.connection(), statement);
+        rows.bind(attempt_id);
+        while (rows.next()) {
+            for (int i = 0; i < columns - 1; ++i) all += rows.text(i) + ' ';
+            all += to_hex(rows.bytes(columns - 1)) + '\n';
+        }
+        all += '\n';
+    };
+    add("SELECT stream, number, records, checksum FROM trace_chunk WHERE attempt_id = ? ORDER BY stream, "
+        "number",
+        4);
+    add("SELECT tick, build, checksum FROM attempt_origin WHERE attempt_id = ?", 3);
+    Query row(
+        store_.connection(),
+        "SELECT task_id, task_version, variant, seed, fidelity, scene, scene_digest, events, state_hash "
+        "FROM attempt WHERE id = ?");
+    row.bind(attempt_id);
+    if (row.next())
+        for (int i = 0; i < 9; ++i) all += row.text(i) + '\n';
+    return text_digest(all);
+}
+
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
     require_trace_here(store_, attempt_id);

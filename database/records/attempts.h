@@ -99,6 +99,9 @@ class Attempts {
     /// The state that an attempt with an origin began with, unpacked; empty for others. StoreError corrupt
     /// where it does not match its checksum. Operation::read_trace.
     std::vector<std::uint8_t> start_state(const Session& session, const std::string& attempt_id) const;
+    /// Of everything that its replay is made of: trace, scene, seed, the state that it began with; hex. Made
+    /// of the stored checksums, which read_trace() compares. Operation::read_trace.
+    std::string record_digest(const Session& session, const std::string& attempt_id) const;
     /// The files that it was performed with, by name; none for attempts from before they were kept.
     /// Operation::read_attempt.
     std::vector<AssetFile> assets(const Session& session, const std::string& attempt_id) const;

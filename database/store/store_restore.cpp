@@ -14,6 +14,7 @@
 #include "database/rows/json.h"
 #include "database/schema/migration.h"
 #include "database/store/audit.h"
+#include "database/store/kept_frames.h"
 #include "database/store/store_file.h"
 #include "database/store/store_state.h"
 #include "sim_core/numerics/output_file.h"
@@ -253,6 +254,7 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
         move_logs(path, done.kept);
     }
     take_place(copy.path(), path);
+    remove_all_kept_frames(path);  // of the store that was replaced
     if (alone) alone->replaced();
     return done;
 }

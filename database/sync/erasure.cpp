@@ -6,6 +6,7 @@
 #include <set>
 
 #include "database/store/audit.h"
+#include "database/store/kept_frames.h"
 #include "database/store/record_digests.h"
 #include "database/store/store_state.h"
 
@@ -282,11 +283,19 @@ bool erase_at_station(const Store& store, const std::string& person_id, const Se
         }
     }
     for (const std::string& name : their_records(connection, person_id)) names.insert(name);
+    std::vector<std::string> attempts;
+    {
+        Query rows(connection, "SELECT id FROM attempt WHERE person_id = ?");
+        rows.bind(person_id);
+        while (rows.next()) attempts.push_back(rows.text(0));
+    }
     delete_rows(connection, person_id);
     std::vector<RecordName> records;
     for (const std::string& name : names)
         if (const auto record = RecordName::of_text(name)) records.push_back(*record);
     Audit(store).erase_payloads(actor, sequences, reason, records);
+    // Before the commit: cut off in between, the person is still there and is erased again.
+    for (const std::string& id : attempts) remove_kept_frames(store, id);
     transaction.commit();
     return true;
 }

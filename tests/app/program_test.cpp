@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The interface to other programs: exit statuses, JSON, errors that name file, place and hint.
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
@@ -128,6 +131,11 @@ TEST_F(Program, PerformsStoresAndReplaysA2) {
         EXPECT_TRUE(attempt.contains(key)) << key;
     }
     const std::string id = attempt["attempt"];
+    // Key frames of a replay are never trusted for a score: these two do not even open them.
+    ASSERT_TRUE(QDir(folder.path()).mkdir("a.db.frames"));
+    write(qPrintable("a.db.frames/" + QString::fromStdString(id) + ".frames"), "frames of somebody");
+    const int opened = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    ASSERT_GE(inotify_add_watch(opened, qPrintable(path("a.db.frames")), IN_OPEN | IN_MODIFY | IN_DELETE), 0);
     const Outcome replayed =
         run({"replay", QString::fromStdString(id), "--verify", "--db", path("a.db"), "--json"});
     EXPECT_EQ(replayed.status, 0) << replayed.errors << replayed.output;
@@ -136,6 +144,9 @@ TEST_F(Program, PerformsStoresAndReplaysA2) {
     EXPECT_EQ(replayed.json()["state_hash"], attempt["state_hash"]);
     const Outcome checked = run({"db", "check", "--db", path("a.db"), "--json"});
     EXPECT_EQ(checked.status, 0) << checked.output;
+    char event[4096];
+    EXPECT_EQ(::read(opened, event, sizeof event), -1) << "the folder of key frames was looked at";
+    ::close(opened);
     // The same seed gives the same attempt.
     const Outcome again =
         run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("b.db"), "--json"});

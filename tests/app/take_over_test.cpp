@@ -3,8 +3,10 @@
 // it was, is never scored, and replays bit for bit from its own record.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
 #include <QSlider>
 
+#include "database/store/kept_frames.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
 #include "ui/review/replay_panel.h"
@@ -44,6 +46,9 @@ TEST_F(TakeOver, BeginsWhereTheReplayIsAndReplaysFromItsOwnRecord) {
     const double moment = panel.time();
     EXPECT_TRUE(wait_for([&] { return std::abs(panel.shown_time() - moment) < 0.02; }, 120000));
     ASSERT_GT(moment, 1);
+    const QString frames = QString::fromStdString(database::kept_frames_folder(*services.store()) + "/" +
+                                                  database::kept_frames_name(source.meta.id));
+    EXPECT_TRUE(wait_for([&] { return QFile::exists(frames); }, 120000)) << "kept for the next opening";
     click(window, "replay_take_over");
     expect_page("theatre_page");
     ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }, 120000));

@@ -115,6 +115,7 @@ void ReplayPanel::close() {
     view_->unload();
     source_.reset();
     model_.reset();
+    notice_.clear();
     time_ = 0;
     loaded_ = false;
 }
@@ -122,6 +123,7 @@ void ReplayPanel::close() {
 void ReplayPanel::seek(double time) {
     if (!model_) return;
     time_ = std::clamp(time, 0.0, model_->duration);
+    notice_.clear();
     if (source_) source_->seek(time_);
     show_time();
     emit time_changed(time_);
@@ -157,9 +159,11 @@ void ReplayPanel::practise() {
     if (from != nullptr) {
         emit practice_wanted(from);
     } else {
-        state_->setText(
+        notice_ =
             tr("Practice cannot begin at this moment yet: wait until it is prepared, or choose a "
-               "later one."));
+               "later one.");
+        waits_ = source_ && source_->ready() < 1;
+        state_->setText(notice_);
     }
 }
 
@@ -181,23 +185,39 @@ void ReplayPanel::tick() {
         seek(time_ + dt * factor_);
         if (model_ && time_ >= model_->duration - 1e-9) play(false);
     }
-    if (!source_ || !source_->update()) return;
+    if (!source_) return;
+    const bool is_new = source_->update();
+    if (loaded_ || is_new) show_state();  // also while the picture stays: the preparation goes further
+    if (!is_new) return;
     if (!loaded_) {
         loaded_ = true;
         view_->load(source_->scene(), source_->snapshot());
     }
     fill_hud();
     view_->show_world(source_->snapshot());
-    if (source_->differs_from_s()) {
-        state_->setText(
-            tr("tissue differs from the record from %1 s on (another build); poses and forces are the "
-               "recorded ones")
-                .arg(decimal(*source_->differs_from_s(), 1)));
+}
+
+/// What the picture is not yet, or never will be.
+void ReplayPanel::show_state() {
+    constexpr double noticeable_s = 0.5;
+    if (waits_ && source_->ready() >= 1) notice_.clear();
+    QString text = notice_;
+    if (!text.isEmpty()) {
+        // What was asked for last matters most.
+    } else if (source_->differs_from_s()) {
+        text = tr("tissue differs from the record from %1 s on (another build); poses and forces are the "
+                  "recorded ones")
+                   .arg(decimal(*source_->differs_from_s(), 1));
     } else if (source_->ready() < 1) {
-        state_->setText(tr("preparing %1\u00a0%").arg(static_cast<int>(source_->ready() * 100)));
-    } else {
-        state_->clear();
+        const int percent = static_cast<int>(source_->ready() * 100);
+        text = time_ - source_->shown_s() > noticeable_s
+                   ? tr("preparing %1\u00a0%: the tissue is that of %2 so far; earlier moments are shown at "
+                        "once")
+                         .arg(percent)
+                         .arg(clock_text(source_->shown_s()))
+                   : tr("preparing %1\u00a0%").arg(percent);
     }
+    if (text != state_->text()) state_->setText(text);
 }
 
 void ReplayPanel::fill_hud() {

@@ -53,6 +53,7 @@ class ReplayPanel : public QWidget {
   private:
     void tick();
     void show_time();
+    void show_state();
     void fill_hud();
     void practise();
 
@@ -67,6 +68,8 @@ class ReplayPanel : public QWidget {
     QTimer timer_;
     QElapsedTimer since_;
     double time_ = 0, factor_ = 1;
+    QString notice_;      ///< why practice could not begin, until another moment is chosen
+    bool waits_ = false;  ///< that was because the moment was not prepared
     bool playing_ = false, loaded_ = false, alone_ = false;
 };
 

@@ -10,6 +10,7 @@
 #include "app/live/state_difference.h"
 #include "sim_core/numerics/state_archive.h"
 #include "tests/assessment/attempt/expert_record.h"
+#include "tests/support/own_folder.h"
 
 namespace fulcrum::app {
 namespace {
@@ -143,6 +144,35 @@ TEST_P(Frames, WithoutOneNothingIsMoved) {
     cursor.run_to(100);
     frames.put(5, cursor);
     EXPECT_EQ(cursor.tick(), 100U);
+}
+
+TEST_P(Frames, FromAFileTheyContinueBitForBitAtEveryMoment) {
+    const std::uint32_t last = 5100;  // two groups
+    FrameStore made_now;
+    leave(made_now, 150, last);
+    const test::OwnFolder folder;
+    const FrameKeeping keeping{(folder / "store.db.frames").string(), "attempt.frames",
+                               frames_belong_to(GetParam())};
+    FrameFileWriter writer(keeping, made_now.frames(), last);
+    while (writer.write_more()) {
+    }
+    FrameStore kept;
+    kept.restore(FrameFile::open(keeping));
+    ASSERT_EQ(kept.count(), made_now.count());
+    for (const auto& [tick, state] : states) EXPECT_EQ(kept.state(tick), state) << tick;
+    AttemptEngine engine(made.scene, made.task, test::expert_seed);
+    ReplayCursor cursor(engine, made.record);
+    std::mt19937 random(5);
+    for (int i = 0; i < 12; ++i) {
+        const auto tick = static_cast<std::uint32_t>(random() % last);
+        kept.put(tick, cursor);
+        EXPECT_EQ(cursor.tick(), made_now.before(tick));
+        cursor.run_to(tick + 20);
+        EXPECT_TRUE(cursor.outcome().identical) << tick;
+    }
+    kept.restore(nullptr);
+    EXPECT_EQ(kept.count(), 0U);
+    EXPECT_TRUE(kept.state(last).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, Frames, ::testing::Values("A2", "B2"),

@@ -3,6 +3,7 @@
 // exports.
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "assessment/metrics/statement_words.h"
 #include "assessment/pathology/pathology.h"
@@ -179,6 +180,30 @@ TEST(Attempt, ItsOverviewIsThatOfItsTraceChunkByChunk) {
                      programme.session("eve"), recorder.attempt_id(), [](std::size_t) {},
                      [](std::size_t, const TraceOverview&) {}),
                  AccessDenied);
+}
+
+TEST(Attempt, TheDigestOfItsRecordChangesWithTheRecordAlone) {
+    Programme programme;
+    const std::string one = programme.record("ann"), other = programme.record("ann");
+    const Attempts attempts = programme.attempts();
+    const Session& ann = programme.session("ann");
+    const std::string digest = attempts.record_digest(ann, one);
+    EXPECT_EQ(digest.size(), 64U);
+    attempts.add_score(programme.session("educator"), one, example_score(true, 10));
+    EXPECT_EQ(attempts.record_digest(ann, one), digest) << "a further score is no other record";
+    EXPECT_THROW(attempts.record_digest(programme.session("ben"), one), AccessDenied);
+    std::set<std::string> digests = {digest};
+    for (const char* change :
+         {"UPDATE trace_chunk SET checksum = x'00' WHERE stream = 1 AND attempt_id = ?",
+          "DELETE FROM trace_chunk WHERE stream = 3 AND attempt_id = ?",
+          "UPDATE attempt SET seed = 5 WHERE id = ?", "UPDATE attempt SET scene_digest = 'x' WHERE id = ?",
+          "UPDATE attempt SET state_hash = 'x' WHERE id = ?"}) {
+        for (const char* trigger : {"trace_chunk_is_fixed", "attempt_is_fixed"})
+            programme.store->connection().execute(QString("DROP TRIGGER IF EXISTS %1").arg(trigger));
+        Query(programme.store->connection(), change).bind(one).run();
+        EXPECT_TRUE(digests.insert(attempts.record_digest(ann, one)).second) << change;
+    }
+    EXPECT_EQ(attempts.record_digest(ann, other), digest) << "recorded with the same trace, and not changed";
 }
 
 TEST(Attempt, ARealPersonHasNoSyntheticAttempts) {

@@ -57,7 +57,10 @@ class Restore : public ::testing::Test {
 };
 
 TEST_F(Restore, PutsTheBackupInPlaceKeepsTheOldStoreAndSaysSoInTheAuditLog) {
+    files::create_directory(programme.path + ".frames");
+    std::ofstream(programme.path + ".frames/" + later + ".frames") << "of a replay";
     const Replaced done = restore(backup);
+    EXPECT_FALSE(files::exists(programme.path + ".frames")) << "key frames of the store that was replaced";
     EXPECT_TRUE(has(attempt));
     EXPECT_FALSE(has(later));
     EXPECT_EQ(done.from_schema, Store::schema_version());

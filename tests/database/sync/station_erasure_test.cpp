@@ -3,9 +3,12 @@
 // nobody else loses anything.
 #include "database/sync/station_erasure.h"
 
+#include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "database/records/person_merge.h"
+#include "database/store/kept_frames.h"
 #include "database/store/store_restore.h"
 #include "tests/database/cut_off_process.h"
 #include "tests/database/station_keys.h"
@@ -55,6 +58,64 @@ TEST_F(StationErasure, DeletesThePersonAndNobodyElse) {
     EXPECT_NE(text.find(programme.id("ann")), std::string::npos);
     EXPECT_EQ(text.find("Ann"), std::string::npos);
     EXPECT_EQ(erase_listed(*programme.store), 0) << "she is gone already";
+}
+
+TEST_F(StationErasure, TakesTheKeyFramesOfTheirReplaysToo) {
+    std::map<std::string, std::string> attempt_of;
+    Query rows(programme.store->connection(), "SELECT person_id, id FROM attempt");
+    while (rows.next()) attempt_of[rows.text(0)] = rows.text(1);
+    const std::filesystem::path folder = kept_frames_folder(*programme.store);
+    EXPECT_EQ(folder, programme.path + ".frames");
+    std::filesystem::create_directory(folder);
+    const auto put = [&](const std::string& name) {
+        std::ofstream(folder / name) << "frames";
+        return folder / name;
+    };
+    const auto has = [](const std::filesystem::path& file) { return std::filesystem::exists(file); };
+    const std::string anns = kept_frames_name(attempt_of.at(programme.id("ann")));
+    const auto hers = put(anns), unfinished = put(anns + ".new-77-1"),
+               his = put(kept_frames_name(attempt_of.at(programme.id("ben")))), other = put("notes.txt");
+    erase("ann", true);
+    EXPECT_TRUE(has(hers));
+    erase("ann");
+    EXPECT_FALSE(has(hers));
+    EXPECT_FALSE(has(unfinished));
+    EXPECT_TRUE(has(his));
+    // A window that made frames of her attempt while she was erased.
+    put(anns);
+    EXPECT_EQ(remove_frames_without_attempt(*programme.store), 1);
+    EXPECT_FALSE(has(hers));
+    EXPECT_TRUE(has(his));
+    EXPECT_TRUE(has(other));
+}
+
+TEST_F(StationErasure, AStoreThatIsOnlyReadAndTheDemonstrationKeepNoKeyFrames) {
+    StoreOptions options = programme.clock.options();
+    options.read_only = true;
+    const Store only_read = Store::open(programme.path, options);
+    EXPECT_EQ(kept_frames_folder(only_read), "");
+    const Store demo = Store::create(programme.folder.filePath("demo.db").toStdString(), true);
+    EXPECT_EQ(kept_frames_folder(demo), "");
+    std::filesystem::create_directory(programme.path + ".frames");
+    std::ofstream(programme.path + ".frames/gone.frames") << "frames";
+    EXPECT_EQ(remove_frames_without_attempt(only_read), 0);
+    remove_kept_frames(only_read, "gone");
+    EXPECT_TRUE(std::filesystem::exists(programme.path + ".frames/gone.frames"));
+}
+
+TEST(KeptFrames, OnlyAPlainIdNamesAFileAndALinkedFolderIsLeftAlone) {
+    for (const char* bad : {"", "..", "a/b", "../x", "a.b", "a b"})
+        EXPECT_EQ(kept_frames_name(bad), "") << bad;
+    EXPECT_EQ(kept_frames_name(std::string(65, 'a')), "");
+    EXPECT_EQ(kept_frames_name("0b-1C"), "0b-1C.frames");
+    const QTemporaryDir folder;
+    const std::filesystem::path real = folder.filePath("elsewhere").toStdString();
+    std::filesystem::create_directory(real);
+    std::ofstream(real / "a.frames") << "somebody else's";
+    const std::string store = folder.filePath("x.db").toStdString();
+    std::filesystem::create_directory_symlink(real, store + ".frames");
+    remove_all_kept_frames(store);
+    EXPECT_TRUE(std::filesystem::exists(real / "a.frames"));
 }
 
 TEST_F(StationErasure, IsDoneAgainAfterAnOlderBackupWasRestored) {

@@ -7920,6 +7920,10 @@
         <source>the recording of this attempt is on the programme server, which cannot be reached now</source>
         <translation>die Aufzeichnung dieses Versuchs ist auf dem Programmserver, der jetzt nicht erreichbar ist</translation>
     </message>
+    <message>
+        <source>a kept key frame cannot be read, or does not match its checksum</source>
+        <translation>ein aufbewahrter Zwischenstand kann nicht gelesen werden oder stimmt nicht mit seiner Prüfsumme überein</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -15024,6 +15028,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>replay</source>
         <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>preparing %1&#xa0;%: the tissue is that of %2 so far; earlier moments are shown at once</source>
+        <translation>Vorbereitung %1&#xa0;%: das Gewebe ist das von %2; frühere Momente werden sofort gezeigt</translation>
     </message>
 </context>
 <context>
