@@ -7,7 +7,11 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/lab/operators.h"
+#include "sim_core/lab/machine.h"
+#include "sim_core/lab/result_page.h"
 #include "sim_core/numerics/input_error.h"
+#include "tests/support/own_folder.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::app {
@@ -80,6 +84,14 @@ TEST(KeptPages, OfTheRepositoryAreRead) {
     const nlohmann::json read = read_invariance_page(content(path), path);
     EXPECT_EQ(read["metrics"]["time"]["half_rate"], 0.0);
     EXPECT_GT(read["metrics"]["ldlj"]["noise"].get<double>(), 0.0);
+}
+
+TEST(PassesByDevice, AreWrittenAsAPageWithItsDocument) {
+    const test::OwnFolder folder;
+    // B0 is judged the same way with every device: nobody performs for this.
+    const Measured measured = measure_passes({"B0"}, 6);
+    EXPECT_GE(measured.page.write(folder.path().string(), lab::this_machine(lab::build_info())).size(), 2U);
+    EXPECT_TRUE(measured.document.contains("passes"));
 }
 
 }  // namespace
