@@ -302,7 +302,7 @@ Measured measure_passes(const std::vector<std::string>& tasks, int seeds) {
                         "Who passes each task with each class of devices, " + std::to_string(seeds) +
                             " seeds from " + std::to_string(operators_first_seed),
                         "fulcrum lab passes --seeds " + std::to_string(seeds) + " --output docs/results"),
-        nlohmann::json::array()};
+        nlohmann::json::object({{"passes", nlohmann::json::array()}})};
     lab::ResultTable table;
     table.name = "passes_by_device";
     table.columns = {"task", "device class", "experts", "intermediates", "novices", "within the ranges"};
