@@ -26,7 +26,8 @@ struct StoredTrace {
     std::vector<Sentence> problems;
 };
 
-/// The number fits; so does the time, for streams whose ticks rise.
+/// The number fits; so does the time, but for events: these are stored as they were found, and the first
+/// movement is found when it has gone some way and carries the tick of its beginning.
 void check_order(const StoredTrace& trace, std::size_t stream, const Sentence& place,
                  std::vector<Sentence>& problems) {
     const auto& chunks = trace.streams[stream];
@@ -35,6 +36,7 @@ void check_order(const StoredTrace& trace, std::size_t stream, const Sentence& p
         const std::int64_t expected = i == 0 ? 0 : chunks[i - 1].number + 1;
         if (chunks[i].number != expected)
             problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: chunk %2 is missing"), place, expected});
+        if (static_cast<TraceStream>(stream) == TraceStream::events) continue;
         const bool rises = static_cast<TraceStream>(stream) == TraceStream::samples ||
                            static_cast<TraceStream>(stream) == TraceStream::inputs;
         const TraceChunk& chunk = chunks[i].chunk;

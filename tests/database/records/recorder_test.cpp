@@ -45,6 +45,24 @@ TEST(Recorder, AnotherThreadFeedsIt) {
     EXPECT_EQ(trace.events.back().kind, EventKind::completed);
 }
 
+TEST(Recorder, StoresEventsAsTheyAreFoundAndTheCheckOfTheStoreAccepts) {
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    Programme::append_second(recorder);
+    recorder.append(Event{970, EventKind::wall_contact, 1});
+    recorder.append(Event{943, EventKind::first_movement, 1});
+    recorder.flush();
+    Programme::append_second(recorder, 1000);
+    recorder.append(Event{940, EventKind::first_movement, 0});
+    recorder.finish(example_result(true, 42));
+    const Trace trace = programme.attempts().read_trace(programme.session("ann"), recorder.attempt_id());
+    EXPECT_EQ(trace.events.back().tick, 940U);
+    const CheckReport report = programme.store->check(programme.store->station_session());
+    for (const CheckItem& item : report.items)
+        for (const Sentence& problem : item.problems) ADD_FAILURE() << item.name << ": " << problem.words();
+}
+
 TEST(Recorder, AnAttemptInProgressIsNotTakenForInterrupted) {
     Programme programme;
     Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
