@@ -8,6 +8,8 @@
 #include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
 #include "app/cli/installed_curriculum.h"
+#include "app/live/frame_follower.h"
+#include "app/live/frame_keeping.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/live/performance.h"
@@ -74,10 +76,13 @@ Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, 
     LiveRequest request{loaded,         meta.seed,    meta.mode == AttemptMode::assessed,
                         std::move(rig), store.path(), session,
                         meta,           limits};
+    const auto follower = std::make_shared<FrameFollower>();
+    request.follower = follower;
     LiveAttempt attempt(std::move(request));
     attempt.start();
     attempt.wait();
     attempt.rethrow();
+    follower->finish_here();
     Result result;
     result.scored = *attempt.scored();
     result.state_hash = attempt.state_hash();
@@ -86,6 +91,13 @@ Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, 
     result.missed = attempt.outcome()->missed_ticks;
     attempt_id = attempt.outcome()->attempt_id;
     return result;
+}
+
+void keep_frames(const FrameKeeping& keeping, const FrameStore& frames, const AttemptRecord& record) {
+    if (record.inputs.empty()) return;
+    FrameFileWriter writer(keeping, frames.frames(), record.inputs.back().tick);
+    while (writer.write_more()) {
+    }
 }
 
 void print_summary(const nlohmann::json& document) {
@@ -254,7 +266,10 @@ int run_perform(const Arguments& arguments) {
         request.input_trace = level ? nullptr : &input;
         request.seed = seed;
         request.device_class = device_class;
+        FrameStore frames;
+        request.frames = &frames;
         const Performed performed = perform(request, &recorder, limits);
+        keep_frames(frame_keeping(store.path(), session, attempt_id), frames, performed.record);
         result.scored = performed.scored;
         result.state_hash = performed.outcome.state_hash;
         result.wall_s = performed.wall_s;

@@ -11,6 +11,7 @@
 
 #include "app/live/frame_store.h"
 #include "app/live/replay_moment.h"
+#include "app/live/replay_player.h"
 #include "assessment/assets/assets.h"
 #include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/ghost.h"
@@ -28,13 +29,7 @@ constexpr double seek_limit_s = 0.2;
 constexpr int take_overs = 10;
 constexpr double taken_over_s = 1;  // for which a taken-over attempt is performed before it is replayed
 
-/// Processor time of this thread: all of it is one thread's work, and what else the machine does is left out.
-double thread_seconds() {
-    timespec now = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
+/// Of processor time: all of it is one thread's work, and what else the machine does is left out.
 double seconds_since(double begin) {
     return thread_seconds() - begin;
 }

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/live/frame_follower.h"
+#include "app/live/frame_keeping.h"
 #include "database/records/attempts.h"
+#include "database/rows/packed_bytes.h"
 
 namespace fulcrum::app {
 namespace {
@@ -18,11 +21,23 @@ AttemptRecording::AttemptRecording(const LiveRequest& request, std::vector<Targe
       targets_(std::move(targets)),
       recorder_(request.store_path, *request.session, request.meta),
       watch_(request.loaded.task, request.loaded.scene,
-             judged_limits(request.loaded.task, request.limits.comparable())) {}
+             judged_limits(request.loaded.task, request.limits.comparable())) {
+    if (request.follower == nullptr) return;
+    ReplayStart start{request.loaded, request.seed};
+    if (request.meta.origin) start.state = database::unpack_bytes(request.meta.origin->state);
+    request.follower->begin(std::move(start), request.meta.force_devices);
+}
 
-void AttemptRecording::append(const TickSample& sample) {
+void AttemptRecording::append(const RigSample& input, const TickSample& sample) {
+    recorder_.append(input);
     recorder_.append(sample);
     watch_.see(sample);
+    if (request_.follower != nullptr) request_.follower->append(input, sample);
+}
+
+void AttemptRecording::append(const StepRecord& step) {
+    recorder_.append(step);
+    if (request_.follower != nullptr) request_.follower->append(step);
 }
 
 void AttemptRecording::append(const Event& event) {
@@ -41,6 +56,7 @@ void AttemptRecording::stood_still(double seconds) {
 }
 
 void AttemptRecording::keep(std::uint32_t tick) {
+    if (request_.follower != nullptr) request_.follower->hand_on();
     const std::uint32_t since = tick - flushed_tick_;
     if (keep_now_ || since >= flush_every_ticks || watch_.due(since)) {
         try {
@@ -77,6 +93,13 @@ void AttemptRecording::settle() {
     if (!failed_before_.valid()) return;
     failed_before_.wait();
     relabel();
+}
+
+void AttemptRecording::finish(const database::AttemptResult& result) {
+    recorder_.finish(result);
+    if (request_.follower != nullptr)
+        request_.follower->complete(attempt_id(),
+                                    frame_keeping(request_.store_path, *request_.session, attempt_id()));
 }
 
 ScoredAttempt AttemptRecording::score() const {

@@ -19,9 +19,8 @@ class AttemptRecording {
     /// Begins the attempt in the store. The request must outlive it.
     AttemptRecording(const LiveRequest& request, std::vector<TargetSphere> targets);
 
-    void append(const RigSample& input) { recorder_.append(input); }
-    void append(const TickSample& sample);
-    void append(const StepRecord& step) { recorder_.append(step); }
+    void append(const RigSample& input, const TickSample& sample);
+    void append(const StepRecord& step);
     void append(const Event& event);
     /// The program stood still for this long while an assessed attempt ran: it becomes practice, as after a
     /// lost device.
@@ -38,7 +37,7 @@ class AttemptRecording {
     bool became_practice() const { return practice_; }
 
     const std::string& attempt_id() const { return recorder_.attempt_id(); }
-    void finish(const database::AttemptResult& result) { recorder_.finish(result); }
+    void finish(const database::AttemptResult& result);
 
   private:
     void relabel();

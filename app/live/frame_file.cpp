@@ -313,8 +313,8 @@ bool FrameFileWriter::make_room(std::uint64_t bytes) const {
 void FrameFileWriter::finish() {
     ::close(file_);
     file_ = -1;
-    if (::renameat(folder_, unfinished_.c_str(), folder_, keeping_.name.c_str()) != 0)
-        ::unlinkat(folder_, unfinished_.c_str(), 0);
+    complete_ = ::renameat(folder_, unfinished_.c_str(), folder_, keeping_.name.c_str()) == 0;
+    if (!complete_) ::unlinkat(folder_, unfinished_.c_str(), 0);
 }
 
 }  // namespace fulcrum::app

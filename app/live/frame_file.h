@@ -83,6 +83,8 @@ class FrameFileWriter {
 
     /// Writes the next piece; false when there is nothing left to do.
     bool write_more();
+    /// The file has its name.
+    bool complete() const { return complete_; }
 
   private:
     bool begin();
@@ -95,7 +97,7 @@ class FrameFileWriter {
     std::string unfinished_;
     int folder_ = -1, file_ = -1;
     std::size_t next_ = 0;
-    bool begun_ = false;
+    bool begun_ = false, complete_ = false;
 };
 
 }  // namespace fulcrum::app

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "database/rows/packed_bytes.h"
-#include "sim_core/numerics/state_archive.h"
 
 namespace fulcrum::app {
 namespace {
@@ -48,11 +47,25 @@ std::vector<PackedFrame> FrameStore::frames() const {
 }
 
 void FrameStore::add(ReplayCursor& cursor) {
+    StateArchive archive = new_frame();
+    cursor.transfer(archive);
+    keep_new_frame(cursor.tick());
+}
+
+void FrameStore::add(AttemptEngine& engine, ReplayPlace& place) {
+    StateArchive archive = new_frame();
+    place.transfer(archive, engine);
+    keep_new_frame(engine.next_tick() - 1);
+}
+
+StateArchive FrameStore::new_frame() {
     added_.bytes.clear();
     added_.starts.clear();
-    StateArchive archive(added_.bytes, &added_.starts);
-    cursor.transfer(archive);
-    Frame frame = packed(frames_.size(), cursor.tick(), newest_, added_);
+    return StateArchive(added_.bytes, &added_.starts);
+}
+
+void FrameStore::keep_new_frame(std::uint32_t tick) {
+    Frame frame = packed(frames_.size(), tick, newest_, added_);
     std::swap(newest_, added_);
     {
         const std::lock_guard<std::mutex> lock(mutex_);

@@ -10,6 +10,7 @@
 #include "app/live/frame_file.h"
 #include "app/live/state_difference.h"
 #include "assessment/attempt/replay_cursor.h"
+#include "sim_core/numerics/state_archive.h"
 
 namespace fulcrum::app {
 
@@ -20,7 +21,7 @@ class FrameStore {
   public:
     static constexpr std::size_t most_bytes = 192U << 20U;
     static constexpr std::size_t frames_in_group = 32;
-    /// s that simulating from one frame to the next may take on this machine, of the 0.2 s of a seek.
+    /// s of processor time that simulating from one frame to the next may take, of the 0.2 s of a seek.
     static constexpr double longest_gap_s = 0.08;
 
     explicit FrameStore(std::size_t most = most_bytes) : most_(most) {}
@@ -28,6 +29,8 @@ class FrameStore {
     /// Whether the cursor, which has run for `run_s` since the last frame, shall leave one here.
     bool wants(double run_s) const { return run_s >= gap_s_; }
     void add(ReplayCursor& cursor);
+    /// The same of an attempt that is performed: after a step, with every tick stepped.
+    void add(AttemptEngine& engine, ReplayPlace& place);
     /// In place of what is here: the frames of a file, which are read when they are asked for; null: none.
     /// Of add()'s thread, which adds none to them.
     void restore(std::shared_ptr<const FrameFile> file);
@@ -48,6 +51,8 @@ class FrameStore {
 
   private:
     using Frame = PackedFrame;
+    StateArchive new_frame();
+    void keep_new_frame(std::uint32_t tick);
     static Frame packed(std::size_t number, std::uint32_t tick, const StateImage& before,
                         const StateImage& image);
     static void unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image);

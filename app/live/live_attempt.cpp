@@ -17,7 +17,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t world_ring_ticks = 512;    // a world that stalls longer, ms, loses ticks, counted
+constexpr std::size_t world_ring_ticks = 512;    // half a second of a stalled world; then ticks are lost
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
 constexpr int recorder_pace_ms = 20;  // a broken limit is stored within 50 ms: the rest is to write
 constexpr int catch_up_ticks = 20;    // above this delay the deadline is moved instead
@@ -235,9 +235,7 @@ void LiveAttempt::State::run_world() noexcept {
 void LiveAttempt::State::drain() {
     RecordTick tick;
     while (record_ring.pop(tick)) {
-        if (!recording) continue;
-        recording->append(tick.input);
-        recording->append(tick.sample);
+        if (recording) recording->append(tick.input, tick.sample);
     }
     RecordWorld world;
     while (record_world_ring.pop(world)) {

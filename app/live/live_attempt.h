@@ -7,6 +7,7 @@
 //   world thread     steps after every m ticks; publishes models and view through triple buffers
 //   recorder thread  builds the world; after the start moves both rings of the record into the store;
 //                    at the end reads the record back, scores it and finishes the attempt
+//   follower         (FrameFollower) makes key frames of what was recorded, with time that nobody wants
 //
 // Before start() nothing is timed and nothing is stored, so that the first picture can be prepared.
 //
@@ -28,6 +29,7 @@
 namespace fulcrum::app {
 
 class DeviceRig;
+class FrameFollower;
 
 struct LiveRequest {
     LoadedTask loaded;
@@ -47,6 +49,8 @@ struct LiveRequest {
     std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>& stop)> make_ghost = {};
     /// Gets every sample; null: nobody looks.
     std::shared_ptr<SampleTap> tap = {};
+    /// Makes the key frames of the replay while the attempt runs; null: nobody.
+    std::shared_ptr<FrameFollower> follower = {};
     /// Within `rig`, for its timing; null: no device process moves the hands.
     std::shared_ptr<const DeviceRig> device = {};
 };

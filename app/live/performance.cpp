@@ -4,11 +4,15 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
+#include "app/live/frame_store.h"
+#include "app/live/replay_player.h"
 #include "app/live/trace_rig.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/device_model.h"
 #include "assessment/operators/skill.h"
+#include "sim_core/haptics/loop.h"
 #include "sim_core/world/physics_version.h"
 
 namespace fulcrum::app {
@@ -101,6 +105,30 @@ database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOut
 
 namespace {
 
+/// Key frames of an attempt while it is performed in this thread.
+class FramesOnTheWay {
+  public:
+    FramesOnTheWay(AttemptEngine& engine, const AttemptRecord& record, FrameStore& frames)
+        : engine_(engine), record_(record), frames_(frames) {
+        add();
+    }
+    /// After a step.
+    void look() {
+        if (frames_.wants(thread_seconds() - since_)) add();
+    }
+
+  private:
+    void add() {
+        ReplayPlace place{{}, record_.inputs.size(), record_.steps.size(), engine_.loop().model_step()};
+        frames_.add(engine_, place);
+        since_ = thread_seconds();
+    }
+    AttemptEngine& engine_;
+    const AttemptRecord& record_;
+    FrameStore& frames_;
+    double since_ = 0;
+};
+
 std::unique_ptr<ObservingRig> make_performer(const PerformRequest& request) {
     const std::uint64_t individual = request.individual.value_or(request.seed);
     if (!request.mastery)
@@ -129,7 +157,14 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     }
     std::unique_ptr<MemorySink> sink =
         recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();
-    performed.outcome = run_headless(engine, *rig, *sink, request.keep_going);
+    std::function<void()> after_step;
+    std::optional<FramesOnTheWay> frames;
+    if (request.frames != nullptr) {
+        engine.use_devices(devices_of(*rig));  // is part of a frame
+        frames.emplace(engine, sink->record, *request.frames);
+        after_step = [&frames] { frames->look(); };
+    }
+    performed.outcome = run_headless(engine, *rig, *sink, request.keep_going, after_step);
     if (performed.outcome.cancelled) {
         Event event;
         event.tick = performed.outcome.ticks;

@@ -17,6 +17,8 @@
 
 namespace fulcrum::app {
 
+class FrameStore;
+
 /// Records in memory and in the store; keeps an error of the store until the caller calls rethrow().
 class RecordingSink : public MemorySink {
   public:
@@ -43,6 +45,7 @@ struct PerformRequest {
     DeviceClass device_class = DeviceClass::synthetic;  ///< the operator works through a model of it
     bool assessed = true;
     std::function<bool(double)> keep_going;  ///< simulated seconds; may be empty
+    FrameStore* frames = nullptr;            ///< gets key frames of the replay; null: nobody
 };
 
 struct Performed {

@@ -10,6 +10,8 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/installed_curriculum.h"
+#include "app/live/frame_follower.h"
+#include "app/live/frame_keeping.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/live/replay_moment.h"
@@ -186,19 +188,18 @@ class Services : public ui::ApplicationServices {
                                                   const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {
         const database::Attempts attempts(*store_);
-        ReplayRequest replay{load_recorded(attempts, session, attempt),
-                             attempt.meta.seed,
+        ReplayRequest replay{{load_recorded(attempts, session, attempt), attempt.meta.seed},
                              attempt.meta.id,
                              std::move(trace),
                              attempt.meta.force_devices,
-                             {},
                              true};
         if (attempt.meta.origin) {
             replay.start_is_readable = attempt.meta.origin->build == state_build();
-            replay.start = attempts.start_state(session, attempt.meta.id);
+            replay.start.state = attempts.start_state(session, attempt.meta.id);
         }
-        replay.keeping = frames_of(session, attempt, replay.loaded);
-        replay.tap = sending_.begin(replay.loaded.scene);
+        if (follower_ != nullptr) replay.followed = follower_->take(attempt.meta.id);
+        replay.keeping = frames_of(session, attempt, replay.start.loaded);
+        replay.tap = sending_.begin(replay.start.loaded.scene);
         return make_replay_source(std::move(replay));
     }
     std::function<std::optional<ui::ExpertAttempt>(const ui::Progress&)> expert_attempt(
@@ -208,13 +209,12 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<ui::ReplaySource> open_expert_replay(const database::Session& session,
                                                          const database::AttemptSummary& attempt,
                                                          const ui::ExpertAttempt& expert) override {
-        return make_replay_source({load_recorded(database::Attempts(*store_), session, attempt),
-                                   expert.summary.meta.seed,
-                                   {},
-                                   expert.trace,
-                                   expert.summary.meta.force_devices,
-                                   {},
-                                   true});
+        return make_replay_source(
+            {{load_recorded(database::Attempts(*store_), session, attempt), expert.summary.meta.seed},
+             {},
+             expert.trace,
+             expert.summary.meta.force_devices,
+             true});
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
         return fulcrum::site_tissues(*store_, session, task_id);
@@ -311,6 +311,7 @@ class Services : public ui::ApplicationServices {
 
     std::unique_ptr<ui::AttemptSession> begin(LiveRequest live) {
         live.tap = sending_.begin(live.loaded.scene);
+        if (!live.store_path.empty()) live.follower = follower_ = std::make_shared<FrameFollower>();
         return std::make_unique<LiveAttempt>(std::move(live));
     }
 
@@ -406,21 +407,14 @@ class Services : public ui::ApplicationServices {
     /// Where the key frames of this attempt's replay are kept.
     FrameKeeping frames_of(const database::Session& session, const database::AttemptSummary& attempt,
                            const LoadedTask& loaded) {
-        FrameKeeping keeping;
-        keeping.folder = database::kept_frames_folder(*store_);
-        if (keeping.folder.empty()) return keeping;
         if (!frames_swept_) database::remove_frames_without_attempt(*store_);
         frames_swept_ = true;
-        keeping.name = database::kept_frames_name(attempt.meta.id);
-        std::string record = database::Attempts(*store_).record_digest(session, attempt.meta.id) + '\n' +
-                             loaded.scene_text + '\n' + std::to_string(loaded.scene.tick_rate) + '\n';
-        for (const database::AssetFile& file : loaded.assets) record += file.name + ' ' + file.digest + '\n';
-        keeping.belongs = frames_belong_to(record);
-        return keeping;
+        return frame_keeping(*store_, session, attempt.meta.id, loaded);
     }
 
     std::unique_ptr<database::Store> store_;
-    bool frames_swept_ = false;  ///< once for each store opened: frames whose attempts are gone
+    std::shared_ptr<FrameFollower> follower_;  ///< of the newest attempt
+    bool frames_swept_ = false;                ///< once for each store opened: frames whose attempts are gone
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
     Sending sending_;
     Sounds sounds_;

@@ -27,39 +27,24 @@ constexpr std::uint32_t ahead_picture_ticks = 100;
 constexpr double longest_without_picture = 0.05;  // s
 
 using Clock = std::chrono::steady_clock;
+using Player = ReplayPlayer;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// An engine with its cursor.
-struct Player {
-    AttemptEngine engine;
-    ReplayCursor cursor;
-
-    Player(const ReplayRequest& request, const AttemptRecord& record)
-        : engine(begun(request)), cursor(start(engine, request), record) {}
-
-  private:
-    static AttemptEngine begun(const ReplayRequest& request) {
-        return AttemptEngine(request.loaded.scene, request.loaded.task, request.seed);
-    }
-    static AttemptEngine& start(AttemptEngine& engine, const ReplayRequest& request) {
-        if (!request.start.empty()) restore_engine(engine, request.start);
-        return engine;
-    }
-};
-
 class Replay : public ui::ReplaySource {
   public:
     explicit Replay(ReplayRequest request) : request_(std::move(request)) {
-        const Scene& scene = request_.loaded.scene;
+        const Scene& scene = request_.start.loaded.scene;
         for (const InstrumentSpec& spec : scene.instruments)
             instruments_[static_cast<int>(spec.hand)] = make_instrument(spec, scene.tick_period());
         if (scene.camera) scope_ = make_scope(*scene.camera);
         const database::Trace& trace = *request_.trace;
         record_ = std::make_shared<const AttemptRecord>(
             AttemptRecord{trace.inputs, trace.samples, trace.steps, trace.events, request_.devices});
+        frames_ =
+            request_.followed != nullptr ? std::move(request_.followed) : std::make_shared<FrameStore>();
         thread_ = std::thread([this] { run(); });
     }
     ~Replay() override {
@@ -72,7 +57,7 @@ class Replay : public ui::ReplaySource {
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;
 
-    const Scene& scene() const override { return request_.loaded.scene; }
+    const Scene& scene() const override { return request_.start.loaded.scene; }
     double duration_s() const override {
         return record_->samples.empty() ? 0.0 : record_->samples.back().tick * period();
     }
@@ -119,14 +104,14 @@ class Replay : public ui::ReplaySource {
         if (settled == 0 || settled < record_->inputs.front().tick || differs_from_.load() >= 0)
             return nullptr;
         auto moment = std::make_shared<TraceMoment>();
-        moment->loaded = request_.loaded;
-        moment->seed = request_.seed;
+        moment->loaded = request_.start.loaded;
+        moment->seed = request_.start.seed;
         moment->attempt_id = request_.attempt_id;
         moment->record = record_;
-        moment->start = request_.start;
+        moment->start = request_.start.state;
         moment->tick = settled;
         try {
-            moment->frame = frames_.state(settled);
+            moment->frame = frames_->state(settled);
         } catch (const std::exception&) {
             moment->frame.clear();  // a damaged file: practice is brought there from the beginning
         }
@@ -137,18 +122,19 @@ class Replay : public ui::ReplaySource {
     }
 
   private:
-    double period() const { return request_.loaded.scene.tick_period(); }
+    double period() const { return request_.start.loaded.scene.tick_period(); }
 
     void run() {
         try {
             if (!request_.start_is_readable) {
-                AttemptEngine poses_only(request_.loaded.scene, request_.loaded.task, request_.seed);
+                AttemptEngine poses_only(request_.start.loaded.scene, request_.start.loaded.task,
+                                         request_.start.seed);
                 publish(poses_only.initial_snapshot(), 0);
                 throw StateArchiveError(QT_TRANSLATE_NOOP(
                     "errors",
                     "the stored state was written by another version of the program, or for another scene"));
             }
-            viewer_.emplace(request_, *record_);
+            viewer_.emplace(request_.start, *record_);
             publish(viewer_->engine.initial_snapshot(), viewer_->cursor.tick());
             simulated_.store(viewer_->cursor.tick());
             use_kept_frames();
@@ -169,18 +155,20 @@ class Replay : public ui::ReplaySource {
         const std::shared_ptr<const FrameFile> file = FrameFile::open(request_.keeping);
         if (file == nullptr || record_->inputs.empty() || file->last_tick() != record_->inputs.back().tick)
             return;
-        frames_.restore(file);
-        from_file_ = true;
+        frames_->restore(file);
+        found_ = true;
         simulated_.store(file->last_tick());
         finished_.store(true);
     }
 
-    /// The kept frames are not those of this record after all: they are made, as if there had been none.
-    void forget_kept_frames() {
+    /// The frames found are not those of this record after all: they are made, as if there had been none.
+    void forget_found_frames() {
         request_.keeping.forget();
-        frames_.restore(nullptr);
-        from_file_ = false;
-        viewer_.emplace(request_, *record_);
+        frames_->restore(nullptr);
+        found_ = false;
+        ahead_.reset();
+        run_since_frame_ = 0;
+        viewer_.emplace(request_.start, *record_);
         simulated_.store(viewer_->cursor.tick());
         viewed_ = nothing_viewed;
         shown_ahead_ = 0;
@@ -188,9 +176,18 @@ class Replay : public ui::ReplaySource {
     }
 
     void begin_pass() {
-        ahead_.emplace(request_, *record_);
+        ahead_.emplace(request_.start, *record_);
+        found_ = frames_->count() > 0;
+        if (found_) {
+            try {
+                frames_->put(nothing_viewed, ahead_->cursor);
+            } catch (const StateArchiveError&) {
+                return forget_found_frames();
+            }
+        } else {
+            frames_->add(ahead_->cursor);
+        }
         simulated_.store(ahead_->cursor.tick());
-        frames_.add(ahead_->cursor);
     }
 
     /// Makes the world that is asked for; false where that is shown already, or is not simulated yet.
@@ -205,17 +202,17 @@ class Replay : public ui::ReplaySource {
             }
             return false;
         }
-        if (!from_file_) {
+        if (!found_) {
             run_viewer(wanted);
         } else {
             try {
                 run_viewer(wanted);
             } catch (const std::exception&) {
-                forget_kept_frames();
+                forget_found_frames();
                 return true;
             }
             if (!viewer_->cursor.outcome().identical) {
-                forget_kept_frames();
+                forget_found_frames();
                 return true;
             }
         }
@@ -229,9 +226,9 @@ class Replay : public ui::ReplaySource {
     /// Towards what is asked for, as far as there is time until a picture is due.
     void run_viewer(std::uint32_t wanted) {
         ReplayCursor& cursor = viewer_->cursor;
-        const std::int64_t frame = frames_.before(wanted);
+        const std::int64_t frame = frames_->before(wanted);
         if (cursor.tick() > wanted || cursor.tick() < frame) {
-            frames_.put(wanted, cursor);
+            frames_->put(wanted, cursor);
             if (cursor.tick() != frame)
                 throw StateArchiveError(QT_TRANSLATE_NOOP(
                     "errors", "a kept key frame cannot be read, or does not match its checksum"));
@@ -249,25 +246,29 @@ class Replay : public ui::ReplaySource {
         if (finished_.load()) return false;
         if (!ahead_) return true;  // begins with the next slice
         ReplayCursor& cursor = ahead_->cursor;
-        const Clock::time_point begin = Clock::now();
+        const double begin = thread_seconds();
         if (cursor.at_end()) {
             cursor.run_to_end();
         } else {
             cursor.run_to(cursor.tick() + slice_ticks);
         }
-        run_since_frame_ += seconds_since(begin);
+        run_since_frame_ += thread_seconds() - begin;
+        if (!cursor.outcome().identical && found_) {
+            forget_found_frames();
+            return true;
+        }
         if (!cursor.outcome().identical && differs_from_.load() < 0)
             differs_from_.store(cursor.outcome().first_divergence_s);
         const bool done = cursor.at_end();
-        if (!done && frames_.wants(run_since_frame_)) {
-            frames_.add(cursor);
+        if (!done && frames_->wants(run_since_frame_)) {
+            frames_->add(cursor);
             run_since_frame_ = 0;
         }
         simulated_.store(cursor.tick());
         if (!done) return true;
         finished_.store(true);
         if (request_.keeping.wanted() && differs_from_.load() < 0 && !record_->inputs.empty())
-            writer_.emplace(request_.keeping, frames_.frames(), record_->inputs.back().tick);
+            writer_.emplace(request_.keeping, frames_->frames(), record_->inputs.back().tick);
         ahead_.reset();
         return true;
     }
@@ -322,11 +323,11 @@ class Replay : public ui::ReplaySource {
         shown_.tick = sample.tick;
     }
 
-    const ReplayRequest request_;
+    ReplayRequest request_;
     std::shared_ptr<const AttemptRecord> record_;
     InstrumentModel instruments_[hand_count];
     ScopeModel scope_;
-    FrameStore frames_;
+    std::shared_ptr<FrameStore> frames_;
 
     std::atomic<std::uint32_t> wanted_{0}, simulated_{0};
     std::atomic<double> differs_from_{-1.0};
@@ -334,7 +335,7 @@ class Replay : public ui::ReplaySource {
     // The thread's own.
     std::optional<Player> viewer_, ahead_;
     std::optional<FrameFileWriter> writer_;
-    bool from_file_ = false;  // the key frames are kept ones
+    bool found_ = false;  // key frames are kept ones, or those of the attempt itself
     std::uint32_t viewed_ = 0, shown_ahead_ = 0;
     double run_since_frame_ = 0;
 

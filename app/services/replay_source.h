@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "app/live/frame_file.h"
-#include "app/live/performance.h"
+#include "app/live/frame_store.h"
+#include "app/live/replay_player.h"
 #include "app/live/sample_tap.h"
 #include "database/rows/trace_codec.h"
 #include "ui/services/application_services.h"
@@ -13,21 +13,21 @@
 namespace fulcrum::app {
 
 struct ReplayRequest {
-    LoadedTask loaded;
-    std::uint64_t seed = 1;
+    ReplayStart start;
     std::string attempt_id;
     std::shared_ptr<const database::Trace> trace;
-    ForceDevices devices;                 ///< that rendered force in the attempt
-    std::vector<std::uint8_t> start;      ///< state that it began with (Attempts::start_state); empty: none
-    bool start_is_readable = true;        ///< false: another build wrote `start`; only poses are shown
-    FrameKeeping keeping = {};            ///< key frames of a completed pass, kept for the next opening
+    ForceDevices devices;           ///< that rendered force in the attempt
+    bool start_is_readable = true;  ///< false: another build wrote start.state; only poses are shown
+    FrameKeeping keeping = {};      ///< key frames of a completed pass, kept for the next opening
+    std::shared_ptr<FrameStore> followed = {};  ///< frames that were made during the attempt; null: none
     std::shared_ptr<SampleTap> tap = {};  ///< gets the recorded sample of what is shown; null: nobody looks
 };
 
 /// On a thread of its own one engine runs through the record once and leaves key frames (FrameStore), unless
-/// those of an earlier pass were kept; a second one makes what is asked for from the key frame before it, and
-/// compares what it makes with the record: kept frames that lead elsewhere are thrown away, and the pass is
-/// made. Instruments and scope come from the record. Owner's thread only.
+/// those of an earlier pass were kept, and from where those of the attempt itself end; a second one makes
+/// what is asked for from the key frame before it, and compares what it makes with the record: kept frames
+/// that lead elsewhere are thrown away, and the pass is made. Instruments and scope come from the record.
+/// Owner's thread only.
 std::unique_ptr<ui::ReplaySource> make_replay_source(ReplayRequest request);
 
 }  // namespace fulcrum::app

@@ -38,7 +38,7 @@ void forget_unfelt(const ForceDevices& devices, TickSample& sample) {
 }  // namespace
 
 ReplayCursor::ReplayCursor(AttemptEngine& engine, const AttemptRecord& record)
-    : engine_(engine), record_(record), adopted_(engine.loop().model_step()) {
+    : engine_(engine), record_(record), place_{{}, 0, 0, engine.loop().model_step()} {
     static_assert(std::has_unique_object_representations_v<HandSample> &&
                   std::has_unique_object_representations_v<CameraSample>);
     engine_.use_devices(record.devices);
@@ -54,26 +54,27 @@ void ReplayCursor::diverged(std::uint32_t tick) {
 }
 
 void ReplayCursor::step_once() {
-    const StepRecord& recorded = record_.steps[next_step_];
+    const StepRecord& recorded = record_.steps[next_step()];
     std::size_t count = 0;
-    while (count < outputs_.size() && outputs_[count].sample.tick <= recorded.last_tick) ++count;
+    while (count < place_.outputs.size() && place_.outputs[count].sample.tick <= recorded.last_tick) ++count;
     Sink sink(outcome_);
-    engine_.step(outputs_.data(), count, sink);
-    outputs_.erase(outputs_.begin(), outputs_.begin() + static_cast<std::ptrdiff_t>(count));
+    engine_.step(place_.outputs.data(), count, sink);
+    place_.outputs.erase(place_.outputs.begin(), place_.outputs.begin() + static_cast<std::ptrdiff_t>(count));
     if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome)
         diverged(recorded.last_tick);
     if (after_step_ && !after_step_(engine_.world().snapshot())) stopped_ = true;
-    ++next_step_;
+    ++place_.next_step;
 }
 
 void ReplayCursor::run_tick() {
-    const RigSample& input = record_.inputs[next_input_];
-    const TickSample& recorded = record_.samples[next_input_];
-    if (recorded.model_step != adopted_) {  // the step whose model was used in this tick, from the record
-        while (next_step_ < record_.steps.size() && record_.steps[next_step_].step <= recorded.model_step)
+    const RigSample& input = record_.inputs[next_input()];
+    const TickSample& recorded = record_.samples[next_input()];
+    if (recorded.model_step !=
+        place_.adopted) {  // the step whose model was used in this tick, from the record
+        while (next_step() < record_.steps.size() && record_.steps[next_step()].step <= recorded.model_step)
             step_once();
         engine_.adopt(engine_.world().local_models());
-        adopted_ = recorded.model_step;
+        place_.adopted = recorded.model_step;
     }
     TickOutput output = engine_.tick(input);
     output.sample.missed = recorded.missed;  // depends on wall time, not on the simulation
@@ -81,39 +82,56 @@ void ReplayCursor::run_tick() {
     forget_unfelt(record_.devices, expected);
     if (std::memcmp(&output.sample, &expected, sizeof expected) != 0) diverged(recorded.tick);
     if (keep_samples_) outcome_.samples.push_back(output.sample);
-    outputs_.push_back(output);
-    ++next_input_;
+    place_.outputs.push_back(output);
+    ++place_.next_input;
     // Where no tick waits for a model any more (never one without instruments), steps follow their ticks:
     // what waits would otherwise grow with the attempt.
-    if (record_.samples.back().model_step != adopted_) return;
-    while (next_step_ < record_.steps.size() && record_.steps[next_step_].last_tick <= recorded.tick &&
+    if (record_.samples.back().model_step != place_.adopted) return;
+    while (next_step() < record_.steps.size() && record_.steps[next_step()].last_tick <= recorded.tick &&
            !stopped_)
         step_once();
 }
 
 void ReplayCursor::run_to(std::uint32_t tick) {
-    while (!at_end() && !stopped_ && record_.inputs[next_input_].tick <= tick) run_tick();
+    while (!at_end() && !stopped_ && record_.inputs[next_input()].tick <= tick) run_tick();
 }
 
 void ReplayCursor::run_to_end() {
     while (!at_end() && !stopped_) run_tick();
-    while (next_step_ < record_.steps.size() && !stopped_) step_once();
+    while (next_step() < record_.steps.size() && !stopped_) step_once();
 }
 
 bool ReplayCursor::settle() {
-    while (next_step_ < record_.steps.size() && record_.steps[next_step_].last_tick <= tick()) step_once();
-    return outputs_.empty();
+    while (next_step() < record_.steps.size() && record_.steps[next_step()].last_tick <= tick()) step_once();
+    return place_.outputs.empty();
+}
+
+void ReplayPlace::transfer(StateArchive& archive, AttemptEngine& engine) {
+    engine.transfer(archive);
+    archive(outputs, next_input, next_step, adopted);
+    archive.finish();
 }
 
 void ReplayCursor::transfer(StateArchive& archive) {
-    engine_.transfer(archive);
-    archive(outputs_, next_input_, next_step_, adopted_);
-    archive.finish();
+    place_.transfer(archive, engine_);
     if (!archive.reads()) return;
-    if (next_input_ > record_.inputs.size() || next_step_ > record_.steps.size())
+    if (place_.next_input > record_.inputs.size() || place_.next_step > record_.steps.size())
         throw StateArchiveError(QT_TRANSLATE_NOOP("errors", "the stored state belongs to another attempt"));
     outcome_ = ReplayOutcome();
     stopped_ = false;
+}
+
+void ReplayCursor::drop_run(AttemptRecord& record) {
+    const auto drop = [](auto& records, std::size_t count) {
+        records.erase(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    const std::size_t inputs = next_input(), steps = next_step();
+    drop(record.inputs, inputs);
+    drop(record.samples, inputs);
+    drop(record.steps, steps);
+    dropped_inputs_ += inputs;
+    dropped_steps_ += steps;
+    outcome_.events.clear();
 }
 
 ReplayOutcome ReplayCursor::take_outcome() {

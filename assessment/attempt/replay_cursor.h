@@ -13,6 +13,16 @@
 
 namespace fulcrum {
 
+/// What a cursor needs in addition to its engine's state.
+struct ReplayPlace {
+    std::vector<TickOutput> outputs;            ///< of ticks that no step has used yet
+    std::size_t next_input = 0, next_step = 0;  ///< in the whole record
+    std::uint32_t adopted = 0;                  ///< step whose model the tick uses
+
+    /// Writes engine and place, or reads them. Throws StateArchiveError.
+    void transfer(StateArchive& archive, AttemptEngine& engine);
+};
+
 /// Used by one thread; engine and record must outlive it.
 class ReplayCursor {
   public:
@@ -32,13 +42,16 @@ class ReplayCursor {
     /// False where the record has no step that ends with it. Afterwards only AttemptEngine::begin_here()
     /// makes sense.
     bool settle();
+    /// For a record that still grows: removes from it the inputs, samples and steps that were run. `record`
+    /// is the one that the cursor was made with. It cannot read a state afterwards.
+    void drop_run(AttemptRecord& record);
 
     /// Last tick run; that before the record's first one at the beginning.
     std::uint32_t tick() const;
-    bool at_end() const { return next_input_ >= record_.inputs.size(); }
+    bool at_end() const { return next_input() >= record_.inputs.size(); }
 
-    /// Writes engine and place, or reads them: it continues from there bit for bit. The comparison with the
-    /// record begins again. Throws StateArchiveError.
+    /// Writes engine and place (ReplayPlace), or reads them: it continues from there bit for bit. The
+    /// comparison with the record begins again. Throws StateArchiveError.
     void transfer(StateArchive& archive);
 
     const ReplayOutcome& outcome() const { return outcome_; }
@@ -46,6 +59,8 @@ class ReplayCursor {
 
   private:
     class Sink;
+    std::size_t next_input() const { return place_.next_input - dropped_inputs_; }
+    std::size_t next_step() const { return place_.next_step - dropped_steps_; }
     void step_once();
     void run_tick();
     void diverged(std::uint32_t tick);
@@ -54,9 +69,8 @@ class ReplayCursor {
     const AttemptRecord& record_;
     std::function<bool(const WorldSnapshot&)> after_step_;
     ReplayOutcome outcome_;
-    std::vector<TickOutput> outputs_;  ///< of ticks that no step has used yet
-    std::size_t next_input_ = 0, next_step_ = 0;
-    std::uint32_t adopted_ = 0;  ///< step whose model the tick uses
+    ReplayPlace place_;  ///< its numbers count what drop_run() removed
+    std::size_t dropped_inputs_ = 0, dropped_steps_ = 0;
     bool keep_samples_ = false, stopped_ = false;
 };
 

@@ -26,8 +26,8 @@ class KeptReplay : public ::testing::Test {
         const AttemptRecord& record = made.record;
         trace = std::make_shared<const database::Trace>(
             database::Trace{record.samples, record.inputs, record.steps, record.events});
-        request.loaded = load_task_and_scene("A2");
-        request.seed = test::expert_seed;
+        request.start.loaded = load_task_and_scene("A2");
+        request.start.seed = test::expert_seed;
         request.attempt_id = "attempt";
         request.trace = trace;
         request.devices = record.devices;
@@ -49,7 +49,7 @@ class KeptReplay : public ::testing::Test {
     void use_reference() {
         const database::Trace& all = *request.trace;
         const AttemptRecord record{all.inputs, all.samples, all.steps, all.events, request.devices};
-        AttemptEngine engine(request.loaded.scene, request.loaded.task, request.seed);
+        AttemptEngine engine(request.start.loaded.scene, request.start.loaded.task, request.start.seed);
         ReplayCursor cursor(engine, record);
         cursor.run_to(all.inputs.back().tick);
         right_end = engine.world().snapshot();
@@ -158,15 +158,15 @@ AttemptRecord short_record(const LoadedTask& loaded, OperatorLevel level) {
 }
 
 TEST_F(KeptReplay, FramesThatLeadAwayFromTheRecordAreMadeAgain) {
-    request.loaded = load_task_and_scene("B3");
-    const AttemptRecord record = short_record(request.loaded, OperatorLevel::expert);
+    request.start.loaded = load_task_and_scene("B3");
+    const AttemptRecord record = short_record(request.start.loaded, OperatorLevel::expert);
     request.trace = std::make_shared<const database::Trace>(
         database::Trace{record.samples, record.inputs, record.steps, record.events});
     prepare();
     {
         // Of this task, seed and length, but of other hands.
-        const AttemptRecord other = short_record(request.loaded, OperatorLevel::novice);
-        AttemptEngine engine(request.loaded.scene, request.loaded.task, test::expert_seed);
+        const AttemptRecord other = short_record(request.start.loaded, OperatorLevel::novice);
+        AttemptEngine engine(request.start.loaded.scene, request.start.loaded.task, test::expert_seed);
         ReplayCursor cursor(engine, other);
         FrameStore frames;
         for (; !cursor.at_end(); cursor.run_to(cursor.tick() + 400)) frames.add(cursor);
@@ -176,7 +176,7 @@ TEST_F(KeptReplay, FramesThatLeadAwayFromTheRecordAreMadeAgain) {
 }
 
 TEST_F(KeptReplay, OfAPassThatDiffersFromTheRecordNothingIsKept) {
-    request.seed = test::expert_seed + 1;
+    request.start.seed = test::expert_seed + 1;
     const auto replay = make_replay_source(request);
     ASSERT_TRUE(wait_until([&] { return replay->ready() >= 1; }));
     EXPECT_TRUE(replay->differs_from_s());
