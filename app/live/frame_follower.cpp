@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/live/frame_follower.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 
 namespace fulcrum::app {
@@ -11,10 +14,12 @@ constexpr std::uint32_t slice_ticks = 10;
 constexpr std::uint32_t behind_ticks = 100;
 constexpr std::size_t ticks_to_drop = 5000;
 
-/// Only processor time that no other thread wants.
-void yield_to_everyone() {
+/// Of the calling thread. SCHED_IDLE would be a fifth of this on a machine that is busy, and its owner may
+/// have to wait for it.
+void take_lowest_priority() {
     const sched_param parameter{};
-    pthread_setschedparam(pthread_self(), SCHED_IDLE, &parameter);
+    pthread_setschedparam(pthread_self(), SCHED_BATCH, &parameter);
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);
 }
 
 template <typename Type>
@@ -112,18 +117,26 @@ bool FrameFollower::finish_here() noexcept {
     return written_.load();
 }
 
-std::shared_ptr<FrameStore> FrameFollower::take(const std::string& attempt_id) noexcept {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (!complete_ || attempt_id_ != attempt_id) return nullptr;
+std::vector<PackedFrame> FrameFollower::take(const std::string& attempt_id) noexcept {
+    try {
+        std::shared_ptr<const FrameStore> frames;
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            if (!complete_ || attempt_id_ != attempt_id) return {};
+            frames = frames_;
+        }
+        stop_.store(true);
+        there_is_more_.post();
+        if (given_up_.load() || written_.load() || frames == nullptr) return {};
+        return frames->frames();
+    } catch (...) {
+        return {};
     }
-    stop();
-    if (given_up_.load() || written_.load()) return nullptr;
-    return std::move(frames_);
 }
 
 void FrameFollower::run() noexcept {
-    yield_to_everyone();
+    take_lowest_priority();
+    previous_.reset();
     make_or_give_up();
 }
 
@@ -135,6 +148,7 @@ void FrameFollower::make_or_give_up() noexcept {
     }
     if (given_up_.load() || written_.load()) {
         player_.reset();
+        const std::lock_guard<std::mutex> lock(mutex_);
         frames_.reset();
     }
 }

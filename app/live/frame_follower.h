@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Key frames of an attempt while it runs, so that its replay can be sought anywhere as soon as it is over: a
-// second engine makes the record again, a moment behind the hands, on a thread that only gets processor time
-// that nobody else wants. The attempt's own threads do nothing for it but copy what they record.
+// second engine makes the record again, a moment behind the hands, on a thread of the lowest priority. The
+// attempt's own threads do nothing for it but copy what they record.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@
 
 namespace fulcrum::app {
 
-/// begin() to complete() from the recorder's thread, the rest from the owner's. Nothing here throws: without
+/// begin() to complete() from the recorder's thread, the rest from any other. Nothing here throws: without
 /// frames the first opening of the replay makes them.
 class FrameFollower {
   public:
@@ -30,6 +30,8 @@ class FrameFollower {
     FrameFollower(const FrameFollower&) = delete;
     FrameFollower& operator=(const FrameFollower&) = delete;
 
+    /// The follower of the attempt before: it ends on this one's thread, since only that may wait for it.
+    void replaces(std::shared_ptr<FrameFollower> previous) { previous_ = std::move(previous); }
     /// The attempt begins.
     void begin(ReplayStart start, const ForceDevices& devices) noexcept;
     /// An input and what it led to, in pairs.
@@ -40,11 +42,12 @@ class FrameFollower {
     /// The attempt is stored. The rest is made, then the file is written.
     void complete(const std::string& attempt_id, FrameKeeping keeping) noexcept;
 
-    /// After complete(): makes what is missing in the calling thread. False where there are no frames.
+    /// After complete(): makes what is missing in the calling thread, which waits for the follower's first.
+    /// False where there are no frames.
     bool finish_here() noexcept;
-    /// Stops and gives the frames made so far, of the record's beginning; null where this is another attempt,
-    /// where the file is written already, or where there are none.
-    std::shared_ptr<FrameStore> take(const std::string& attempt_id) noexcept;
+    /// Stops soon, and gives the frames made so far, of the record's beginning; none where this is another
+    /// attempt, where the file is written already, or where there are none. Does not wait.
+    std::vector<PackedFrame> take(const std::string& attempt_id) noexcept;
 
   private:
     struct Waiting {
@@ -63,6 +66,7 @@ class FrameFollower {
     void stop() noexcept;
 
     const std::size_t most_;
+    std::shared_ptr<FrameFollower> previous_;
     ReplayStart start_;
     std::thread thread_;
     Signal there_is_more_;
@@ -75,10 +79,10 @@ class FrameFollower {
     bool complete_ = false;
     std::string attempt_id_;
     FrameKeeping keeping_;
+    std::shared_ptr<FrameStore> frames_;  ///< the follower's thread alone adds to it
 
     // The follower's thread's own; after its end the owner's.
-    AttemptRecord record_;  ///< what is not made yet
-    std::shared_ptr<FrameStore> frames_;
+    AttemptRecord record_;      ///< what is not made yet
     std::uint32_t newest_ = 0;  ///< tick
     bool whole_ = false;        ///< nothing comes any more
     std::optional<ReplayPlayer> player_;

@@ -41,6 +41,20 @@ void FrameStore::restore(std::shared_ptr<const FrameFile> file) {
     file_ = std::move(file);
 }
 
+void FrameStore::restore(std::vector<PackedFrame> frames) {
+    StateImage last;
+    const std::size_t count = frames.size();
+    std::size_t bytes = 0;
+    for (std::size_t i = count - count % frames_in_group; i < count; ++i) unpack(i, *frames[i].packed, last);
+    for (const PackedFrame& frame : frames) bytes += frame.packed->size();
+    newest_ = std::move(last);
+    gap_s_ = longest_gap_s;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    bytes_ = bytes;
+    frames_ = std::move(frames);
+    file_.reset();
+}
+
 std::vector<PackedFrame> FrameStore::frames() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return frames_;

@@ -7,7 +7,7 @@
 //   world thread     steps after every m ticks; publishes models and view through triple buffers
 //   recorder thread  builds the world; after the start moves both rings of the record into the store;
 //                    at the end reads the record back, scores it and finishes the attempt
-//   follower         (FrameFollower) makes key frames of what was recorded, with time that nobody wants
+//   follower         (FrameFollower) makes key frames of what was recorded, at the lowest priority
 //
 // Before start() nothing is timed and nothing is stored, so that the first picture can be prepared.
 //

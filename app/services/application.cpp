@@ -197,7 +197,7 @@ class Services : public ui::ApplicationServices {
             replay.start_is_readable = attempt.meta.origin->build == state_build();
             replay.start.state = attempts.start_state(session, attempt.meta.id);
         }
-        if (follower_ != nullptr) replay.followed = follower_->take(attempt.meta.id);
+        replay.follower = follower_;
         replay.keeping = frames_of(session, attempt, replay.start.loaded);
         replay.tap = sending_.begin(replay.start.loaded.scene);
         return make_replay_source(std::move(replay));
@@ -311,7 +311,11 @@ class Services : public ui::ApplicationServices {
 
     std::unique_ptr<ui::AttemptSession> begin(LiveRequest live) {
         live.tap = sending_.begin(live.loaded.scene);
-        if (!live.store_path.empty()) live.follower = follower_ = std::make_shared<FrameFollower>();
+        if (!live.store_path.empty()) {
+            live.follower = std::make_shared<FrameFollower>();
+            live.follower->replaces(std::move(follower_));
+            follower_ = live.follower;
+        }
         return std::make_unique<LiveAttempt>(std::move(live));
     }
 

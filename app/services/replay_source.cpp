@@ -43,8 +43,6 @@ class Replay : public ui::ReplaySource {
         const database::Trace& trace = *request_.trace;
         record_ = std::make_shared<const AttemptRecord>(
             AttemptRecord{trace.inputs, trace.samples, trace.steps, trace.events, request_.devices});
-        frames_ =
-            request_.followed != nullptr ? std::move(request_.followed) : std::make_shared<FrameStore>();
         thread_ = std::thread([this] { run(); });
     }
     ~Replay() override {
@@ -111,7 +109,7 @@ class Replay : public ui::ReplaySource {
         moment->start = request_.start.state;
         moment->tick = settled;
         try {
-            moment->frame = frames_->state(settled);
+            moment->frame = frames_.state(settled);
         } catch (const std::exception&) {
             moment->frame.clear();  // a damaged file: practice is brought there from the beginning
         }
@@ -137,6 +135,7 @@ class Replay : public ui::ReplaySource {
             viewer_.emplace(request_.start, *record_);
             publish(viewer_->engine.initial_snapshot(), viewer_->cursor.tick());
             simulated_.store(viewer_->cursor.tick());
+            use_followers_frames();
             use_kept_frames();
             while (!stop_.load()) {
                 if (!finished_.load() && !ahead_) begin_pass();
@@ -151,11 +150,18 @@ class Replay : public ui::ReplaySource {
         }
     }
 
+    void use_followers_frames() {
+        if (request_.follower == nullptr) return;
+        std::vector<PackedFrame> frames = request_.follower->take(request_.attempt_id);
+        request_.follower.reset();
+        if (!frames.empty()) frames_.restore(std::move(frames));
+    }
+
     void use_kept_frames() {
         const std::shared_ptr<const FrameFile> file = FrameFile::open(request_.keeping);
         if (file == nullptr || record_->inputs.empty() || file->last_tick() != record_->inputs.back().tick)
             return;
-        frames_->restore(file);
+        frames_.restore(file);
         found_ = true;
         simulated_.store(file->last_tick());
         finished_.store(true);
@@ -164,7 +170,7 @@ class Replay : public ui::ReplaySource {
     /// The frames found are not those of this record after all: they are made, as if there had been none.
     void forget_found_frames() {
         request_.keeping.forget();
-        frames_->restore(nullptr);
+        frames_.restore(nullptr);
         found_ = false;
         ahead_.reset();
         run_since_frame_ = 0;
@@ -177,15 +183,15 @@ class Replay : public ui::ReplaySource {
 
     void begin_pass() {
         ahead_.emplace(request_.start, *record_);
-        found_ = frames_->count() > 0;
+        found_ = frames_.count() > 0;
         if (found_) {
             try {
-                frames_->put(nothing_viewed, ahead_->cursor);
+                frames_.put(nothing_viewed, ahead_->cursor);
             } catch (const StateArchiveError&) {
                 return forget_found_frames();
             }
         } else {
-            frames_->add(ahead_->cursor);
+            frames_.add(ahead_->cursor);
         }
         simulated_.store(ahead_->cursor.tick());
     }
@@ -226,9 +232,9 @@ class Replay : public ui::ReplaySource {
     /// Towards what is asked for, as far as there is time until a picture is due.
     void run_viewer(std::uint32_t wanted) {
         ReplayCursor& cursor = viewer_->cursor;
-        const std::int64_t frame = frames_->before(wanted);
+        const std::int64_t frame = frames_.before(wanted);
         if (cursor.tick() > wanted || cursor.tick() < frame) {
-            frames_->put(wanted, cursor);
+            frames_.put(wanted, cursor);
             if (cursor.tick() != frame)
                 throw StateArchiveError(QT_TRANSLATE_NOOP(
                     "errors", "a kept key frame cannot be read, or does not match its checksum"));
@@ -260,15 +266,15 @@ class Replay : public ui::ReplaySource {
         if (!cursor.outcome().identical && differs_from_.load() < 0)
             differs_from_.store(cursor.outcome().first_divergence_s);
         const bool done = cursor.at_end();
-        if (!done && frames_->wants(run_since_frame_)) {
-            frames_->add(cursor);
+        if (!done && frames_.wants(run_since_frame_)) {
+            frames_.add(cursor);
             run_since_frame_ = 0;
         }
         simulated_.store(cursor.tick());
         if (!done) return true;
         finished_.store(true);
         if (request_.keeping.wanted() && differs_from_.load() < 0 && !record_->inputs.empty())
-            writer_.emplace(request_.keeping, frames_->frames(), record_->inputs.back().tick);
+            writer_.emplace(request_.keeping, frames_.frames(), record_->inputs.back().tick);
         ahead_.reset();
         return true;
     }
@@ -327,7 +333,7 @@ class Replay : public ui::ReplaySource {
     std::shared_ptr<const AttemptRecord> record_;
     InstrumentModel instruments_[hand_count];
     ScopeModel scope_;
-    std::shared_ptr<FrameStore> frames_;
+    FrameStore frames_;
 
     std::atomic<std::uint32_t> wanted_{0}, simulated_{0};
     std::atomic<double> differs_from_{-1.0};

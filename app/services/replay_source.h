@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/live/frame_store.h"
+#include "app/live/frame_follower.h"
 #include "app/live/replay_player.h"
 #include "app/live/sample_tap.h"
 #include "database/rows/trace_codec.h"
@@ -19,7 +19,7 @@ struct ReplayRequest {
     ForceDevices devices;           ///< that rendered force in the attempt
     bool start_is_readable = true;  ///< false: another build wrote start.state; only poses are shown
     FrameKeeping keeping = {};      ///< key frames of a completed pass, kept for the next opening
-    std::shared_ptr<FrameStore> followed = {};  ///< frames that were made during the attempt; null: none
+    std::shared_ptr<FrameFollower> follower = {};  ///< of the newest attempt, which may be this one; or null
     std::shared_ptr<SampleTap> tap = {};  ///< gets the recorded sample of what is shown; null: nobody looks
 };
 

@@ -4,6 +4,7 @@
 #include "app/live/frame_follower.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include "assessment/operators/operator.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
+#include "database/store/kept_frames.h"
 #include "sim_core/numerics/state_archive.h"
 #include "tests/assessment/attempt/expert_record.h"
 #include "tests/database/programme_fixture.h"
@@ -81,18 +83,17 @@ TEST_F(FollowedAttempt, FramesAreInTheirFileWhenItIsOverAndContinueBitForBit) {
     ASSERT_TRUE(follower.finish_here());
     const AttemptRecord& record = made.record;
     expect_bit_for_bit(keeping, load_task_and_scene("A2"), test::expert_seed, record);
-    EXPECT_EQ(follower.take("attempt"), nullptr) << "they are in the file";
+    EXPECT_TRUE(follower.take("attempt").empty()) << "they are in the file";
 }
 
 TEST_F(FollowedAttempt, AReplayThatIsOpenedBeforeTheEndWasReachedContinuesFromItsFrames) {
     const AttemptRecord& record = made.record;
-    FrameFollower follower;
-    follower.begin(start(), record.devices);
-    EXPECT_EQ(follower.take("attempt"), nullptr) << "it runs";
-    feed(follower, record, 0, record.inputs.size());
-    follower.complete("attempt", keeping);
-    EXPECT_EQ(follower.take("another"), nullptr);
-    const std::shared_ptr<FrameStore> frames = follower.take("attempt");
+    const auto follower = std::make_shared<FrameFollower>();
+    follower->begin(start(), record.devices);
+    EXPECT_TRUE(follower->take("attempt").empty()) << "it runs";
+    feed(*follower, record, 0, record.inputs.size());
+    follower->complete("attempt", keeping);
+    EXPECT_TRUE(follower->take("another").empty());
     ReplayRequest request;
     request.start = start();
     request.attempt_id = "attempt";
@@ -100,7 +101,7 @@ TEST_F(FollowedAttempt, AReplayThatIsOpenedBeforeTheEndWasReachedContinuesFromIt
         database::Trace{record.samples, record.inputs, record.steps, record.events});
     request.devices = record.devices;
     request.keeping = keeping;
-    request.followed = frames;
+    request.follower = follower;
     const auto replay = make_replay_source(request);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while ((replay->ready() < 1 || !kept()) && std::chrono::steady_clock::now() < end)
@@ -120,7 +121,7 @@ TEST_F(FollowedAttempt, OfARecordThatTheSimulationDoesNotRepeatNothingIsKept) {
     follower.complete("attempt", keeping);
     EXPECT_FALSE(follower.finish_here());
     EXPECT_FALSE(kept());
-    EXPECT_EQ(follower.take("attempt"), nullptr);
+    EXPECT_TRUE(follower.take("attempt").empty());
 }
 
 TEST_F(FollowedAttempt, WhereTooMuchWaitsItGivesUp) {
@@ -198,16 +199,17 @@ TEST_F(FollowedAttempt, OnTheClockItsReplayIsPreparedWhenItEnds) {
     expect_bit_for_bit(station.keeping(attempt), load_task_and_scene("A2"), test::expert_seed, record);
 }
 
-TEST_F(FollowedAttempt, ItsReplayIsOpenedAsSoonAsItIsOverAndIsPrepared) {
+/// An attempt in the program that begins at this goal: its replay is opened as soon as it is over.
+void expect_prepared(const std::string& task, int goal) {
     database::test::Programme programme;
     const database::Session ann = programme.session("ann");
     programme.store.reset();
     const auto services = make_services(programme.folder.path().toStdString());
     services->open_store(false);
-    const LoadedTask loaded = load_task_and_scene("A2");
+    const LoadedTask loaded = load_task_and_scene(task);
     ui::AttemptRequest request{
         ann,
-        "A2",
+        task,
         false,
         test::expert_seed,
         make_operator(OperatorLevel::expert, loaded.task, loaded.scene, test::expert_seed),
@@ -215,14 +217,17 @@ TEST_F(FollowedAttempt, ItsReplayIsOpenedAsSoonAsItIsOverAndIsPrepared) {
         "mouse and keyboard",
         false,
         nullptr,
-        0,
+        goal,
         false,
         {}};
     std::string id;
     {
         const auto attempt = services->start_attempt(request);
         attempt->start();
-        while (attempt->health().ticks < 1500 && attempt->phase() != ui::AttemptPhase::failed)
+        while (attempt->phase() == ui::AttemptPhase::starting)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const std::uint32_t first = attempt->health().ticks;
+        while (attempt->health().ticks < first + 1500 && attempt->phase() != ui::AttemptPhase::failed)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         attempt->abandon();
         while (!attempt->outcome() && attempt->phase() != ui::AttemptPhase::failed)
@@ -231,6 +236,9 @@ TEST_F(FollowedAttempt, ItsReplayIsOpenedAsSoonAsItIsOverAndIsPrepared) {
         id = attempt->outcome()->attempt_id;
     }
     const database::Attempts attempts(*services->store());
+    const std::string file =
+        database::kept_frames_folder(*services->store()) + '/' + database::kept_frames_name(id);
+    ino_t inode = 0;
     for (const bool again : {false, true}) {
         const auto replay =
             services->open_replay(ann, attempts.read(ann, id),
@@ -240,7 +248,20 @@ TEST_F(FollowedAttempt, ItsReplayIsOpenedAsSoonAsItIsOverAndIsPrepared) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         EXPECT_EQ(replay->ready(), 1) << again;
         EXPECT_FALSE(replay->differs_from_s());
+        struct stat status {};
+        while (::stat(file.c_str(), &status) != 0 && std::chrono::steady_clock::now() < end)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        EXPECT_TRUE(!again || status.st_ino == inode) << "the file was good, and none had to be made";
+        inode = status.st_ino;
     }
+}
+
+TEST_F(FollowedAttempt, ItsReplayIsOpenedAsSoonAsItIsOverAndIsPrepared) {
+    expect_prepared("A2", 0);
+}
+
+TEST_F(FollowedAttempt, OneThatBeginsAtALaterGoalToo) {
+    expect_prepared("A2", 1);
 }
 
 TEST_F(FollowedAttempt, PerformedWithoutAWindowItsReplayIsPreparedToo) {
