@@ -10,7 +10,7 @@ if(FULCRUM_CCACHE)
 endif()
 
 add_library(fulcrum_flags INTERFACE)
-target_include_directories(fulcrum_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(fulcrum_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 # Bit-for-bit replay: no contraction of a*b+c, no fast math; one instruction set for the whole product.
 # Position-independent code everywhere, as Qt requires: libraries and programs can then share precompiled headers.
 target_compile_options(fulcrum_flags INTERFACE -fPIC -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
@@ -136,18 +136,57 @@ function(fulcrum_floor floor)
 endfunction()
 
 # fulcrum_embed_text(target symbol file): `extern const char* const fulcrum::symbol` holds the file's text, so that the library needs no
-# search path for what is part of its own contract (schemas).
-function(fulcrum_embed_text target symbol file)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-    file(READ ${file} text)
+# search path for what is part of its own contract (schemas). fulcrum_embed_texts(target symbol files...): the same for each file, as symbol_NAME.
+set(FULCRUM_EMBEDDED_TEXT [=[
+extern const char* const @name@;
+const char* const @name@ = R"embedded(@text@)embedded";
+]=])
+function(fulcrum_embed_sources target symbol)
+    set(texts)
+    set(name ${symbol})
+    foreach(file ${ARGN})
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+        file(READ ${file} text)
+        if(FULCRUM_EMBED_MANY)
+            get_filename_component(name ${file} NAME_WE)
+            set(name ${symbol}_${name})
+        endif()
+        string(CONFIGURE "${FULCRUM_EMBEDDED_TEXT}" one @ONLY)
+        string(APPEND texts "${one}")
+    endforeach()
     set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${symbol}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [=[// SPDX-License-Identifier: Apache-2.0
-namespace fulcrum {
-extern const char* const @symbol@;
-const char* const @symbol@ = R"embedded(@text@)embedded";
-}  // namespace fulcrum
+namespace fulcrum {@texts@}  // namespace fulcrum
 ]=])
     target_sources(${target} PRIVATE ${source})
+endfunction()
+function(fulcrum_embed_text target symbol file)
+    set(FULCRUM_EMBED_MANY OFF)
+    fulcrum_embed_sources(${target} ${symbol} ${file})
+endfunction()
+function(fulcrum_embed_texts target symbol)
+    set(FULCRUM_EMBED_MANY ON)
+    fulcrum_embed_sources(${target} ${symbol} ${ARGN})
+endfunction()
+
+# fulcrum_all_headers(FOLDER SUFFIX): the header FOLDER/all_SUFFIXs.h, which includes every FOLDER/*_SUFFIX.h, and the macro ALL_SUFFIXS(use), which
+# writes use(NAME) for each of them. So a list of what is in a folder needs no line in it for each.
+function(fulcrum_all_headers folder suffix)
+    file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*_${suffix}.h)
+    list(SORT headers)
+    set(includes)
+    set(uses)
+    foreach(header ${headers})
+        string(APPEND includes "#include \"${header}\"\n")
+        string(REGEX REPLACE "^.*/(.*)_${suffix}\\.h$" "\\1" name ${header})
+        string(APPEND uses " use(${name})")
+    endforeach()
+    string(TOUPPER ALL_${suffix}S macro)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${folder}/all_${suffix}s.h @ONLY CONTENT
+"// Made by CMake (fulcrum_all_headers).
+#pragma once
+@includes@#define @macro@(use)@uses@
+")
 endfunction()
 
 # fulcrum_build_info: lab::build_info() with compiler, flags and the commit, determined again by every build; links to programs only, so

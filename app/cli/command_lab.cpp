@@ -56,7 +56,9 @@ std::vector<Command> laboratory_commands() {
          "Finds the cheapest fidelity of each task that leaves the score as it is.",
          joined({{"--seeds", "N", "Seeds for each task.", std::to_string(default_fidelity_seeds)},
                  {"--tasks", "TASK,TASK,...", "These tasks only.", "all"},
-                 {"--data", "FILE", "Write what briefings and help say: assets/fidelity_cost.json."},
+                 {"--data", "FILE",
+                  "Write what briefings and help say: assets/fidelity_cost.json. With --tasks the others "
+                  "stay in it."},
                  {"--from", "FILE", "Make the page again from a fidelity_score.json, without attempts."}},
                 page),
          {},

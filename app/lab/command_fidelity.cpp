@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "assessment/assets/assets.h"
 #include "sim_core/numerics/files.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/world/physics_version.h"
 
 namespace fulcrum::app {
 namespace {
@@ -65,12 +67,23 @@ FidelityStudy new_study(const Arguments& arguments) {
     return study;
 }
 
+/// What `--tasks` leaves in the file as it is: the other tasks, where they were measured with this physics.
+/// Throws InputError for a file of another kind.
+FidelityCosts costs_to_keep(const Arguments& arguments, const std::string& file) {
+    if (!arguments.has("--tasks") || !std::filesystem::exists(file)) return {};
+    const FidelityCosts costs = parse_fidelity_costs(read_text_file(file, JsonLimits().bytes), file);
+    if (costs.physics == physics_version) return costs;
+    std::cerr << file << " is of physics version " << costs.physics << ": nothing of it is kept\n";
+    return {};
+}
+
 }  // namespace
 
 int run_fidelity(const Arguments& arguments) {
     for (const char* option : {"--seeds", "--tasks"}) arguments.exclude("--from", option);
     const std::optional<std::string> data = arguments.value("--data");
     if (data) require_writable_file(*data);
+    FidelityCosts costs = data ? costs_to_keep(arguments, *data) : FidelityCosts();
     make_output(arguments);
     const auto from = arguments.value("--from");
     const FidelityStudy study = from ? stored_study(*from) : new_study(arguments);
@@ -78,8 +91,11 @@ int run_fidelity(const Arguments& arguments) {
     if (answers.empty())
         throw InputError(from.value_or("lab fidelity"), "", "no task has 2 complete seeds",
                          "let the command run longer");
-    if (data)
-        write_whole_file(*data, fidelity_costs_to_json(costs_of(answers, study.physics)).dump(1) + "\n");
+    if (data) {
+        costs.physics = study.physics;
+        for (const auto& [task, cost] : costs_of(answers, study.physics).tasks) costs.tasks[task] = cost;
+        write_whole_file(*data, fidelity_costs_to_json(costs).dump(1) + "\n");
+    }
     const lab::ResultPage page = fidelity_page(study, answers);
     deliver(arguments, page, page.document());
     if (interrupted) std::cerr << "stopped: the page has the seeds that were complete\n";

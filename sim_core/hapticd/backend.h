@@ -32,8 +32,30 @@ class Backend {
     virtual bool lost() const noexcept { return false; }
 };
 
+/// How the daemon makes one kind of device. The header NAME_device.h of a backend ends with its own,
+/// NAME_maker; CMake lists the headers, and backend.cpp compares the list with device_table when it is
+/// compiled.
+struct Maker {
+    const char* name;  ///< of device_table, where fulcrum-hapticd reads the device
+    std::unique_ptr<Backend> (*make)(const std::string& specification);
+    LibraryLook (*look)() = nullptr;  ///< where it has a library of its maker
+};
+/// Maker::make: `Device` as what `read` makes of the specification says.
+template <typename Device, auto read>
+std::unique_ptr<Backend> make_device(const std::string& specification) {
+    return std::make_unique<Device>(read(specification));
+}
+/// Maker::look.
+template <typename Library>
+LibraryLook load_whole() {
+    Library library;
+    return library.load();
+}
+
 /// The device that a specification names: "virtual:SCRIPT.json", "touch". Throws InputError.
 std::unique_ptr<Backend> make_backend(const std::string& specification);
+/// For a specification that names no kind of device.
+[[noreturn]] void refuse_kind(const std::string& specification);
 /// Loads the library of the maker of this kind of device and reports what is missing.
 LibraryLook look_at_own_library(const std::string& kind);
 

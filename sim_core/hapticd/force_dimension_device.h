@@ -54,4 +54,8 @@ class ForceDimensionDevice : public ServoBackend {
     std::uint64_t ticks_ = 0;
 };
 
+inline constexpr Maker force_dimension_maker = {"force-dimension",
+                                                make_device<ForceDimensionDevice, force_dimension_numbers>,
+                                                load_whole<ForceDimensionLibrary>};
+
 }  // namespace fulcrum::hapticd

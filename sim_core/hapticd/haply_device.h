@@ -69,4 +69,6 @@ class HaplyDevice : public ServoBackend {
     std::thread thread_;
 };
 
+inline constexpr Maker haply_maker = {"haply", make_device<HaplyDevice, haply_specification>};
+
 }  // namespace fulcrum::hapticd

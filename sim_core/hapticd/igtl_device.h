@@ -65,4 +65,6 @@ class IgtlDevice : public Backend {
     std::vector<std::string> other_tools_;  // seen while opening
 };
 
+inline constexpr Maker igtl_maker = {"openigtlink", make_device<IgtlDevice, igtl_specification>};
+
 }  // namespace fulcrum::hapticd

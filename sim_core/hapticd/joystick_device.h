@@ -66,4 +66,6 @@ class JoystickDevice : public Backend {
     FaultReport report_;
 };
 
+inline constexpr Maker joystick_maker = {"joystick", make_device<JoystickDevice, joystick_specification>};
+
 }  // namespace fulcrum::hapticd

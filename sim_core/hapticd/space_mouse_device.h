@@ -55,4 +55,6 @@ class SpaceMouseDevice : public Backend {
     bool ended_ = false;
 };
 
+inline constexpr Maker space_mouse_maker = {"space-mouse", make_device<SpaceMouseDevice, space_mouse_slot>};
+
 }  // namespace fulcrum::hapticd

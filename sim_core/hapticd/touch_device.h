@@ -59,4 +59,7 @@ class TouchDevice : public ServoBackend {
     std::uint64_t ticks_ = 0;
 };
 
+inline constexpr Maker touch_maker = {"touch", make_device<TouchDevice, touch_names>,
+                                      load_whole<TouchLibrary>};
+
 }  // namespace fulcrum::hapticd

@@ -74,4 +74,6 @@ class TrainerDevice : public Backend {
     FaultReport report_;
 };
 
+inline constexpr Maker trainer_maker = {"trainer", make_device<TrainerDevice, trainer_specification>};
+
 }  // namespace fulcrum::hapticd

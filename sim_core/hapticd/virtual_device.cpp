@@ -25,6 +25,12 @@ PathPoint ScriptedPath::at(double time) const noexcept {
     return now;
 }
 
+DeviceScript read_script(const std::string& specification) {
+    const std::size_t colon = specification.find(':');
+    if (colon == std::string::npos) refuse_kind(specification);
+    return read_device_script(specification.substr(colon + 1));
+}
+
 VirtualDevice::VirtualDevice(DeviceScript script) : script_(std::move(script)) {
     for (int h = 0; h < 2; ++h) {
         if (const auto& hand = script_.slots[h].hand) hands_[h].hand = *hand;

@@ -43,6 +43,8 @@ struct DeviceScript {
 
 /// Throws InputError with place and hint.
 DeviceScript read_device_script(const std::string& path);
+/// The script that "virtual:SCRIPT.json" names. Throws InputError also where it names none.
+DeviceScript read_script(const std::string& specification);
 /// A recording as a path of each slot that it names: CSV of docs/DEVICES.md. Throws InputError.
 void read_recording(const std::string& path, DeviceScript& script);
 
@@ -60,5 +62,7 @@ class VirtualDevice : public Backend {
     std::int64_t begun_ = 0, before_ = 0;
     std::uint64_t sequence_ = 0;
 };
+
+inline constexpr Maker virtual_maker = {"virtual", make_device<VirtualDevice, read_script>};
 
 }  // namespace fulcrum::hapticd

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/scene/bands_reader.h"
-
 #include "sim_core/scene/field_json.h"
+#include "sim_core/scene/part_reading.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
@@ -11,8 +10,6 @@ using nlohmann::json;
 
 using scene_json::copy;
 using scene_json::copy_degrees;
-
-}  // namespace
 
 BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
     BandsSpec bands;
@@ -55,6 +52,23 @@ BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
                       QT_TRANSLATE_NOOP("errors", "give a gap below \"height\""));
     }
     return bands;
+}
+
+}  // namespace
+
+void read_bands(const PartReading& reading, const nlohmann::json& node) {
+    const BandsSpec bands = read_bands_spec(reading.document, node);
+    for (const std::string& label :
+         {bands.tissue, bands.bed_tissue, bands.nerve_tissue, bands.vessel_tissue}) {
+        reading.check_tissue("/bands", label);
+    }
+    if (reading.scene.bowel || reading.scene.cavity || reading.scene.targets || reading.scene.sheet) {
+        reading.document.fail(
+            "/bands",
+            QT_TRANSLATE_NOOP("errors", "bands cannot be combined with a bowel, cavity, sheet or targets"),
+            QT_TRANSLATE_NOOP("errors", "remove those parts or \"bands\""));
+    }
+    reading.scene.bands = bands;
 }
 
 }  // namespace fulcrum

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/scene/bowel_reader.h"
-
 #include "sim_core/scene/json_names.h"
+#include "sim_core/scene/part_reading.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
@@ -59,8 +58,6 @@ NoduleSpec read_nodule(const JsonDocument& document, const json& node, const Bow
     return nodule;
 }
 
-}  // namespace
-
 BowelSpec read_bowel_spec(const JsonDocument& document, const json& node) {
     BowelSpec bowel;
     copy(node, "length", bowel.length);
@@ -94,6 +91,20 @@ BowelSpec read_bowel_spec(const JsonDocument& document, const json& node) {
             QT_TRANSLATE_NOOP("errors", "give a spacing near outer_radius, below four times it"));
     }
     return bowel;
+}
+
+}  // namespace
+
+void read_bowel(const PartReading& reading, const nlohmann::json& node) {
+    const BowelSpec bowel = read_bowel_spec(reading.document, node);
+    reading.check_tissue("/bowel", bowel.tissue);
+    if (bowel.layout == BowelLayout::rectum && !reading.document.root().contains("presacral")) {
+        reading.document.fail(
+            "/bowel/layout", QT_TRANSLATE_NOOP("errors", "a rectum and a presacral wall need each other"),
+            QT_TRANSLATE_NOOP(
+                "errors", "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither"));
+    }
+    reading.scene.bowel = bowel;
 }
 
 }  // namespace fulcrum

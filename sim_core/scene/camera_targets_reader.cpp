@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/scene/camera_targets_reader.h"
-
+#include "sim_core/scene/part_reading.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
 
 namespace {
 
-CameraTargetsSpec read_spec(const JsonDocument& document, const nlohmann::json& node) {
+CameraTargetsSpec read_camera_targets_spec(const JsonDocument& document, const nlohmann::json& node) {
     using scene_json::copy;
     CameraTargetsSpec targets;
     copy(node, "count", targets.count);
@@ -51,15 +50,10 @@ CameraTargetsSpec read_spec(const JsonDocument& document, const nlohmann::json& 
 
 }  // namespace
 
-void read_camera_targets(const JsonDocument& document, Scene& scene) {
-    if (!document.root().contains("camera_targets")) {
-        if (scene.instruments.empty())
-            document.fail("/instruments",
-                          QT_TRANSLATE_NOOP("errors", "a scene needs instruments or targets for the camera"),
-                          QT_TRANSLATE_NOOP("errors", "give at least one instrument, or \"camera_targets\""));
-        return;
-    }
-    scene.camera_targets = read_spec(document, document.root().at("camera_targets"));
+void read_camera_targets(const PartReading& reading, const nlohmann::json& node) {
+    const JsonDocument& document = reading.document;
+    Scene& scene = reading.scene;
+    scene.camera_targets = read_camera_targets_spec(document, node);
     if (scene.tissue_index(scene.camera_targets->tissue) < 0)
         document.fail(
             "/camera_targets",

@@ -6,10 +6,9 @@
 #include <sstream>
 
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/scene_schema.h"
 
 namespace fulcrum {
-
-extern const char* const scene_schema_text;  // assets/schemas/scene.schema.json, embedded by the build
 
 namespace {
 
@@ -76,7 +75,7 @@ CuttingValues cutting_values(const Scene& scene) {
 }
 
 CuttingRange cutting_range(const std::string& key) {
-    static const json schema = json::parse(scene_schema_text);
+    static const json schema = json::parse(scene_schema());
     const json& limits =
         schema.at("definitions").at("tissue").at("properties").at("cutting").at("properties").at(key);
     CuttingRange range;

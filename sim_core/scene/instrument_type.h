@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every kind of instrument: its name in files, its title on screens, what it can do and how large it is where
 // a scene does not say. A new kind is a row here, a drawing (ui/theatre/renderer/tool_parts.cpp) and its name
-// in assets/schemas/scene.schema.json.
+// in assets/schemas/scene/common.json.
 #pragma once
 
 #include "sim_core/numerics/name_table.h"

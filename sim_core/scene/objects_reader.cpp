@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/scene/objects_reader.h"
 
 #include <algorithm>
 
 #include "sim_core/numerics/functions.h"
 #include "sim_core/scene/json_names.h"
+#include "sim_core/scene/part_reading.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
+
+namespace {
 
 ObjectsSpec read_objects_spec(const JsonDocument& document, const nlohmann::json& node) {
     using scene_json::copy;
@@ -55,6 +57,23 @@ ObjectsSpec read_objects_spec(const JsonDocument& document, const nlohmann::json
                               "give a larger tray, a gap of at least twice the spacing, or fewer rings"));
     }
     return objects;
+}
+
+}  // namespace
+
+void read_objects(const PartReading& reading, const nlohmann::json& node) {
+    const ObjectsSpec objects = read_objects_spec(reading.document, node);
+    for (const std::string& label : {objects.tissue, objects.tray_tissue})
+        reading.check_tissue("/objects", label);
+    if (reading.scene.bowel || reading.scene.cavity || reading.scene.targets || reading.scene.sheet ||
+        reading.scene.bands || reading.scene.presacral) {
+        reading.document.fail(
+            "/objects",
+            QT_TRANSLATE_NOOP("errors",
+                              "objects on a tray cannot be combined with tissue, cavity or targets"),
+            QT_TRANSLATE_NOOP("errors", "remove those parts or \"objects\""));
+    }
+    reading.scene.objects = objects;
 }
 
 }  // namespace fulcrum

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/scene/septa_reader.h"
-
+#include "sim_core/scene/part_reading.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
@@ -10,8 +9,6 @@ using nlohmann::json;
 
 using scene_json::copy;
 using scene_json::copy_degrees;
-
-}  // namespace
 
 PresacralSpec read_presacral_spec(const JsonDocument& document, const json& node, double length) {
     PresacralSpec presacral;
@@ -94,6 +91,48 @@ SeptaSpec read_septa_spec(const JsonDocument& document, const json& node, const 
                           "errors", "give fewer or closer septa, another first angle or a longer rectum"));
     }
     return septa;
+}
+
+}  // namespace
+
+void read_presacral(const PartReading& reading, const json& node) {
+    const Scene& scene = reading.scene;
+    if (!scene.bowel)
+        reading.document.fail("/presacral", QT_TRANSLATE_NOOP("errors", "a presacral wall needs a rectum"),
+                              QT_TRANSLATE_NOOP("errors", "add a bowel of layout \"rectum\""));
+    const PresacralSpec presacral = read_presacral_spec(reading.document, node, scene.bowel->length);
+    reading.check_tissue("/presacral", presacral.tissue);
+    if (scene.bowel->layout != BowelLayout::rectum) {
+        reading.document.fail(
+            "/presacral", QT_TRANSLATE_NOOP("errors", "a rectum and a presacral wall need each other"),
+            QT_TRANSLATE_NOOP(
+                "errors", "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither"));
+    }
+    if (scene.cavity || scene.tethers || !scene.membranes.empty() || scene.targets) {
+        reading.document.fail(
+            "/presacral",
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "a scene with a presacral wall cannot have a cavity, tethers, membranes or targets"),
+            QT_TRANSLATE_NOOP("errors", "remove cavity, tethers, membranes and targets"));
+    }
+    reading.scene.presacral = presacral;
+}
+
+void read_septa(const PartReading& reading, const json& node) {
+    const Scene& scene = reading.scene;
+    if (!scene.presacral || scene.sheet) {
+        reading.document.fail(
+            "/septa",
+            QT_TRANSLATE_NOOP("errors", "septa need a rectum and a presacral wall, and exclude a sheet"),
+            QT_TRANSLATE_NOOP("errors",
+                              "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\""));
+    }
+    const SeptaSpec septa = read_septa_spec(reading.document, node, *scene.presacral, scene.bowel->length,
+                                            scene.bowel->outer_radius);
+    reading.check_tissue("/septa", septa.tissue);
+    reading.check_tissue("/septa", septa.fat_tissue);
+    reading.scene.septa = septa;
 }
 
 }  // namespace fulcrum

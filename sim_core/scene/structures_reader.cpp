@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/scene/structures_reader.h"
-
 #include "sim_core/scene/field_json.h"
+#include "sim_core/scene/part_reading.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
+
+namespace {
 
 using scene_json::copy;
 
@@ -37,6 +38,26 @@ StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann
                       QT_TRANSLATE_NOOP("errors", "give at most half of \"vein_lateral\""));
     }
     return structures;
+}
+
+}  // namespace
+
+void read_structures(const PartReading& reading, const nlohmann::json& node) {
+    const StructuresSpec structures = read_structures_spec(reading.document, node);
+    for (const std::string& label :
+         {structures.bed_tissue, structures.nerve_tissue, structures.vessel_tissue}) {
+        reading.check_tissue("/structures", label);
+    }
+    if (!reading.scene.presacral) {
+        reading.document.fail("/structures", QT_TRANSLATE_NOOP("errors", "structures need a presacral wall"),
+                              QT_TRANSLATE_NOOP("errors", "add \"presacral\" or remove \"structures\""));
+    }
+    if (reading.scene.bands) {
+        reading.document.fail("/structures",
+                              QT_TRANSLATE_NOOP("errors", "bands and structures cannot be combined"),
+                              QT_TRANSLATE_NOOP("errors", "remove \"bands\" or \"structures\""));
+    }
+    reading.scene.structures = structures;
 }
 
 }  // namespace fulcrum

@@ -3,26 +3,22 @@
 
 #include "sim_core/world/couplings/membranes_on_bowel.h"
 #include "sim_core/world/couplings/septa_on_rectum.h"
-#include "sim_core/world/parts/bands/bands_part.h"
-#include "sim_core/world/parts/bowel/bowel_part.h"
-#include "sim_core/world/parts/camera_targets/camera_targets_part.h"
-#include "sim_core/world/parts/membranes/membranes_part.h"
-#include "sim_core/world/parts/objects/objects_part.h"
-#include "sim_core/world/parts/sheet/sheet_part.h"
-#include "sim_core/world/parts/structures/structures_part.h"
-#include "sim_core/world/parts/targets/targets_part.h"
-#include "sim_core/world/parts/wall/wall_part.h"
 
 namespace fulcrum {
+// Each builds its part where the scene lists it, else returns null. `parts` are those before it.
+#define WORLD_PART(name, view) PART_WITHOUT_VIEW(name)
+#define PART_WITHOUT_VIEW(name) \
+    std::unique_ptr<Part> build_##name##_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
+#include "sim_core/world/part/world_parts.inc"
+
 namespace {
 
-/// Builds the part where the scene lists it, else returns null. `parts` are those before it.
 using PartBuilder = std::unique_ptr<Part> (*)(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 constexpr PartBuilder part_builders[] = {
-    build_targets,         build_wall,         build_bowel_part,
-    build_membranes_part,  build_sheet_part,   build_bands_part,
-    build_structures_part, build_objects_part, build_camera_targets,
+#define WORLD_PART(name, view) PART_WITHOUT_VIEW(name)
+#define PART_WITHOUT_VIEW(name) build_##name##_part,
+#include "sim_core/world/part/world_parts.inc"
 };
 
 /// Builds the coupling where both its ends are there, else returns null.

@@ -56,8 +56,8 @@ TEST(Layers, EveryFileStatesItsLicence) {
                                                         {"ui", "GPL-3.0-or-later"},
                                                         {"app", "GPL-3.0-or-later"}};
     for (const auto& [folder, expected] : licence) {
-        for (const auto& path :
-             files_below(folder, {".h", ".cpp", ".sql", ".qrc", ".txt", ".vert", ".frag"})) {
+        for (const auto& path : files_below(
+                 folder, {".h", ".cpp", ".inc", ".cmake", ".sql", ".qrc", ".txt", ".vert", ".frag"})) {
             const std::string head = read(path).substr(0, 400);
             EXPECT_NE(head.find("SPDX-License-Identifier: " + expected), std::string::npos) << path;
         }

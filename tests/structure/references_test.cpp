@@ -12,6 +12,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
 using test::expect_generated;
+using test::expect_generated_file;
 using test::in_cell;
 using test::text_of;
 
@@ -124,8 +126,45 @@ std::vector<fs::path> json_files(const std::string& folder) {
     return found;
 }
 
+/// The parts of scenes, in order: the name of each and the structure that it is read into.
+std::vector<std::pair<std::string, std::string>> scene_parts() {
+    static const std::regex line(R"(SCENE_PART\(std::(?:optional|vector)<(\w+)>, (\w+)\))");
+    const std::string text = text_of("sim_core/scene/scene_parts.inc");
+    std::vector<std::pair<std::string, std::string>> parts;
+    for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
+        parts.emplace_back((*it)[2].str(), (*it)[1].str());
+    return parts;
+}
+
+/// What sim_core/scene/scene_schema.cpp puts together, with keys in their order.
+json scene_schema_of_parts() {
+    const json common = json::parse(text_of("assets/schemas/scene/common.json"));
+    json schema = common;
+    schema["$comment"] = "SPDX-License-Identifier: Apache-2.0";
+    json& properties = schema["properties"] = json::object();
+    for (const auto& [key, node] : common["properties"].items()) {
+        if (key == "fidelity") {
+            for (const auto& part : scene_parts()) {
+                properties[part.first] = json::parse(text_of("assets/schemas/scene/" + part.first + ".json"));
+                properties[part.first].erase("$comment");
+            }
+        }
+        properties[key] = node;
+    }
+    return schema;
+}
+
+TEST(References, TheSchemaOfScenesIsPutTogetherFromItsParts) {
+    ASSERT_GE(scene_parts().size(), 12U);
+    std::set<std::string> files, parts = {"common"};
+    for (const fs::path& path : json_files("assets/schemas/scene")) files.insert(path.stem().string());
+    for (const auto& part : scene_parts()) parts.insert(part.first);
+    EXPECT_EQ(files, parts) << "a file for each line of sim_core/scene/scene_parts.inc";
+    expect_generated_file("assets/schemas/scene.schema.json", scene_schema_of_parts().dump(1) + "\n");
+}
+
 TEST(References, ScenesAreThoseOfTheSchema) {
-    const json schema = json::parse(text_of("assets/schemas/scene.schema.json"));
+    const json schema = scene_schema_of_parts();
     std::string text = "## The scenes in `assets/scenes`\n\n| file | parts |\n| --- | --- |\n";
     for (const fs::path& path : json_files("assets/scenes")) {
         std::string parts;
@@ -252,28 +291,20 @@ bool same_value(const json& fallback, const std::string& initial, bool degrees) 
 
 /// Objects of the scene's schema and the structures that they are read into.
 const std::map<std::string, std::string>& structure_of() {
-    static const std::map<std::string, std::string> table = {{"scene", "Scene"},
-                                                             {"camera", "CameraSpec"},
-                                                             {"targets", "TargetFieldSpec"},
-                                                             {"objects", "ObjectsSpec"},
-                                                             {"camera_targets", "CameraTargetsSpec"},
-                                                             {"cavity", "CavitySpec"},
-                                                             {"bowel", "BowelSpec"},
-                                                             {"bowel.nodule", "NoduleSpec"},
-                                                             {"tethers", "TetherSpec"},
-                                                             {"membranes", "MembraneSpec"},
-                                                             {"sheet", "SheetSpec"},
-                                                             {"sheet.fibres", "FibreSpec"},
-                                                             {"septa.fibres", "FibreSpec"},
-                                                             {"presacral", "PresacralSpec"},
-                                                             {"septa", "SeptaSpec"},
-                                                             {"bands", "BandsSpec"},
-                                                             {"structures", "StructuresSpec"},
-                                                             {"fidelity", "Fidelity"},
-                                                             {"tissue", "TissueSpec"},
-                                                             {"tissue.cutting", "CuttingSpec"},
-                                                             {"trocar", "TrocarSpec"},
-                                                             {"instrument", "InstrumentSpec"}};
+    static const auto table = [] {
+        std::map<std::string, std::string> all = {{"scene", "Scene"},
+                                                  {"camera", "CameraSpec"},
+                                                  {"bowel.nodule", "NoduleSpec"},
+                                                  {"sheet.fibres", "FibreSpec"},
+                                                  {"septa.fibres", "FibreSpec"},
+                                                  {"fidelity", "Fidelity"},
+                                                  {"tissue", "TissueSpec"},
+                                                  {"tissue.cutting", "CuttingSpec"},
+                                                  {"trocar", "TrocarSpec"},
+                                                  {"instrument", "InstrumentSpec"}};
+        for (const auto& part : scene_parts()) all.insert(part);
+        return all;
+    }();
     return table;
 }
 
@@ -302,7 +333,7 @@ void check_defaults(const json& object, const std::string& title,
 }
 
 TEST(References, DefaultsOfTheSceneSchemaAreThoseOfTheCode) {
-    const json schema = json::parse(text_of("assets/schemas/scene.schema.json"));
+    const json schema = scene_schema_of_parts();
     const auto structs = structs_of_headers();
     int checked = 0;
     check_defaults(schema, "scene", structs, checked);

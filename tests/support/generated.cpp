@@ -45,4 +45,14 @@ void expect_generated(const std::string& document, const std::string& part, cons
         << " differs from what its source generates; run this test with FULCRUM_WRITE_REFERENCES=1";
 }
 
+void expect_generated_file(const std::string& relative, const std::string& generated) {
+    if (std::getenv("FULCRUM_WRITE_REFERENCES") != nullptr) {
+        std::ofstream(source_path(relative), std::ios::binary | std::ios::trunc) << generated;
+        return;
+    }
+    EXPECT_TRUE(text_of(relative) == generated)
+        << relative
+        << " differs from what its source generates; run this test with FULCRUM_WRITE_REFERENCES=1";
+}
+
 }  // namespace fulcrum::test

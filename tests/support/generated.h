@@ -17,4 +17,7 @@ std::string in_cell(const std::string& text);
 /// written by hand and kept.
 void expect_generated(const std::string& document, const std::string& part, const std::string& generated);
 
+/// A file of the repository that is generated as a whole; written in the same way.
+void expect_generated_file(const std::string& relative, const std::string& generated);
+
 }  // namespace fulcrum::test

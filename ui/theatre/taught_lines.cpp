@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "sim_core/devices/device_table.h"
 #include "ui/theatre/help_lines.h"
 
 namespace fulcrum::ui {
@@ -200,19 +201,41 @@ constexpr TaughtRow taught_rows[] = {
      {"", "", "", ""},
      QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Clutch button of the joystick")}};
 
-const TaughtRow* row_of_kind(const std::string& kind) {
-    for (const TaughtRow& row : taught_rows)
-        if (kind == row.kind) return &row;
-    return nullptr;
-}
+/// A device of the daemon that has no row of its own; {device} is its title.
+constexpr TaughtRow general_row = {
+    "",
+    {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                       "{device}\tits handle is that of its hand; the tip goes the other way"),
+     "", QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Handle away from you, towards you\tin, out"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Turn the handle, or {turn}\tturns the shaft"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                       "Jaws of the handle, or {each_jaws}\tcloses the jaws · the keys: they stay closed, or "
+                       "open again"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Pedal of the device, or {pedal}\tpedal (energy, suction)"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{exchange} on the keyboard\tnext instrument")},
+    QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{device}\tscope: look · in, out"),
+    {QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                       "{device}\tits handle is that of the scope; the lens goes the other way"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "Handle away from you, towards you\tin, out"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines",
+                       "Turn the handle\tturns the light post: the direction in which the scope looks"),
+     QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{head}\tturns the camera head: the image alone")}};
 
-/// A device that nobody described is used as mouse and keyboard are.
+/// Its own, or one that holds for every device.
 const TaughtRow& row_for(const std::string& kind) {
-    const TaughtRow* const row = row_of_kind(kind);
-    return row != nullptr ? *row : taught_rows[0];
+    for (const TaughtRow& row : taught_rows)
+        if (kind == row.kind) return row;
+    return general_row;
 }
 
-QString words(const char* line, const KeyMap& keys) {
+QString title_of_kind(const std::string& kind) {
+    const DeviceRow* const row = find_row(device_table, kind);
+    if (row == nullptr) return QString::fromStdString(kind);
+    const QString title = QCoreApplication::translate("fulcrum::device_list", row->title);
+    return title != QLatin1String(row->title) ? title : QCoreApplication::translate("errors", row->title);
+}
+
+QString words(const char* line, const KeyMap& keys, const std::string& kind) {
     using K = KeyAction;
     struct Place {
         const char* name;
@@ -233,6 +256,7 @@ QString words(const char* line, const KeyMap& keys) {
         {"{in}", keys.words({K::scope_in, K::scope_out})},
         {"{post}", keys.words({K::post_back, K::post})},
         {"{head}", keys.words({K::head, K::head_back})},
+        {"{device}", title_of_kind(kind)},
     };
     // What is put in may have a brace of its own: a key has that name.
     const QString from = QCoreApplication::translate("fulcrum::taught_lines", line);
@@ -305,10 +329,6 @@ QString clutch_line(const TaughtRow& row, const TaughtHands& hands) {
 
 }  // namespace
 
-bool has_taught_lines(const std::string& kind) {
-    return row_of_kind(kind) != nullptr;
-}
-
 HandDeeds needed_deeds(const Scene& scene, const TaughtHands& hands) {
     HandDeeds needed = needed_deeds(scene, is_one_mouse(scene, hands));
     needed.set(bit_of(HandDeed::clutched), hands.clutch != ClutchButton::none);
@@ -330,7 +350,7 @@ std::vector<TaughtLine> taught_lines(const Scene& scene, const TaughtHands& hand
     if (scene.instruments.empty()) {
         const HandDeed deeds[] = {HandDeed::scope_moved, HandDeed::inserted, HandDeed::post_turned,
                                   HandDeed::head_turned};
-        for (int i = 0; i < 4; ++i) add(deeds[i], words(scope.alone[i], keys));
+        for (int i = 0; i < 4; ++i) add(deeds[i], words(scope.alone[i], keys, hands.kind));
         add(HandDeed::clutched, clutch_line(scope, hands));
         return lines;
     }
@@ -340,10 +360,10 @@ std::vector<TaughtLine> taught_lines(const Scene& scene, const TaughtHands& hand
         const bool mouse = deed == HandDeed::other_hand && *row.instrument[i] == '\0';
         const bool pedal = deed == HandDeed::pedal && &row != &taught_rows[0];
         add(deed, mouse ? mouse_for_the_other(hands)
-                        : words(pedal ? pedal_line(row, hands) : row.instrument[i], keys));
+                        : words(pedal ? pedal_line(row, hands) : row.instrument[i], keys, hands.kind));
     }
     add(HandDeed::clutched, clutch_line(driven_hands(scene, hands) > 0 ? row : scope, hands));
-    add(HandDeed::scope_moved, words(scope.scope, keys));
+    add(HandDeed::scope_moved, words(scope.scope, keys, hands.kind));
     return lines;
 }
 
@@ -359,12 +379,12 @@ QStringList device_help(const Scene& scene, const TaughtHands& hands, const KeyM
         help << words(
                     QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                                       "{each_jaws}\tjaws of the left, right hand stay closed, or open again"),
-                    keys)
+                    keys, hands.kind)
              << words(QT_TRANSLATE_NOOP("fulcrum::taught_lines", "{turn}\tturns the shaft: left, right hand"),
-                      keys)
+                      keys, hands.kind)
              << words(QT_TRANSLATE_NOOP("fulcrum::taught_lines",
                                         "{pedal} · {exchange}\tpedal · next instrument, with every device"),
-                      keys);
+                      keys, hands.kind);
     }
     if (scene.camera) help += scope_lines(keys);
     help << sound_line(keys) << pause_line();

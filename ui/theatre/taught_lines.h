@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How each thing that the hands do is done with each kind of device: the lines of the first steps and, for a
-// device with handles of its own, of the help.
+// How each thing that the hands do is done with each kind of device (with one that has no lines of its own,
+// in general words): the lines of the first steps and, for a device with handles of its own, of the help.
 #pragma once
 
 #include <QStringList>
@@ -27,8 +27,6 @@ struct TaughtLine {
     QString line;  ///< what to do, a tab, what it does
 };
 
-/// Of the kinds that the table of lines has.
-bool has_taught_lines(const std::string& kind);
 /// One mouse, or a device for one of two hands: a hand is moved after the other.
 bool is_one_mouse(const Scene& scene, const TaughtHands& hands);
 /// What the scene needs, and the clutch of a device that has one.

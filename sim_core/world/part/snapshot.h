@@ -11,14 +11,7 @@
 #include "sim_core/numerics/types.h"
 #include "sim_core/rigid/target_sphere.h"
 #include "sim_core/telemetry/event.h"
-#include "sim_core/world/part/bands_view.h"
-#include "sim_core/world/part/bowel_view.h"
-#include "sim_core/world/part/camera_targets_view.h"
-#include "sim_core/world/part/field_view.h"
-#include "sim_core/world/part/membrane_view.h"
-#include "sim_core/world/part/objects_view.h"
-#include "sim_core/world/part/sheet_view.h"
-#include "sim_core/world/part/structures_view.h"
+#include "sim_core/world/part/all_views.h"  // made by the build: every *_view.h of this folder
 
 namespace fulcrum {
 
@@ -49,23 +42,21 @@ struct WorldSnapshot {
     Vector3 lift[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     CameraPose camera;
     GraspState grasps[hand_count];
-    std::vector<TargetSphere> targets;
-    BowelView bowel;                      ///< Scene::bowel; empty without
-    std::vector<MembraneView> membranes;  ///< Scene::membranes; empty without
-    SheetView sheet;                      ///< Scene::sheet; empty without
     std::vector<Event> events;  ///< what this step did to tissue, for the monitor to pass on; fixed capacity,
                                 ///< event_count valid
     std::int32_t event_count = 0;
-    std::vector<FieldView> field;      ///< one with Scene::bands or Scene::structures; empty without
-    BandsView bands;                   ///< Scene::bands; empty without
-    StructuresView structures;         ///< Scene::structures; empty without
-    ObjectsView objects;               ///< Scene::objects; empty without
-    CameraTargetsView camera_targets;  ///< Scene::camera_targets; empty without
+    std::vector<FieldView> field;  ///< one with Scene::bands or Scene::structures; empty without
+    // The view of each part.
+#define WORLD_PART(name, view) view name;
+#define PART_WITHOUT_VIEW(name)
+#include "sim_core/world/part/world_parts.inc"
 
     template <typename Visit>
     void fields(Visit&& visit) {
-        visit(step, tick, outcome, tools, camera, grasps, targets, bowel, membranes, sheet, events,
-              event_count, field, bands, structures, objects, camera_targets);
+        visit(step, tick, outcome, tools, camera, grasps, events, event_count, field);
+#define WORLD_PART(name, view) visit(name);
+#define PART_WITHOUT_VIEW(name)
+#include "sim_core/world/part/world_parts.inc"
     }
 };
 

@@ -11,6 +11,7 @@
 #include "app/lab/fidelity_page.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/random.h"
+#include "sim_core/world/physics_version.h"
 #include "tests/app/program_path.h"
 #include "tests/support/own_folder.h"
 
@@ -223,9 +224,25 @@ TEST_F(FidelityCommand, MeasuresTwoTasksAndFindsAShiftThatIsPutIn) {
     EXPECT_NE(text_of("shifted/fidelity_score.md").find("- A2: **standard** is enough."), std::string::npos);
 }
 
-TEST_F(FidelityCommand, GivesTheSameAttemptsEveryTime) {
-    for (const char* name : {"one", "two"})
-        expect_success({"--seeds", "2", "--tasks", "A2", "--output", name});
+// A new task is measured alone.
+TEST_F(FidelityCommand, GivesTheSameAttemptsEveryTimeAndKeepsTheCostsOfOtherTasks) {
+    FidelityCosts before;
+    before.physics = physics_version;
+    before.tasks["B9"] = {"fast", {{"fast", 41.5, "f_max", "left", -14.25, 3, 60}}};
+    std::ofstream(folder_ / "cost.json") << fidelity_costs_to_json(before).dump();
+    for (const char* name : {"one", "two"}) {
+        expect_success({"--seeds", "2", "--tasks", "A2", "--output", name, "--data", "cost.json"});
+        const FidelityCosts costs = parse_fidelity_costs(text_of("cost.json"), "cost.json");
+        ASSERT_EQ(costs.tasks.size(), 2U);
+        EXPECT_EQ(costs.tasks.at("B9").cheapest, "fast");
+        EXPECT_EQ(costs.tasks.at("A2").levels.size(), 3U);
+    }
+    before.physics = physics_version + 1;
+    std::ofstream(folder_ / "cost.json") << fidelity_costs_to_json(before).dump();
+    expect_success({"--seeds", "2", "--tasks", "A1", "--output", "other", "--data", "cost.json"});
+    const FidelityCosts costs = parse_fidelity_costs(text_of("cost.json"), "cost.json");
+    EXPECT_EQ(costs.physics, physics_version);
+    EXPECT_EQ(costs.tasks.count("B9") + costs.tasks.size(), 1U) << "of another physics";
     nlohmann::json one = json_of("one/fidelity_score.json"), two = json_of("two/fidelity_score.json");
     for (nlohmann::json* record : {&one, &two})
         for (nlohmann::json& attempt : (*record)["attempts"]) attempt.erase("processor_s");

@@ -1,42 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
-// State hashes of one expert attempt on every task of assets/tasks; a task without a value here fails. A
-// change of structure must not change them. After a deliberate change of physics, of a scene or of an
-// operator, write the new value in the same commit and give the reason; after one of physics, raise
-// physics_version as well.
+// The state hash of one expert attempt on every task of assets/tasks, held against golden/TASK.json here. A
+// change of structure must not change it. The files are written, never edited: a task without one fails until
+// FULCRUM_WRITE_GOLDEN=new has written it; after a deliberate change of physics, of a scene or of an
+// operator, FULCRUM_WRITE_GOLDEN=changed writes the new ones in the same commit, with the reason, and after
+// one of physics physics_version is raised as well.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <iomanip>
-#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
+#include "sim_core/scene/json_document.h"
 #include "sim_core/world/physics_version.h"
 #include "tests/assessment/attempt/expert_record.h"
 
 namespace fulcrum {
 namespace {
 
-const std::map<std::string, std::string> golden = {{"A1", "b54d11a511c0bd9f"}, {"A2", "116eac90bab280e8"},
-                                                   {"A3", "76a7a131cef974b2"}, {"B0", "dc9f0a8affa9f7b3"},
-                                                   {"B1", "320a99d03f8803f2"}, {"B2", "52ddf1b63b70e891"},
-                                                   {"B3", "8757db99a19e94ab"}, {"C4", "70d3a8d489bc669c"}};
+std::string golden_folder() {
+    return test::source_path("tests/assessment/attempt/golden");
+}
 
-static_assert(physics_version == 4, "the table belongs to one version of physics: change both or neither");
+struct GoldenHash {
+    int physics = 0;
+    std::string state_hash;
+};
 
-void expect_golden(const std::string& id) {
-    std::ostringstream hash;
-    hash << std::hex << std::setw(16) << std::setfill('0') << test::expert_record(id).outcome.state_hash;
-    const auto found = golden.find(id);
-    EXPECT_EQ(hash.str(), found == golden.end() ? "no value in the table" : found->second) << id;
+GoldenHash golden_hash(const std::string& path) {
+    const auto file = nlohmann::json::parse(read_text_file(path, 1U << 16U));
+    return {file.at("physics").get<int>(), file.at("state_hash").get<std::string>()};
+}
+
+void write_golden_hash(const std::string& path, const std::string& hash) {
+    const nlohmann::json file = {{"$comment", "SPDX-License-Identifier: Apache-2.0"},
+                                 {"physics", physics_version},
+                                 {"state_hash", hash}};
+    std::ofstream(path) << file.dump(1) << '\n';
 }
 
 class GoldenHashes : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(GoldenHashes, AreThoseOfTheTable) {
-    expect_golden(GetParam());
+TEST_P(GoldenHashes, AreThoseOfTheFiles) {
+    std::ostringstream hash;
+    hash << std::hex << std::setw(16) << std::setfill('0')
+         << test::expert_record(GetParam()).outcome.state_hash;
+    const std::string path = golden_folder() + "/" + GetParam() + ".json";
+    const char* const write = std::getenv("FULCRUM_WRITE_GOLDEN");
+    const std::string wanted = write != nullptr ? write : "";
+    if (wanted == "changed" || (wanted == "new" && !std::filesystem::exists(path)))
+        write_golden_hash(path, hash.str());
+    ASSERT_TRUE(std::filesystem::exists(path)) << "no hash of this task: FULCRUM_WRITE_GOLDEN=new "
+                                                  "test_assessment --gtest_filter=Tasks/GoldenHashes.*";
+    const GoldenHash golden = golden_hash(path);
+    EXPECT_EQ(hash.str(), golden.state_hash);
+    EXPECT_EQ(golden.physics, physics_version) << "a hash belongs to one version of physics";
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, GoldenHashes, ::testing::ValuesIn(test::task_ids()),
                          [](const auto& instance) { return instance.param; });
+
+TEST(GoldenFiles, AreOfTasksThatExist) {
+    const std::vector<std::string> ids = test::task_ids();
+    std::set<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(golden_folder()))
+        found.insert(entry.path().stem().string());
+    for (const std::string& id : ids) found.erase(id);
+    EXPECT_TRUE(found.empty()) << "remove golden/" << *found.begin() << ".json";
+    EXPECT_GE(ids.size(), 8U);
+}
 
 }  // namespace
 }  // namespace fulcrum

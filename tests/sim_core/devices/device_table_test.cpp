@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -85,8 +86,17 @@ TEST(DeviceTable, TheRulesFileThatIsInstalledHasTheLinesOfEveryDevice) {
     std::set<std::string> installed, wanted;
     for (std::string line; std::getline(file, line);)
         if (!line.empty() && line[0] != '#') installed.insert(line);
-    for (const DeviceRow& row : device_table)
-        for (const std::string& rule : udev_rules_of(row)) wanted.insert(rule);
+    for (const DeviceRow& row : device_table) {
+        std::string added;
+        for (const std::string& rule : udev_rules_of(row)) {
+            if (wanted.insert(rule).second && installed.count(rule) == 0) added += rule + "\n";
+        }
+        if (added.empty() || std::getenv("FULCRUM_WRITE_REFERENCES") == nullptr) continue;
+        std::ofstream(test::source_path("assets/udev/70-fulcrum.rules"), std::ios::app)
+            << "\n# " << row.title << "\n"
+            << added;
+        ADD_FAILURE() << "added the lines of " << row.title << ": run the test again";
+    }
     EXPECT_EQ(installed, wanted);
     for (const char* kind : {"controller", "touch", "force-dimension", "space-mouse", "trainer", "joystick"})
         EXPECT_FALSE(udev_rules_of(*device_row(kind)).empty()) << kind;

@@ -6,6 +6,7 @@
 
 #include "sim_core/scene/fidelity.h"
 #include "sim_core/scene/json_names.h"
+#include "sim_core/scene/scene_schema.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -26,8 +27,7 @@ std::vector<std::string> sorted(std::vector<std::string> list) {
 }
 
 TEST(Names, TheSchemaAllowsExactlyWhatTheTablesHold) {
-    const json schema =
-        json::parse(read_text_file(test::source_path("assets/schemas/scene.schema.json"), 1U << 20U));
+    const json schema = json::parse(scene_schema());
     const json& instrument = schema.at("definitions").at("instrument").at("properties");
     EXPECT_EQ(sorted(instrument.at("kind").at("enum").get<std::vector<std::string>>()),
               sorted(names(instrument_types)));
@@ -42,6 +42,14 @@ TEST(Names, TheSchemaAllowsExactlyWhatTheTablesHold) {
     EXPECT_EQ(allowed("tool_contact"), names(tool_contact_levels));
     EXPECT_EQ(allowed("membrane"), names(membrane_integrators));
     EXPECT_EQ(allowed("filter"), names(filter_levels));
+}
+
+TEST(SceneSchema, IsTheOneOfTheFile) {
+    json used = json::parse(scene_schema());
+    json file = json::parse(read_text_file(test::source_path("assets/schemas/scene.schema.json"), 1U << 20U));
+    for (json* schema : {&used, &file}) schema->erase("$comment");
+    EXPECT_EQ(used, file) << "write it again: FULCRUM_WRITE_REFERENCES=1 test_structure";
+    EXPECT_GT(used.at("properties").at("objects").at("properties").size(), 10U);
 }
 
 // Past the schema no word becomes something else either.

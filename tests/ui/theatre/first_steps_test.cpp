@@ -42,7 +42,6 @@ TEST(TaughtLines, EveryKindOfDeviceHasItsOwnForAllThatASceneNeedsInBothLanguages
         use_language(language);
         std::set<QString> first;
         for (const DeviceRow& row : device_table) {
-            ASSERT_TRUE(has_taught_lines(row.name)) << row.name;
             const TaughtHands hands = all_parts_of(row);
             for (const char* name : taught_scenes) {
                 const Scene scene = taught_scene(name);
@@ -62,6 +61,25 @@ TEST(TaughtLines, EveryKindOfDeviceHasItsOwnForAllThatASceneNeedsInBothLanguages
             }
         }
         EXPECT_EQ(first.size(), std::size(device_table)) << "each says what to hold";
+    }
+    use_language(Language::english);
+}
+
+// What a device without lines of its own shows.
+TEST(TaughtLines, AreGeneralForANewDeviceAndNameIt) {
+    const Scene c4 = taught_scene("c4_posterior"), a1 = taught_scene("a1_camera");
+    for (const Language language : {Language::english, Language::german}) {
+        use_language(language);
+        const TaughtHands hands{"new-device", {true, true, true}};
+        EXPECT_TRUE(lines_of(c4, hands).first().startsWith("new-device\t"));
+        EXPECT_TRUE(lines_of(a1, hands).first().startsWith("new-device\t"));
+        EXPECT_EQ(lines_of(c4, hands).filter("new-device").size(), 2) << "instrument and scope";
+        for (const QString& line : lines_of(c4, hands) + lines_of(a1, hands)) {
+            EXPECT_FALSE(line.contains('{')) << line.toStdString();
+            EXPECT_FALSE(language == Language::german && line.contains(" the ")) << line.toStdString();
+            EXPECT_LE(line.section('\t', 0, 0).size(), 48) << line.toStdString();
+            EXPECT_LE(line.section('\t', 1).size(), 84) << line.toStdString();
+        }
     }
     use_language(Language::english);
 }

@@ -10798,6 +10798,30 @@
         <source>clutch: while held, only the handle moves</source>
         <translation>Kupplung: solange gehalten, bewegt sich nur der Griff</translation>
     </message>
+    <message>
+        <source>{device}	its handle is that of its hand; the tip goes the other way</source>
+        <translation>{device}	sein Griff ist der seiner Hand; die Spitze geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Jaws of the handle, or {each_jaws}	closes the jaws · the keys: they stay closed, or open again</source>
+        <translation>Maul am Griff, oder {each_jaws}	schließt das Maul · Tasten: es bleibt zu oder öffnet wieder</translation>
+    </message>
+    <message>
+        <source>Pedal of the device, or {pedal}	pedal (energy, suction)</source>
+        <translation>Pedal des Geräts, oder {pedal}	Pedal (Energie, Sauger)</translation>
+    </message>
+    <message>
+        <source>{device}	scope: look · in, out</source>
+        <translation>{device}	Optik: sehen · hinein, heraus</translation>
+    </message>
+    <message>
+        <source>{device}	its handle is that of the scope; the lens goes the other way</source>
+        <translation>{device}	sein Griff ist der der Optik; die Linse geht in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>Turn the handle	turns the light post: the direction in which the scope looks</source>
+        <translation>Griff drehen	dreht den Lichtanschluss: die Blickrichtung der Optik</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::tissues</name>

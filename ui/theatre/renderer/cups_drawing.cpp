@@ -13,7 +13,7 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-void add_cups(const CameraTargetsView& view, SceneFrame& frame) {
+void CupsDrawing::add(const CameraTargetsView& view, SceneFrame& frame) const {
     if (view.targets.empty()) return;
     // Staves that overlap close the wall; the wall's middle is between its inner and outer side.
     const double radius = view.cup_radius + 0.5 * view.wall;

@@ -7,7 +7,10 @@
 
 namespace fulcrum::ui {
 
-/// Adds the cups to a frame: a wall of staves with a rim, open towards the lens that is to look in.
-void add_cups(const CameraTargetsView& view, SceneFrame& frame);
+class CupsDrawing {
+  public:
+    /// Adds the cups to a frame: a wall of staves with a rim, open towards the lens that is to look in.
+    void add(const CameraTargetsView& view, SceneFrame& frame) const;
+};
 
 }  // namespace fulcrum::ui

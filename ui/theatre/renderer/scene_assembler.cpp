@@ -6,14 +6,8 @@
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/bowel/display_skin.h"
 #include "sim_core/instrument/proxy_pose.h"
-#include "ui/theatre/renderer/bands_drawing.h"
-#include "ui/theatre/renderer/bowel_cut_drawing.h"
-#include "ui/theatre/renderer/cups_drawing.h"
-#include "ui/theatre/renderer/field_drawing.h"
-#include "ui/theatre/renderer/hollow_drawing.h"
-#include "ui/theatre/renderer/objects_drawing.h"
+#include "ui/theatre/renderer/all_drawings.h"  // made by the build: every *_drawing.h of this folder
 #include "ui/theatre/renderer/shared_textures.h"
-#include "ui/theatre/renderer/structures_drawing.h"
 
 namespace fulcrum::ui {
 
@@ -56,6 +50,16 @@ void follow(const std::vector<MembraneView>& membranes, const std::vector<Triang
 
 }  // namespace
 
+/// What draws each part whose picture needs no surface of the scene's own.
+struct PartDrawings {
+#define DRAWING(type, view) type view;
+#include "ui/theatre/renderer/drawings.inc"
+    void add(const WorldSnapshot& snapshot, SceneFrame& frame) {
+#define DRAWING(type, view) view.add(snapshot.view, frame);
+#include "ui/theatre/renderer/drawings.inc"
+    }
+};
+
 struct SceneAssembler::Impl {
     Scene scene;
     std::shared_ptr<const AnatomyTextures> textures;
@@ -68,9 +72,7 @@ struct SceneAssembler::Impl {
     std::unique_ptr<BowelCutDrawing> bowel_cut;  // where its tissue can be cut
     std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
     FieldDrawing field;
-    StructuresDrawing structures;
-    BandsDrawing bands;
-    ObjectsDrawing objects;
+    PartDrawings parts;
     std::unique_ptr<HollowDrawing> hollow;
     SceneFrame frame;
 };
@@ -175,10 +177,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     i.frame.enclosed = false;
     if (i.hollow) i.hollow->add(snapshot, i.frame);
     if (!snapshot.field.empty()) i.field.add(snapshot.field[0], i.frame);
-    i.structures.add(snapshot.structures, i.frame);
-    i.bands.add(snapshot.bands, i.frame);
-    i.objects.add(snapshot.objects, i.frame);
-    add_cups(snapshot.camera_targets, i.frame);
+    i.parts.add(snapshot, i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.bowel_hidden = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;

@@ -73,8 +73,8 @@ void CameraTargetsPart::add_costs(double us, std::vector<PartCost>& costs) const
     costs.push_back({"camera_targets", us, cups_.capacity() * sizeof(CameraTarget)});
 }
 
-std::unique_ptr<Part> build_camera_targets(const Scene& scene, std::uint64_t seed,
-                                           const PartList& /*parts*/) {
+std::unique_ptr<Part> build_camera_targets_part(const Scene& scene, std::uint64_t seed,
+                                                const PartList& /*parts*/) {
     return scene.camera_targets ? std::make_unique<CameraTargetsPart>(scene, seed) : nullptr;
 }
 

@@ -37,6 +37,7 @@ class CameraTargetsPart : public Part {
     StepEvents<2> events_;
 };
 
-std::unique_ptr<Part> build_camera_targets(const Scene& scene, std::uint64_t seed, const PartList& parts);
+std::unique_ptr<Part> build_camera_targets_part(const Scene& scene, std::uint64_t seed,
+                                                const PartList& parts);
 
 }  // namespace fulcrum

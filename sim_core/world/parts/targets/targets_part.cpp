@@ -42,7 +42,7 @@ void TargetsPart::add_costs(double us, std::vector<PartCost>& costs) const {
     costs.push_back({"targets", us, models_.capacity() * sizeof(TargetModel)});
 }
 
-std::unique_ptr<Part> build_targets(const Scene& scene, std::uint64_t seed, const PartList& /*parts*/) {
+std::unique_ptr<Part> build_targets_part(const Scene& scene, std::uint64_t seed, const PartList& /*parts*/) {
     return scene.targets ? std::make_unique<TargetsPart>(scene, seed) : nullptr;
 }
 

@@ -23,6 +23,6 @@ class TargetsPart : public Part {
     std::vector<TargetModel> models_;
 };
 
-std::unique_ptr<Part> build_targets(const Scene& scene, std::uint64_t seed, const PartList& parts);
+std::unique_ptr<Part> build_targets_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 }  // namespace fulcrum

@@ -5,7 +5,7 @@
 
 namespace fulcrum {
 
-std::unique_ptr<Part> build_wall(const Scene& scene, std::uint64_t /*seed*/, const PartList& /*parts*/) {
+std::unique_ptr<Part> build_wall_part(const Scene& scene, std::uint64_t /*seed*/, const PartList& /*parts*/) {
     if (scene.presacral) {
         return std::make_unique<WallPart>(make_presacral_wall(rectum_parameters(scene)), FreeSide::front);
     }

@@ -19,6 +19,6 @@ class WallPart : public Part {
     CavityModel model_;
 };
 
-std::unique_ptr<Part> build_wall(const Scene& scene, std::uint64_t seed, const PartList& parts);
+std::unique_ptr<Part> build_wall_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 }  // namespace fulcrum

@@ -20,7 +20,7 @@ struct BladeFromBelow {
     int begun = 0, ended = 0, reported = 0, fallen = 0;
     double farthest = 0;  ///< m, between a cutting blade and its position in the tissue
 
-    const SheetPart::HandState& hand() const { return part.state().hands[1]; }
+    const SheetHand& hand() const { return part.state().hands[1]; }
     Vector3 on(double x, double off, double up) const {
         const SheetSpec& sheet = *scene.sheet;
         return sheet.centre + (x - 0.5 * sheet.line_length) * sheet.along + off * sheet.across +

@@ -392,7 +392,7 @@ TEST(SeptaEnergy, EnergyOnMesorectalFatIsOffTarget) {
     int on_plane = 0, on_fat = 0;
     const auto watch = [&] {
         const FieldView& field = rig.world.snapshot().field[0];
-        const SheetPart::HandState& hand = rig.hand(1);
+        const SheetHand& hand = rig.hand(1);
         if (!field.tools[1].active || hand.touch != BladeTouch::cutting) return;
         const double height = rig.sheet().rest(hand.place).y();
         if (field.tools[1].target == EnergyTarget::sheet) {

@@ -54,7 +54,7 @@ struct SheetRig {
         }
     }
     const SheetPart& sheet() const { return *world.find<SheetPart>(); }
-    const SheetPart::HandState& hand(int h) const {
+    const SheetHand& hand(int h) const {
         return sheet().state().hands[static_cast<std::size_t>(h)];
     }
 
