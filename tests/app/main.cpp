@@ -9,6 +9,7 @@
 
 #include "tests/app/counters.h"
 #include "tests/database/station_keys.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 
 int main(int argc, char** argv) {
@@ -42,5 +43,6 @@ int main(int argc, char** argv) {
     const QTemporaryDir settings;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
+    fulcrum::ui::use_language(fulcrum::ui::Language::english);  // with its plurals, as the program does
     return RUN_ALL_TESTS();
 }

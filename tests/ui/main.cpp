@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 
 #include "tests/database/station_keys.h"
+#include "ui/language/language.h"
 #include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
 
@@ -18,5 +19,6 @@ int main(int argc, char** argv) {
     const QTemporaryDir settings;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
+    fulcrum::ui::use_language(fulcrum::ui::Language::english);  // with its plurals, as the program does
     return RUN_ALL_TESTS();
 }

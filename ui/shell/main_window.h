@@ -110,7 +110,7 @@ class MainWindow : public QMainWindow {
     QComboBox* role_ = nullptr;
     QPushButton *switch_user_ = nullptr, *theme_ = nullptr, *menu_ = nullptr, *rail_switch_user_ = nullptr;
     QVBoxLayout* rail_layout_ = nullptr;
-    QHBoxLayout* beside_rail_ = nullptr;  ///< rail and pages
+    QHBoxLayout* rail_and_pages_ = nullptr;  ///< rail and pages
     bool narrow_ = false;                 ///< too little room for rail and pages
     std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
     std::map<std::type_index, Page*> pages_;

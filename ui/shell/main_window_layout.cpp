@@ -22,8 +22,8 @@ void MainWindow::build() {
     layout->addWidget(build_banner());
     layout->addWidget(build_top_bar());
     layout->addWidget(build_message());
-    beside_rail_ = new QHBoxLayout;
-    beside_rail_->setSpacing(0);
+    rail_and_pages_ = new QHBoxLayout;
+    rail_and_pages_->setSpacing(0);
     narrow_ = false;
     rail_ = new QFrame;
     rail_->setProperty("role", "rail");
@@ -32,10 +32,10 @@ void MainWindow::build() {
     rail_layout_ = new QVBoxLayout(rail_);
     rail_layout_->setContentsMargins(8, 16, 8, 16);
     rail_layout_->setSpacing(4);
-    beside_rail_->addWidget(rail_);
+    rail_and_pages_->addWidget(rail_);
     stack_ = new QStackedWidget;
-    beside_rail_->addWidget(stack_, 1);
-    layout->addLayout(beside_rail_, 1);
+    rail_and_pages_->addWidget(stack_, 1);
+    layout->addLayout(rail_and_pages_, 1);
 
     layers_ = new QStackedWidget;
     layers_->addWidget(proper);
@@ -102,16 +102,16 @@ void MainWindow::fit_rail() {
     int widest = 0;
     for (const QPushButton* button : rail_->findChildren<QPushButton*>())
         widest = std::max(widest, QFontMetrics(bold).horizontalAdvance(button->text()));
-    constexpr int beside = 2 * (8 + 8);  // margins of the rail and of a button
-    rail_->setFixedWidth(std::max(170, widest + beside + 2));
+    constexpr int margins = 2 * (8 + 8);  // of the rail and of a button
+    rail_->setFixedWidth(std::max(170, widest + margins + 2));
     constexpr double page_needs = 4.7;  // pixels a percent of text size: the widest page
     const bool narrow = width() - rail_->width() < page_needs * text_percent();
     if (narrow != narrow_) {
         narrow_ = narrow;
         if (narrow)
-            beside_rail_->removeWidget(rail_);
+            rail_and_pages_->removeWidget(rail_);
         else
-            beside_rail_->insertWidget(0, rail_);
+            rail_and_pages_->insertWidget(0, rail_);
     }
     show_rail();
 }
