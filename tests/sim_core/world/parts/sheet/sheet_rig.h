@@ -54,9 +54,7 @@ struct SheetRig {
         }
     }
     const SheetPart& sheet() const { return *world.find<SheetPart>(); }
-    const SheetHand& hand(int h) const {
-        return sheet().state().hands[static_cast<std::size_t>(h)];
-    }
+    const SheetHand& hand(int h) const { return sheet().state().hands[static_cast<std::size_t>(h)]; }
 
     void step() {
         for (int i = 0; i < 5; ++i) {
