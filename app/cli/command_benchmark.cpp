@@ -21,8 +21,14 @@ namespace fulcrum::app {
 namespace {
 
 // Of experts many, because the share of their attempts that pass decides k; of novices only the mean counts.
-constexpr int expert_individuals = 32, novice_individuals = 8, counted = 3, familiarisation = 3;
-constexpr std::uint64_t first_seed = 1000;  // seeds 1000-1999 are reserved for benchmarks
+// Of intermediates the share that passes counts, so there are many, with one attempt each.
+struct Group {
+    int individuals = 0, counted = 0;
+    std::uint64_t first_seed = 0;
+};
+constexpr Group groups[] = {{32, 3, 1000}, {40, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
+constexpr int familiarisation = 3;
+// Seeds 1000-1999 are reserved for benchmarks.
 
 struct Job {
     OperatorLevel level = OperatorLevel::expert;
@@ -33,12 +39,13 @@ struct Job {
 /// Runs the counted attempts of all individuals, one thread per core. Operators do not learn, so they need no
 /// familiarisation; the set records 0.
 std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, OperatorLevel level,
-                                            std::uint64_t seed_base, DeviceClass device_class) {
-    const int individuals = level == OperatorLevel::expert ? expert_individuals : novice_individuals;
+                                            DeviceClass device_class) {
+    const Group& group = groups[static_cast<std::size_t>(level)];
     std::vector<Job> jobs;
-    for (int i = 0; i < individuals; ++i) {
-        for (int a = 0; a < counted; ++a)
-            jobs.push_back({level, i, a, seed_base + static_cast<std::uint64_t>(i * counted + a)});
+    for (int i = 0; i < group.individuals; ++i) {
+        for (int a = 0; a < group.counted; ++a)
+            jobs.push_back(
+                {level, i, a, group.first_seed + static_cast<std::uint64_t>(i * group.counted + a)});
     }
     std::vector<BenchmarkAttempt> attempts(jobs.size());
     std::atomic<std::size_t> next{0};
@@ -52,9 +59,8 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, OperatorLe
                 request.operator_level = jobs[k].level;
                 request.seed = jobs[k].seed;
                 request.device_class = device_class;
-                request.individual =
-                    seed_base + static_cast<std::uint64_t>(jobs[k].individual *
-                                                           counted);  // one individual, many attempts
+                request.individual =  // one individual, many attempts
+                    group.first_seed + static_cast<std::uint64_t>(jobs[k].individual * group.counted);
                 const Performed performed = perform(request, nullptr, {});
                 attempts[k].person = row_of(operator_levels, level).name + std::string("-") +
                                      std::to_string(jobs[k].individual + 1);
@@ -212,9 +218,9 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
         request.provisional = true;
         request.outliers = false;
         request.familiarisation = request.minimum_familiarisation = 0;
-        request.experts = run_operators(loaded, OperatorLevel::expert, first_seed, request.device_class);
-        request.novices =
-            run_operators(loaded, OperatorLevel::novice, first_seed + 500, request.device_class);
+        request.experts = run_operators(loaded, OperatorLevel::expert, request.device_class);
+        request.intermediates = run_operators(loaded, OperatorLevel::intermediate, request.device_class);
+        request.novices = run_operators(loaded, OperatorLevel::novice, request.device_class);
     } else {
         request.source = "experts of this site";
         request.provisional = false;

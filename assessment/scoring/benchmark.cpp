@@ -64,6 +64,7 @@ BenchmarkLevel level_from_json(const json& row) {
     level.deviation = row.at("deviation").get<double>();
     level.z_novice = number_of(row.at("z_novice"));
     level.absolute_limit = number_of(row.at("absolute_limit"));
+    if (row.contains("k")) level.k = row.at("k").get<double>();
     level.experts = row.at("experts").get<int>();
     level.left_out = row.at("left_out").get<std::vector<std::string>>();
     return level;
@@ -116,7 +117,7 @@ const BenchmarkLevel* BenchmarkSet::find(const std::string& metric, const std::s
 
 json benchmark_to_json(const BenchmarkSet& set) {
     json levels = json::array();
-    for (const BenchmarkLevel& level : set.levels)
+    for (const BenchmarkLevel& level : set.levels) {
         levels.push_back({{"metric", level.metric},
                           {"metric_version", level.metric_version},
                           {"hand", text_or_null(level.hand)},
@@ -129,6 +130,8 @@ json benchmark_to_json(const BenchmarkSet& set) {
                           {"absolute_limit", number_or_null(level.absolute_limit)},
                           {"experts", level.experts},
                           {"left_out", level.left_out}});
+        if (level.k) levels.back()["k"] = *level.k;
+    }
     json document = {{"$comment", "SPDX-License-Identifier: Apache-2.0"},
                      {"version", set.version},
                      {"task", set.task},
@@ -144,6 +147,8 @@ json benchmark_to_json(const BenchmarkSet& set) {
                      {"experts", people_to_json(set.experts)},
                      {"novices", people_to_json(set.novices)},
                      {"levels", std::move(levels)}};
+    if (!set.intermediates.empty()) document["intermediates"] = people_to_json(set.intermediates);
+    if (set.intermediate_pass_share) document["intermediate_pass_share"] = *set.intermediate_pass_share;
     if (!set.cutting.empty()) document["cutting"] = set.cutting;
     return document;
 }
@@ -166,6 +171,9 @@ BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
     set.expert_pass_share = root.at("expert_pass_share").get<double>();
     set.experts = people_from_json(root.at("experts"));
     set.novices = people_from_json(root.at("novices"));
+    if (root.contains("intermediates")) set.intermediates = people_from_json(root.at("intermediates"));
+    if (root.contains("intermediate_pass_share"))
+        set.intermediate_pass_share = root.at("intermediate_pass_share").get<double>();
     if (root.contains("cutting")) set.cutting = root.at("cutting").get<CuttingValues>();
     std::set<std::tuple<std::string, std::string, std::string>> seen;
     for (const json& row : root.at("levels")) {

@@ -25,6 +25,7 @@ struct BenchmarkLevel {
     double mean = 0, deviation = 0;        ///< on the scale
     std::optional<double> z_novice;        ///< the novices' mean as z; none without a novice set
     std::optional<double> absolute_limit;  ///< in `unit`: the worst counted expert value
+    std::optional<double> k;               ///< of this gate; none: that of the set
     int experts = 0;                       ///< counted in this metric
     std::vector<std::string> left_out;     ///< experts left out of this metric by the outlier rule
 };
@@ -56,10 +57,11 @@ struct BenchmarkSet {
     std::string fidelity;
     std::string source;  ///< for screens: "synthetic operators", "experts of …"
     bool provisional = true;
-    double k = 2;  ///< benchmark gates pass at z <= k
+    double k = 2;  ///< benchmark gates pass at z <= k, apart from levels with a k of their own
     double p0 = 0.1;
     double expert_pass_share = 0;  ///< of their counted attempts, each scored with its expert left out
-    std::vector<BenchmarkPerson> experts, novices;
+    std::optional<double> intermediate_pass_share;  ///< none without intermediates
+    std::vector<BenchmarkPerson> experts, intermediates, novices;
     std::vector<BenchmarkLevel> levels;
     /// Cutting parameters with which the set was made; empty: those of the scene file. The set does not score
     /// attempts with other values.
@@ -69,6 +71,7 @@ struct BenchmarkSet {
     /// Null when the set has no level for it.
     const BenchmarkLevel* find(const std::string& metric, const std::string& hand,
                                const std::string& tissue) const;
+    double k_of(const BenchmarkLevel& level) const { return level.k.value_or(k); }
 };
 
 nlohmann::json benchmark_to_json(const BenchmarkSet& set);

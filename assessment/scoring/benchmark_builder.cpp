@@ -8,6 +8,7 @@
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "assessment/scoring/own_limits.h"
 #include "sim_core/numerics/number_text.h"
 
 namespace fulcrum {
@@ -88,14 +89,18 @@ struct Levels {
     std::string refusal;
 };
 
-/// The levels of all benchmark gates, from all experts but one (`without` empty: from all).
-Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, const std::string& without) {
+/// The levels of all benchmark gates, from all experts but one (`without` empty: from all); with `narrowed`
+/// also of the absolute gates whose metric has a spread, of those that enough experts have a value of.
+Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, const std::string& without,
+                   bool narrowed = false) {
     Levels out;
     const int fewest = without.empty() ? fewest_experts_left : fewest_experts_left - 1;
     for (const GateSpec& gate : task.gates) {
-        if (gate.kind != GateKind::benchmark) continue;
+        const bool narrows = gate.kind == GateKind::absolute;
+        if (narrows && !narrowed) continue;
         const MetricDescriptor& d = *find_metric(gate.metric);
         const std::vector<ExpertValues> experts = values_by_person(request.experts, task, gate, d, without);
+        if (narrows && static_cast<int>(experts.size()) <= fewest) continue;
         BenchmarkLevel level;
         level.metric = gate.metric;
         level.hand = gate.hand;
@@ -114,7 +119,9 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
         level.deviation = benchmark->deviation;
         level.experts = benchmark->experts;
         for (const LeftOutExpert& expert : benchmark->left_out) level.left_out.push_back(expert.expert);
-        if (!takes_z(d, *benchmark)) {
+        const bool z = takes_z(d, *benchmark);
+        if (narrows && !z) continue;
+        if (!z) {
             level.absolute_limit = worst_value(d, experts, *benchmark);
         } else {
             std::vector<double> means;
@@ -155,13 +162,42 @@ std::string too_few(const BenchmarkRequest& request, const std::vector<Benchmark
     return {};
 }
 
+Score score_of(const TaskDefinition& task, const BenchmarkAttempt& attempt, const BenchmarkSet& set) {
+    ScoreInput input{task, attempt.metrics, &set, attempt.state};
+    input.critical_errors = attempt.critical_errors;
+    return score_attempt(input);
+}
+
+bool same_gate(const BenchmarkLevel& a, const BenchmarkLevel& b) {
+    return a.metric == b.metric && a.hand == b.hand && a.tissue == b.tissue;
+}
+
+/// An attempt as limits_between() needs it. A value without z (a force of 0, a worst counted value) is judged
+/// apart from k.
+JudgedAttempt judged_without_levels(const TaskDefinition& task, const BenchmarkAttempt& attempt,
+                                    BenchmarkSet set) {
+    JudgedAttempt judged;
+    set.k = no_limit;
+    for (BenchmarkLevel& level : set.levels) {
+        level.k.reset();
+        const MetricDescriptor& d = *find_metric(level.metric);
+        const MetricResult* result = find_result(attempt.metrics, level.metric, level.hand, level.tissue);
+        std::optional<double> scaled;
+        if (result != nullptr && result->value && !level.absolute_limit) scaled = on_scale(d, *result->value);
+        judged.z.push_back(scaled ? z_of(d, level, *scaled) : -no_limit);
+    }
+    judged.otherwise = score_of(task, attempt, set).passed == true;
+    return judged;
+}
+
 /// Scores every expert attempt against the set made without its expert.
 class LeaveOneOut {
   public:
-    LeaveOneOut(const TaskDefinition& task, const BenchmarkRequest& request, const BenchmarkSet& full)
+    LeaveOneOut(const TaskDefinition& task, const BenchmarkRequest& request, const BenchmarkSet& full,
+                bool narrowed = false)
         : task_(task), request_(request), full_(full) {
         for (const BenchmarkPerson& expert : full.experts) {
-            Levels levels = make_levels(task, request, expert.name);
+            Levels levels = make_levels(task, request, expert.name, narrowed);
             if (!levels.refusal.empty()) refusal_ = "without " + expert.name + ": " + levels.refusal;
             levels_[expert.name] = std::move(levels.levels);
         }
@@ -170,14 +206,15 @@ class LeaveOneOut {
 
     /// Share of attempts that pass all gates at this k; counts into `failures` which gates were not met.
     double pass_share(double k, std::map<std::string, int>& failures) const {
+        BenchmarkSet set = full_;
+        set.k = k;
+        return pass_share(set, failures);
+    }
+    /// The same with the set's k of each level.
+    double pass_share(const BenchmarkSet& limits, std::map<std::string, int>& failures) const {
         int passed = 0;
         for (const BenchmarkAttempt& attempt : request_.experts) {
-            BenchmarkSet set = full_;
-            set.k = k;
-            set.levels = levels_.at(attempt.person);
-            ScoreInput input{task_, attempt.metrics, &set, attempt.state};
-            input.critical_errors = attempt.critical_errors;
-            const Score score = score_attempt(input);
+            const Score score = score_of(task_, attempt, without_its_expert(limits, attempt));
             passed += score.passed == true ? 1 : 0;
             for (const CriticalError& error : attempt.critical_errors)
                 ++failures["critical error " + error.event];
@@ -186,8 +223,28 @@ class LeaveOneOut {
         }
         return static_cast<double>(passed) / static_cast<double>(request_.experts.size());
     }
+    std::vector<JudgedAttempt> judged() const {
+        std::vector<JudgedAttempt> all;
+        for (const BenchmarkAttempt& attempt : request_.experts)
+            all.push_back(judged_without_levels(task_, attempt, without_its_expert(full_, attempt)));
+        return all;
+    }
 
   private:
+    /// The set made without the attempt's expert: the levels of `limits`, with their k.
+    BenchmarkSet without_its_expert(const BenchmarkSet& limits, const BenchmarkAttempt& attempt) const {
+        BenchmarkSet set = limits;
+        for (BenchmarkLevel& level : set.levels) {
+            for (const BenchmarkLevel& other : levels_.at(attempt.person)) {
+                if (!same_gate(other, level)) continue;
+                const std::optional<double> k = level.k;
+                level = other;
+                level.k = k;
+            }
+        }
+        return set;
+    }
+
     const TaskDefinition& task_;
     const BenchmarkRequest& request_;
     const BenchmarkSet& full_;
@@ -208,6 +265,78 @@ const BenchmarkTrial& nearest_trial(const std::vector<BenchmarkTrial>& trials, d
         if (distance <= least + 1e-9) nearest.push_back(&trial);
     }
     return *nearest[(nearest.size() - 1) / 2];
+}
+
+/// Levels with the same number keep one k: those of both hands where they are alike.
+std::vector<int> gates_of(const TaskDefinition& task, const BenchmarkSet& set) {
+    std::vector<int> gates;
+    for (std::size_t i = 0; i < set.levels.size(); ++i) {
+        int gate = static_cast<int>(i);
+        for (std::size_t j = 0; task.hands_alike && j < i && gate == static_cast<int>(i); ++j)
+            if (set.levels[j].metric == set.levels[i].metric && set.levels[j].tissue == set.levels[i].tissue)
+                gate = gates[j];
+        gates.push_back(gate);
+    }
+    return gates;
+}
+
+double passing_share(const TaskDefinition& task, const std::vector<BenchmarkAttempt>& attempts,
+                     const BenchmarkSet& set) {
+    const auto passes = [&](const BenchmarkAttempt& attempt) {
+        return score_of(task, attempt, set).passed == true;
+    };
+    return static_cast<double>(std::count_if(attempts.begin(), attempts.end(), passes)) /
+           static_cast<double>(attempts.size());
+}
+
+std::string percent(double share) {
+    return decimal_text(100.0 * share, 1) + " %";
+}
+
+bool of_benchmark_gate(const TaskDefinition& task, const BenchmarkLevel& level) {
+    return std::any_of(task.gates.begin(), task.gates.end(), [&](const GateSpec& gate) {
+        return gate.kind == GateKind::benchmark && gate.metric == level.metric && gate.hand == level.hand &&
+               gate.tissue == level.tissue;
+    });
+}
+
+/// Gives each gate a k of its own, absolute gates too where that brings both shares nearer to their middles.
+void set_own_limits(const TaskDefinition& task, const BenchmarkRequest& request, BenchmarkSet& set) {
+    BenchmarkSet wide = set;
+    wide.levels = make_levels(task, request, {}, true).levels;
+    const LeaveOneOut leave_one_out(task, request, wide, true);
+    std::vector<double> start;
+    for (const BenchmarkLevel& level : wide.levels)
+        start.push_back(of_benchmark_gate(task, level) ? set.k : no_limit);
+    std::vector<JudgedAttempt> intermediates;
+    for (const BenchmarkAttempt& attempt : request.intermediates)
+        intermediates.push_back(judged_without_levels(task, attempt, wide));
+    const std::vector<double> k =
+        limits_between(leave_one_out.judged(), intermediates, gates_of(task, wide), start);
+    set.levels.clear();
+    for (std::size_t i = 0; i < k.size(); ++i) {
+        if (k[i] == no_limit) continue;
+        BenchmarkLevel level = wide.levels[i];
+        if (!level.absolute_limit && std::abs(k[i] - set.k) > 1e-9) level.k = k[i];
+        set.levels.push_back(std::move(level));
+    }
+}
+
+/// With intermediates: how many pass, and a k for each gate where that is not well within its band.
+void heed_intermediates(const TaskDefinition& task, const BenchmarkRequest& request, BenchmarkSet& set,
+                        std::vector<std::string>& log) {
+    if (request.intermediates.empty()) return;
+    set.intermediates = people_of(request.intermediates, request.familiarisation);
+    set.intermediate_pass_share = passing_share(task, request.intermediates, set);
+    log.push_back("k " + decimal_text(set.k, 1) + ": " + percent(*set.intermediate_pass_share) +
+                  " of intermediates' attempts pass");
+    if (intermediates_well_within(*set.intermediate_pass_share)) return;
+    set_own_limits(task, request, set);
+    for (const BenchmarkLevel& level : set.levels)
+        if (level.k) log.push_back(level_name(level) + ": k " + decimal_text(*level.k, 1) + " of its own");
+    set.intermediate_pass_share = passing_share(task, request.intermediates, set);
+    log.push_back("with these: " + percent(*set.intermediate_pass_share) +
+                  " of intermediates' attempts pass");
 }
 
 void log_levels(const BenchmarkSet& set, std::vector<std::string>& log) {
@@ -257,8 +386,9 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
     }
     const BenchmarkTrial& chosen = nearest_trial(build.trials, 1.0 - request.p0);
     set.k = chosen.k;
+    heed_intermediates(task, request, set, build.log);
     std::map<std::string, int> failures;
-    set.expert_pass_share = leave_one_out.pass_share(set.k, failures);
+    set.expert_pass_share = LeaveOneOut(task, request, set, true).pass_share(set, failures);
     for (const auto& [gate, count] : failures)
         build.log.push_back("k " + decimal_text(set.k, 1) + ": " + gate + " not met by " +
                             std::to_string(count) + " expert attempts with their expert left out");

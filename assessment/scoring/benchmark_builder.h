@@ -31,7 +31,8 @@ struct BenchmarkRequest {
     int minimum_experts = 8, minimum_attempts = 3;
     int minimum_familiarisation = 3;  ///< 0 for synthetic operators, who do not learn
     std::vector<BenchmarkAttempt> experts, novices;
-    CuttingValues cutting;  ///< as BenchmarkSet::cutting
+    std::vector<BenchmarkAttempt> intermediates;  ///< who are to pass seldom; may be empty
+    CuttingValues cutting;                        ///< as BenchmarkSet::cutting
 };
 
 /// The values that were tried, in order, for the screen, also after a refusal.
@@ -48,7 +49,9 @@ struct BenchmarkBuild {
 };
 
 /// Pure. Of k from 1 to 3 in steps of 0.1 the one whose leave-one-expert-out pass share is nearest to 1 - p0;
-/// of several equally near, the middle one. Below k = 1 one gate alone would fail an expert in six.
+/// of several equally near, the middle one. Below k = 1 one gate alone would fail an expert in six. Where
+/// there are intermediates and the share of them that pass is not well within 5 to 40 %, each gate gets a k
+/// of its own from there: limits_between().
 BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkRequest& request);
 
 }  // namespace fulcrum

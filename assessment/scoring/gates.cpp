@@ -26,17 +26,21 @@ void judge_absolute(GateResult& gate, const MetricDescriptor& descriptor, double
     if (gate.value) gate.passed = keeps_limit(descriptor, gated_value(descriptor, *gate.value), limit);
 }
 
+std::string source_of(const BenchmarkLevel& level, const BenchmarkSet& set) {
+    return set.source + ", set " + std::to_string(set.version) + ", " + std::to_string(level.experts) +
+           " experts";
+}
+
 void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const BenchmarkLevel& level,
                      const BenchmarkSet& set) {
     gate.provisional = set.provisional;
-    gate.limit_source = set.source + ", set " + std::to_string(set.version) + ", " +
-                        std::to_string(level.experts) + " experts";
+    gate.limit_source = source_of(level, set);
     if (level.absolute_limit) {
         gate.limit_source += ", worst counted value";
         judge_absolute(gate, descriptor, *level.absolute_limit);
         return;
     }
-    gate.limit = limit_of(descriptor, level, set.k);
+    gate.limit = limit_of(descriptor, level, set.k_of(level));
     if (!gate.value) return;
     const std::optional<double> scaled = on_scale(descriptor, *gate.value);
     if (!scaled) {
@@ -44,8 +48,18 @@ void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const
         return;
     }
     gate.z = z_of(descriptor, level, *scaled);
-    gate.passed = *gate.z <= set.k;
+    gate.passed = *gate.z <= set.k_of(level);
     gate.points = points_of(level, *gate.z);
+}
+
+/// A set may narrow an absolute limit to its experts' range; it never widens one.
+void narrow(GateResult& gate, const MetricDescriptor& descriptor, const BenchmarkLevel& level,
+            const BenchmarkSet& set) {
+    const double limit = limit_of(descriptor, level, set.k_of(level));
+    if (!keeps_limit(descriptor, limit, *gate.limit)) return;
+    gate.limit_source = source_of(level, set);
+    gate.provisional = gate.provisional || set.provisional;
+    judge_absolute(gate, descriptor, limit);
 }
 
 /// A gate whose metric is absent: failed, without points, where the trainee did not do it; not judged where
@@ -116,6 +130,9 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
         gate.limit_source = spec.limit_source;
         gate.provisional = spec.provisional;
         judge_absolute(gate, *descriptor, spec.limit);
+        level = benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
+        if (level != nullptr && !level->absolute_limit) narrow(gate, *descriptor, *level, *benchmark);
+        level = nullptr;
         if (spec.exclusive && gate.value &&
             std::abs(gated_value(*descriptor, *gate.value) - spec.limit) <= 1e-3 * descriptor->precision)
             gate.passed = false;

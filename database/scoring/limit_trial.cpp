@@ -18,23 +18,34 @@ const database::GateRow* find_gate(const TriedAttempt& attempt, const GateSpec& 
     return nullptr;
 }
 
-/// The stored value of a gate against a level of the set, as scoring judges it.
+std::optional<bool> judge(const GateSpec& spec, const database::GateRow& gate, const BenchmarkSet* set) {
+    MetricResult result;
+    result.id = spec.metric;
+    result.version = find_metric(spec.metric)->version;
+    result.hand = spec.hand;
+    result.tissue = spec.tissue;
+    result.value = gate.value;
+    result.unit = gate.unit;
+    return judge_gate(spec, {result}, set).passed;
+}
+
+/// The stored value of a gate against a level of the set, as scoring judges it. A set that narrowed an
+/// absolute limit when the attempt was stored does not count: the value is judged by the task's limit and
+/// this set.
 std::optional<bool> judge_again(const GateSpec& spec, const database::GateRow& gate,
                                 const TriedAttempt& attempt, const BenchmarkSet& set) {
     const BenchmarkLevel* level = set.find(spec.metric, spec.hand, spec.tissue);
+    if (spec.kind == GateKind::absolute) {
+        if (!gate.value) return gate.passed;
+        const std::optional<bool> met = judge(spec, gate, nullptr);
+        if (met == false || level == nullptr) return met;
+    }
     const auto version = attempt.metric_versions.find(spec.metric);
     if (level == nullptr || version == attempt.metric_versions.end() ||
         version->second != level->metric_version)
         return std::nullopt;
     if (!gate.value) return gate.passed;  // not done is failed, not measured is not judged: under any limits
-    MetricResult result;
-    result.id = spec.metric;
-    result.version = version->second;
-    result.hand = spec.hand;
-    result.tissue = spec.tissue;
-    result.value = gate.value;
-    result.unit = gate.unit;
-    return judge_gate(spec, {result}, &set).passed;
+    return judge(spec, gate, &set);
 }
 
 }  // namespace
@@ -93,8 +104,7 @@ std::optional<bool> passes_under(const TaskDefinition& task, const TriedAttempt&
     for (const GateSpec& spec : task.gates) {
         const database::GateRow* gate = find_gate(attempt, spec);
         std::optional<bool> passed;
-        if (gate != nullptr)
-            passed = spec.kind == GateKind::absolute ? gate->passed : judge_again(spec, *gate, attempt, set);
+        if (gate != nullptr) passed = judge_again(spec, *gate, attempt, set);
         if (passed == false) return false;
         judged = judged && passed.has_value();
     }

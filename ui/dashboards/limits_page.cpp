@@ -35,7 +35,7 @@ std::optional<double> limit_in(const BenchmarkSet& set, const GateSpec& gate) {
     const BenchmarkLevel* level = set.find(gate.metric, gate.hand, gate.tissue);
     const MetricDescriptor* descriptor = find_metric(gate.metric);
     if (level == nullptr || descriptor == nullptr) return std::nullopt;
-    return level->absolute_limit ? *level->absolute_limit : limit_of(*descriptor, *level, set.k);
+    return level->absolute_limit ? *level->absolute_limit : limit_of(*descriptor, *level, set.k_of(*level));
 }
 
 std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate) {

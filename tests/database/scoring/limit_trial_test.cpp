@@ -82,6 +82,39 @@ TEST(LimitTrial, WhatIsBrokenUnderAnyLimitsStaysFailed) {
     EXPECT_EQ(passes_under(trial.task, not_done, wide), false);
 }
 
+TEST(LimitTrial, ASetNarrowsAnAbsoluteLimitAndAnotherDoesNot) {
+    const Trial trial;
+    BenchmarkSet narrow = trial.set;
+    BenchmarkLevel force = narrow.levels[0];
+    force.metric = "f_max";
+    force.hand = "left";
+    force.unit = "N";
+    force.metric_version = find_metric("f_max")->version;
+    force.mean = std::log(1.0);
+    force.deviation = 0.2;
+    force.k = 3;
+    narrow.levels.push_back(force);
+    const auto pushed = [&](double newtons, bool met) {
+        TriedAttempt made = trial.attempt(0);
+        made.metric_versions["f_max"] = force.metric_version;
+        for (database::GateRow& gate : made.gates) {
+            if (gate.metric != "f_max" || gate.hand != "left") continue;
+            gate.value = newtons;
+            gate.passed = met;
+        }
+        return made;
+    };
+    EXPECT_EQ(passes_under(trial.task, pushed(1.8, true), narrow), true);
+    EXPECT_EQ(passes_under(trial.task, pushed(1.9, true), narrow), false);
+    // Failed by the narrower limit that was in force, within the task's own.
+    EXPECT_EQ(passes_under(trial.task, pushed(1.9, false), trial.set), true);
+    EXPECT_EQ(passes_under(trial.task, pushed(4.1, false), trial.set), false);
+    TriedAttempt older = pushed(1.8, true);
+    older.metric_versions["f_max"] = force.metric_version - 1;
+    EXPECT_EQ(passes_under(trial.task, older, narrow), std::nullopt);
+    EXPECT_EQ(passes_under(trial.task, older, trial.set), true);
+}
+
 TEST(LimitTrial, WhatCannotBeJudgedIsNotAPass) {
     const Trial trial;
     TriedAttempt attempt = trial.attempt(0);

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits that heed intermediates: a k for each gate, and absolute limits that a set narrows.
+#include "assessment/scoring/own_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "assessment/scoring/judged_limits.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/assessment/scoring/fixtures.h"
+
+namespace fulcrum {
+namespace {
+
+using test::figure;
+using test::small_set;
+using test::small_task;
+
+/// z of each level: normal around the given means.
+std::vector<JudgedAttempt> judged(int count, const std::vector<double>& means, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<JudgedAttempt> attempts;
+    for (int n = 0; n < count; ++n) {
+        JudgedAttempt attempt;
+        attempt.otherwise = n % 25 != 0;
+        for (const double mean : means) attempt.z.push_back(mean + normal(random));
+        attempts.push_back(attempt);
+    }
+    return attempts;
+}
+
+TEST(OwnLimits, AreNarrowWhereIntermediatesDifferAndWideWhereTheyDoNot) {
+    const std::vector<JudgedAttempt> experts = judged(96, {0, 0}, 1),
+                                     intermediates = judged(40, {2.0, 0.1}, 2);
+    const std::vector<double> start = {2.1, 2.1};
+    const PassShares before = pass_shares(experts, intermediates, start);
+    ASSERT_GT(before.intermediates, 0.4);
+    const std::vector<double> k = limits_between(experts, intermediates, {0, 1}, start);
+    EXPECT_LT(k[0], k[1]);
+    const PassShares after = pass_shares(experts, intermediates, k);
+    EXPECT_TRUE(intermediates_well_within(after.intermediates)) << after.intermediates;
+    EXPECT_NEAR(after.experts, experts_middle, 0.5 * experts_half + 1e-9);
+    for (const double each : k) {
+        EXPECT_GE(each, least_k);
+        EXPECT_LE(each, largest_k);
+        EXPECT_NEAR(each * 10, std::round(each * 10), 1e-9);
+    }
+}
+
+TEST(OwnLimits, LetIntermediatesPassWhereNoneDid) {
+    std::vector<JudgedAttempt> intermediates = judged(40, {1.0, 2.2}, 2);
+    const std::vector<JudgedAttempt> experts = judged(96, {0, -1.5}, 1);
+    const std::vector<double> start = {1.4, 1.4};
+    const PassShares before = pass_shares(experts, intermediates, start);
+    const std::vector<double> k = limits_between(experts, intermediates, {0, 1}, start);
+    const PassShares after = pass_shares(experts, intermediates, k);
+    EXPECT_GT(after.intermediates, before.intermediates);
+    EXPECT_GT(k[1], 1.4) << "the gate that only intermediates fail";
+    EXPECT_TRUE(intermediates_well_within(after.intermediates)) << after.intermediates;
+}
+
+TEST(OwnLimits, UseAnAbsoluteGateOnlyWhereItHelps) {
+    const std::vector<JudgedAttempt> experts = judged(96, {0, 0, 0}, 1),
+                                     helped = judged(40, {0.3, 0.2, 3.2}, 2),
+                                     not_helped = judged(40, {2.6, 0.2, 0}, 2);
+    const std::vector<double> start = {2.2, 2.2, no_limit};
+    EXPECT_LE(limits_between(experts, helped, {0, 1, 2}, start)[2], largest_k);
+    EXPECT_EQ(limits_between(experts, not_helped, {0, 1, 2}, start)[2], no_limit);
+}
+
+TEST(OwnLimits, AreOneForBothHandsAndStayWhereNothingIsBetter) {
+    const std::vector<JudgedAttempt> experts = judged(96, {0, 0, 0}, 1),
+                                     intermediates = judged(40, {1.8, 0.1, 0.1}, 2);
+    const std::vector<double> k = limits_between(experts, intermediates, {0, 1, 1}, {2.3, 2.3, 2.3});
+    EXPECT_EQ(k[1], k[2]);
+    EXPECT_EQ(limits_between(experts, intermediates, {0, 1, 1}, k), k);
+    EXPECT_EQ(limits_between({}, {}, {0}, {2.0}), std::vector<double>{2.0});
+    EXPECT_TRUE(limits_between(experts, intermediates, {}, {}).empty());
+}
+
+TEST(OwnLimits, NarrowAnAbsoluteGateAndNeverWidenIt) {
+    BenchmarkSet set = small_set();
+    BenchmarkLevel force = set.levels[0];
+    force.metric = "f_max";
+    force.hand = "left";
+    force.unit = "N";
+    force.metric_version = find_metric("f_max")->version;
+    force.mean = std::log(1.0);
+    force.deviation = 0.2;
+    force.k = 3;
+    set.levels.push_back(force);
+    const auto passes = [&](double newtons) {
+        const std::vector<MetricResult> metrics = {figure("time", "", std::exp(4.0)),
+                                                   figure("sparc", "right", -1.5),
+                                                   figure("f_max", "left", newtons), figure("drop", "", 0)};
+        return score_attempt(ScoreInput{small_task(), metrics, &set}).passed == true;
+    };
+    EXPECT_TRUE(passes(1.8));
+    EXPECT_FALSE(passes(1.9));
+    const JudgedLimit shown = judged_limits(small_task(), &set, {})[2];
+    EXPECT_NEAR(shown.limit.value_or(0), std::exp(0.6), 1e-12) << "what a crash cannot take back";
+    EXPECT_NE(shown.limit_source.find("synthetic operators"), std::string::npos);
+    const nlohmann::json json = benchmark_to_json(set);
+    EXPECT_EQ(benchmark_to_json(parse_benchmark(json.dump(), "set.json")), json);
+    set.levels.back().mean = std::log(3.9);
+    EXPECT_TRUE(passes(3.99));
+    EXPECT_FALSE(passes(4.01));
+    EXPECT_THROW(
+        parse_benchmark(json.patch(R"([{"op": "replace", "path": "/levels/2/k", "value": 4}])"_json).dump(),
+                        "set.json"),
+        InputError);
+}
+
+/// Three attempts each of people whose ln time, sparc and ln force scatter around these.
+std::vector<BenchmarkAttempt> people(const std::string& kind, int count, double time, double sparc,
+                                     double force, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<BenchmarkAttempt> attempts;
+    for (int p = 0; p < count; ++p)
+        for (int a = 0; a < 3; ++a)
+            attempts.push_back(
+                {kind + std::to_string(p),
+                 {figure("time", "", std::exp(time + 0.15 * normal(random))),
+                  figure("sparc", "right", sparc + 0.06 * normal(random)),
+                  figure("f_max", "left", std::exp(force + 0.2 * normal(random))), figure("drop", "", 0)},
+                 AttemptState::completed,
+                 {}});
+    return attempts;
+}
+
+TEST(OwnLimits, OfTheBuilderTellIntermediatesFromExperts) {
+    BenchmarkRequest request;
+    request.source = "synthetic operators";
+    request.experts = people("expert ", 24, 4.0, -1.5, -0.2, 1);
+    const BenchmarkBuild without = build_benchmark(small_task(), request);
+    ASSERT_TRUE(without.set) << without.refusal;
+
+    // Few pass: the set is the same as without them.
+    request.intermediates = people("intermediate ", 16, 4.35, -1.55, 0.4, 2);
+    BenchmarkBuild with = build_benchmark(small_task(), request);
+    ASSERT_TRUE(with.set) << with.refusal;
+    EXPECT_TRUE(intermediates_well_within(with.set->intermediate_pass_share.value_or(1)));
+    EXPECT_EQ(with.set->intermediates.size(), 16U);
+    with.set->intermediates.clear();
+    with.set->intermediate_pass_share.reset();
+    EXPECT_EQ(benchmark_to_json(*with.set), benchmark_to_json(*without.set));
+
+    // As quick and smooth as experts, but rough: their force tells them apart.
+    request.intermediates = people("intermediate ", 16, 4.05, -1.52, 0.55, 3);
+    const BenchmarkBuild rough = build_benchmark(small_task(), request);
+    ASSERT_TRUE(rough.set) << rough.refusal;
+    EXPECT_TRUE(intermediates_well_within(rough.set->intermediate_pass_share.value_or(1)));
+    const BenchmarkLevel* force = rough.set->find("f_max", "left", "");
+    ASSERT_NE(force, nullptr);
+    EXPECT_TRUE(force->k);
+    EXPECT_GE(rough.set->expert_pass_share, 0.8);
+    EXPECT_LE(rough.set->expert_pass_share, 0.95);
+    const BenchmarkSet& set = *rough.set;
+    EXPECT_EQ(benchmark_to_json(parse_benchmark(benchmark_to_json(set).dump(), "set.json")),
+              benchmark_to_json(set));
+    int fresh = 0;
+    for (const BenchmarkAttempt& attempt : people("fresh ", 40, 4.05, -1.52, 0.55, 99))
+        fresh += score_attempt(ScoreInput{small_task(), attempt.metrics, &set}).passed == true ? 1 : 0;
+    EXPECT_GT(fresh, 0.05 * 120);
+    EXPECT_LT(fresh, 0.4 * 120);
+}
+
+}  // namespace
+}  // namespace fulcrum
