@@ -103,7 +103,7 @@ TEST_F(StationClaims, AnAttemptForAPersonOfAnotherCohortIsLeftOutAndLogged) {
     EXPECT_EQ(count("SELECT COUNT(*) FROM attempt"), before + 1);
 }
 
-TEST_F(StationClaims, WhoKnowsAnIdGetsNothingByNamingIt) {
+TEST_F(StationClaims, AKnownIdOfAnotherCohortGivesNothing) {
     Connection account = as_evil();
     const auto sees = [&] {
         Query row(account,
