@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "database/research/research_export.h"
+#include "database/sync/enrolment.h"
 #include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::app {
@@ -18,6 +19,8 @@ int run_export(const Arguments& arguments) {
     const std::string folder = arguments.folder("--output", "");
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
+    if (const auto scope = database::station_scope(store, session))
+        std::cerr << "note: " << line_of(*scope) << '\n';
     const database::ResearchExport research = database::research_export(store, session);
     std::vector<std::string> files;
     const auto write = [&](const std::string& name, const std::string& text) {

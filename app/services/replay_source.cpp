@@ -40,9 +40,10 @@ class Replay : public ui::ReplaySource {
         for (const InstrumentSpec& spec : scene.instruments)
             instruments_[static_cast<int>(spec.hand)] = make_instrument(spec, scene.tick_period());
         if (scene.camera) scope_ = make_scope(*scene.camera);
-        const database::Trace& trace = *request_.trace;
+        ticks_ = database::ticks_of(request_.trace);
+        shown_ticks_ = ticks_->reader();
         record_ = std::make_shared<const AttemptRecord>(
-            AttemptRecord{trace.inputs, trace.samples, trace.steps, trace.events, request_.devices});
+            AttemptRecord{{}, {}, request_.trace->steps, request_.trace->events, request_.devices, ticks_});
         thread_ = std::thread([this] { run(); });
     }
     ~Replay() override {
@@ -57,7 +58,7 @@ class Replay : public ui::ReplaySource {
 
     const Scene& scene() const override { return request_.start.loaded.scene; }
     double duration_s() const override {
-        return record_->samples.empty() ? 0.0 : record_->samples.back().tick * period();
+        return ticks_->size() == 0 ? 0.0 : ticks_->last_sample().tick * period();
     }
     void seek(double time_s) override {
         wanted_s_ = std::clamp(time_s, 0.0, duration_s());
@@ -87,10 +88,10 @@ class Replay : public ui::ReplaySource {
     const WorldSnapshot& snapshot() const override { return shown_; }
     double shown_s() const override { return shown_s_; }
     double ready() const override {
-        if (finished_.load() || record_->inputs.empty()) return 1;
-        const std::uint32_t first = record_->inputs.front().tick;
+        if (finished_.load() || ticks_->size() == 0) return 1;
+        const std::uint32_t first = ticks_->first_tick();
         const auto done = static_cast<double>(simulated_.load()) - first + 1;
-        return std::clamp(done / static_cast<double>(record_->inputs.size()), 0.0, 1.0);
+        return std::clamp(done / static_cast<double>(ticks_->size()), 0.0, 1.0);
     }
     std::optional<double> differs_from_s() const override {
         const double at = differs_from_.load();
@@ -99,8 +100,7 @@ class Replay : public ui::ReplaySource {
     std::shared_ptr<const ui::ReplayMoment> moment(double time_s) const override {
         const auto tick = static_cast<std::uint32_t>(std::lround(std::max(0.0, time_s) / period()));
         const std::uint32_t settled = settled_tick(*record_, std::min(tick, simulated_.load()));
-        if (settled == 0 || settled < record_->inputs.front().tick || differs_from_.load() >= 0)
-            return nullptr;
+        if (settled == 0 || settled < ticks_->first_tick() || differs_from_.load() >= 0) return nullptr;
         auto moment = std::make_shared<TraceMoment>();
         moment->loaded = request_.start.loaded;
         moment->seed = request_.start.seed;
@@ -144,8 +144,7 @@ class Replay : public ui::ReplaySource {
             }
         } catch (const std::exception&) {
             // The tissue cannot be simulated here: only the recorded poses are shown.
-            differs_from_.store(record_->inputs.empty() ? 0.0
-                                                        : (record_->inputs.front().tick - 1) * period());
+            differs_from_.store(ticks_->size() == 0 ? 0.0 : (ticks_->first_tick() - 1) * period());
             finished_.store(true);
         }
     }
@@ -159,8 +158,7 @@ class Replay : public ui::ReplaySource {
 
     void use_kept_frames() {
         const std::shared_ptr<const FrameFile> file = FrameFile::open(request_.keeping);
-        if (file == nullptr || record_->inputs.empty() || file->last_tick() != record_->inputs.back().tick)
-            return;
+        if (file == nullptr || ticks_->size() == 0 || file->last_tick() != ticks_->last_sample().tick) return;
         frames_.restore(file);
         found_ = true;
         simulated_.store(file->last_tick());
@@ -273,8 +271,8 @@ class Replay : public ui::ReplaySource {
         simulated_.store(cursor.tick());
         if (!done) return true;
         finished_.store(true);
-        if (request_.keeping.wanted() && differs_from_.load() < 0 && !record_->inputs.empty())
-            writer_.emplace(request_.keeping, frames_.frames(), record_->inputs.back().tick);
+        if (request_.keeping.wanted() && differs_from_.load() < 0 && ticks_->size() > 0)
+            writer_.emplace(request_.keeping, frames_.frames(), ticks_->last_sample().tick);
         ahead_.reset();
         return true;
     }
@@ -304,15 +302,11 @@ class Replay : public ui::ReplaySource {
         const bool there =
             (world_tick_ <= tick && world_tick_ + settled_ticks >= tick) || differs_from_.load() >= 0;
         shown_s_ = there ? wanted_s_ : world_tick_ * period();
-        const std::vector<TickSample>& samples = record_->samples;
-        if (samples.empty() || record_->inputs.size() != samples.size()) return;
-        const auto found = std::lower_bound(samples.begin(), samples.end(), tick,
-                                            [](const TickSample& s, std::uint32_t t) { return s.tick < t; });
-        const auto index =
-            std::min<std::size_t>(static_cast<std::size_t>(found - samples.begin()), samples.size() - 1);
-        const TickSample& sample = samples[index];
+        if (ticks_->size() == 0) return;
+        const std::size_t index = std::min(shown_ticks_->at_or_after(tick), ticks_->size() - 1);
+        const TickSample& sample = shown_ticks_->sample(index);
         if (request_.tap != nullptr) request_.tap->newest.write({sample});
-        const RigSample& input = record_->inputs[index];
+        const RigSample& input = shown_ticks_->input(index);
         for (int hand = 0; hand < hand_count; ++hand) {
             if (scene().instrument(static_cast<Hand>(hand)) == nullptr) continue;
             ToolPose pose = tool_pose(instruments_[hand], input.hand[hand]).pose();
@@ -330,7 +324,8 @@ class Replay : public ui::ReplaySource {
     }
 
     ReplayRequest request_;
-    std::shared_ptr<const AttemptRecord> record_;
+    std::shared_ptr<const RecordTicks> ticks_;
+    std::shared_ptr<const AttemptRecord> record_;  // with these
     InstrumentModel instruments_[hand_count];
     ScopeModel scope_;
     FrameStore frames_;
@@ -352,6 +347,7 @@ class Replay : public ui::ReplaySource {
     std::uint64_t made_ = 0;
 
     // The owner's.
+    std::unique_ptr<TickReader> shown_ticks_;
     WorldSnapshot shown_;
     std::uint32_t world_tick_ = 0;
     std::uint64_t taken_ = 0;

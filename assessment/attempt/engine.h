@@ -18,6 +18,7 @@
 #include "assessment/task/task.h"
 #include "sim_core/haptics/loop.h"
 #include "sim_core/instrument/device.h"
+#include "sim_core/instrument/record_ticks.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
 #include "sim_core/world/world.h"
@@ -129,7 +130,8 @@ struct AttemptRecord {
     std::vector<TickSample> samples;
     std::vector<StepRecord> steps;
     std::vector<Event> events;
-    ForceDevices devices;  ///< that the attempt was performed with
+    ForceDevices devices;                           ///< that the attempt was performed with
+    std::shared_ptr<const RecordTicks> ticks = {};  ///< in place of inputs and samples, which are empty then
 };
 
 struct ReplayOutcome {

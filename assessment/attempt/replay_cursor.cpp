@@ -38,7 +38,11 @@ void forget_unfelt(const ForceDevices& devices, TickSample& sample) {
 }  // namespace
 
 ReplayCursor::ReplayCursor(AttemptEngine& engine, const AttemptRecord& record)
-    : engine_(engine), record_(record), place_{{}, 0, 0, engine.loop().model_step()} {
+    : engine_(engine),
+      record_(record),
+      ticks_(record.ticks != nullptr ? record.ticks->reader() : nullptr),
+      count_(record.ticks != nullptr ? record.ticks->size() : 0),
+      place_{{}, 0, 0, engine.loop().model_step()} {
     static_assert(std::has_unique_object_representations_v<HandSample> &&
                   std::has_unique_object_representations_v<CameraSample>);
     engine_.use_devices(record.devices);
@@ -67,8 +71,8 @@ void ReplayCursor::step_once() {
 }
 
 void ReplayCursor::run_tick() {
-    const RigSample& input = record_.inputs[next_input()];
-    const TickSample& recorded = record_.samples[next_input()];
+    const RigSample& input = this->input(next_input());
+    const TickSample& recorded = this->recorded(next_input());
     if (recorded.model_step !=
         place_.adopted) {  // the step whose model was used in this tick, from the record
         while (next_step() < record_.steps.size() && record_.steps[next_step()].step <= recorded.model_step)
@@ -86,14 +90,14 @@ void ReplayCursor::run_tick() {
     ++place_.next_input;
     // Where no tick waits for a model any more (never one without instruments), steps follow their ticks:
     // what waits would otherwise grow with the attempt.
-    if (record_.samples.back().model_step != place_.adopted) return;
+    if (last_model_step() != place_.adopted) return;
     while (next_step() < record_.steps.size() && record_.steps[next_step()].last_tick <= recorded.tick &&
            !stopped_)
         step_once();
 }
 
 void ReplayCursor::run_to(std::uint32_t tick) {
-    while (!at_end() && !stopped_ && record_.inputs[next_input()].tick <= tick) run_tick();
+    while (!at_end() && !stopped_ && input(next_input()).tick <= tick) run_tick();
 }
 
 void ReplayCursor::run_to_end() {
@@ -115,7 +119,7 @@ void ReplayPlace::transfer(StateArchive& archive, AttemptEngine& engine) {
 void ReplayCursor::transfer(StateArchive& archive) {
     place_.transfer(archive, engine_);
     if (!archive.reads()) return;
-    if (place_.next_input > record_.inputs.size() || place_.next_step > record_.steps.size())
+    if (place_.next_input > tick_count() || place_.next_step > record_.steps.size())
         throw StateArchiveError(QT_TRANSLATE_NOOP("errors", "the stored state belongs to another attempt"));
     outcome_ = ReplayOutcome();
     stopped_ = false;

@@ -43,12 +43,12 @@ class ReplayCursor {
     /// makes sense.
     bool settle();
     /// For a record that still grows: removes from it the inputs, samples and steps that were run. `record`
-    /// is the one that the cursor was made with. It cannot read a state afterwards.
+    /// is the one that the cursor was made with, in memory. It cannot read a state afterwards.
     void drop_run(AttemptRecord& record);
 
     /// Last tick run; that before the record's first one at the beginning.
     std::uint32_t tick() const;
-    bool at_end() const { return next_input() >= record_.inputs.size(); }
+    bool at_end() const { return next_input() >= tick_count(); }
 
     /// Writes engine and place (ReplayPlace), or reads them: it continues from there bit for bit. The
     /// comparison with the record begins again. Throws StateArchiveError.
@@ -59,6 +59,17 @@ class ReplayCursor {
 
   private:
     class Sink;
+    /// Of the record as it is now.
+    std::size_t tick_count() const { return ticks_ != nullptr ? count_ : record_.inputs.size(); }
+    const RigSample& input(std::size_t index) {
+        return ticks_ ? ticks_->input(index) : record_.inputs[index];
+    }
+    const TickSample& recorded(std::size_t index) {
+        return ticks_ ? ticks_->sample(index) : record_.samples[index];
+    }
+    std::uint32_t last_model_step() const {
+        return ticks_ ? record_.ticks->last_sample().model_step : record_.samples.back().model_step;
+    }
     std::size_t next_input() const { return place_.next_input - dropped_inputs_; }
     std::size_t next_step() const { return place_.next_step - dropped_steps_; }
     void step_once();
@@ -67,6 +78,8 @@ class ReplayCursor {
 
     AttemptEngine& engine_;
     const AttemptRecord& record_;
+    std::unique_ptr<TickReader> ticks_;  ///< null: those of the record are in memory
+    std::size_t count_ = 0;              ///< with a reader
     std::function<bool(const WorldSnapshot&)> after_step_;
     ReplayOutcome outcome_;
     ReplayPlace place_;  ///< its numbers count what drop_run() removed

@@ -10,6 +10,7 @@
 #include "database/records/attempts.h"
 #include "database/rows/crypto.h"
 #include "database/rows/packed_bytes.h"
+#include "database/rows/packed_ticks.h"
 
 namespace fulcrum::database {
 namespace {
@@ -63,15 +64,19 @@ void require_pairs(const Store& store, const std::string& attempt_id, const Trac
         QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
 }
 
-Trace read_chunks(const Store& store, const std::string& attempt_id, bool events_only) {
+enum class TracePart { all, steps_and_events, events };
+
+Trace read_chunks(const Store& store, const std::string& attempt_id, TracePart part) {
     Connection& connection = store.connection();
     Query rows(connection, QString("SELECT stream, number, first_tick, last_tick, records, checksum, data "
                                    "FROM trace_chunk WHERE attempt_id = ? ") +
-                               (events_only ? "AND stream = 3 " : "") +
+                               (part == TracePart::events             ? "AND stream = 3 "
+                                : part == TracePart::steps_and_events ? "AND stream IN (2, 3) "
+                                                                      : "") +
                                "ORDER BY stream = 0, stream, number");
     rows.bind(attempt_id);
     Trace trace;
-    if (!events_only) {
+    if (part == TracePart::all) {
         Query sizes(connection,
                     "SELECT stream, SUM(records) FROM trace_chunk WHERE attempt_id = ? GROUP BY stream");
         sizes.bind(attempt_id);
@@ -112,7 +117,7 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, bool events
         }
     }
     require_end(store, attempt_id, trace.events.size());
-    if (!events_only) require_pairs(store, attempt_id, trace);
+    if (part == TracePart::all) require_pairs(store, attempt_id, trace);
     return trace;
 }
 
@@ -154,7 +159,34 @@ void require_trace_here(const Store& store, const std::string& attempt_id) {
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
     require_trace_here(store_, attempt_id);
-    return read_chunks(store_, attempt_id, false);
+    return read_chunks(store_, attempt_id, TracePart::all);
+}
+
+Trace Attempts::read_packed_trace(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    require_trace_here(store_, attempt_id);
+    const auto ticks = std::make_shared<PackedTicks>();
+    {
+        Query rows(store_.connection(),
+                   "SELECT stream, number, first_tick, last_tick, records, checksum, data FROM trace_chunk "
+                   "WHERE attempt_id = ? AND stream IN (0, 1) ORDER BY number, stream DESC");
+        rows.bind(attempt_id);
+        // What is wrong with a record that is not in pairs, the other function finds and says.
+        for (std::int64_t number = 0; rows.next(); ++number) {
+            bool is_pair = rows.integer(0) == 1 && rows.integer(1) == number;
+            try {
+                TraceChunk inputs = chunk_of_row(rows);
+                is_pair = is_pair && rows.next() && rows.integer(0) == 0 && rows.integer(1) == number &&
+                          ticks->add(std::move(inputs), chunk_of_row(rows));
+            } catch (const StoreError&) {
+                is_pair = false;
+            }
+            if (!is_pair) return read_chunks(store_, attempt_id, TracePart::all);
+        }
+    }
+    Trace trace = read_chunks(store_, attempt_id, TracePart::steps_and_events);
+    trace.ticks = ticks;
+    return trace;
 }
 
 void Attempts::read_overview(const Session& session, const std::string& attempt_id,
@@ -264,7 +296,7 @@ std::string Attempts::record_digest(const Session& session, const std::string& a
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
     require_trace_here(store_, attempt_id);
-    return read_chunks(store_, attempt_id, true).events;
+    return read_chunks(store_, attempt_id, TracePart::events).events;
 }
 
 }  // namespace fulcrum::database

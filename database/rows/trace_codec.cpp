@@ -470,4 +470,9 @@ void TraceCodec::decode_overview(const TraceChunk& samples, const TraceChunk* in
     state_->decode_overview(samples, inputs, overview);
 }
 
+std::shared_ptr<const RecordTicks> ticks_of(const std::shared_ptr<const Trace>& trace) {
+    if (trace->ticks != nullptr) return trace->ticks;
+    return std::make_shared<TicksInMemory>(trace, trace->inputs, trace->samples);
+}
+
 }  // namespace fulcrum::database

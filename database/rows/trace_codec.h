@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim_core/instrument/device.h"
+#include "sim_core/instrument/record_ticks.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"
 
@@ -81,6 +82,11 @@ struct Trace {
     std::vector<RigSample> inputs;
     std::vector<StepRecord> steps;
     std::vector<Event> events;
+    std::shared_ptr<const RecordTicks> ticks = {};  ///< in place of samples and inputs, which are empty then
+
+    std::size_t tick_count() const { return ticks != nullptr ? ticks->size() : samples.size(); }
 };
+/// Its samples and inputs, wherever they are. As many of both.
+std::shared_ptr<const RecordTicks> ticks_of(const std::shared_ptr<const Trace>& trace);
 
 }  // namespace fulcrum::database

@@ -22,6 +22,19 @@ std::vector<Record> part_of_records(const std::vector<Record>& records, std::uin
     return {begin, end};
 }
 
+std::vector<TickSample> samples_between(const database::Trace& trace, std::uint32_t first,
+                                        std::uint32_t last) {
+    if (trace.ticks == nullptr) return part_of_records(trace.samples, first, last);
+    std::vector<TickSample> samples;
+    const std::unique_ptr<TickReader> reader = trace.ticks->reader();
+    for (std::size_t i = reader->at_or_after(first); i < trace.ticks->size(); ++i) {
+        const TickSample& sample = reader->sample(i);
+        if (sample.tick > last) break;
+        samples.push_back(sample);
+    }
+    return samples;
+}
+
 }  // namespace
 
 std::vector<MetricResult> metrics_of_range(const Scene& scene, const TaskDefinition& task, std::uint64_t seed,
@@ -30,7 +43,7 @@ std::vector<MetricResult> metrics_of_range(const Scene& scene, const TaskDefinit
     const auto tick_of = [&](double t) {
         return static_cast<std::uint32_t>(std::max(0.0, t) / period + 0.5);
     };
-    const auto samples = part_of_records(trace.samples, tick_of(from), tick_of(to));
+    const auto samples = samples_between(trace, tick_of(from), tick_of(to));
     auto events = part_of_records(trace.events, tick_of(from), tick_of(to));
     // The time of a part runs from its beginning where the attempt's own runs already.
     const bool moved = std::any_of(trace.events.begin(), trace.events.end(), [&](const Event& event) {

@@ -190,22 +190,54 @@ bool is_enrolled_at(const Store& store, const ServerAddress& server) {
     return link && link->is_for(without_account);
 }
 
+namespace {
+
+std::string name_of_cohort(const Store& store, const std::string& id) {
+    Query name(store.connection(), "SELECT name FROM cohort WHERE id = ?");
+    name.bind(id);
+    return name.next() ? name.text(0) : id;
+}
+
+}  // namespace
+
 std::optional<LinkedServer> linked_server(const Store& store, const Session& session) {
     store.require(session, Operation::backup);
     const std::optional<ServerLink> link = ServerLink::of(store.station_id());
     if (!link) return std::nullopt;
     LinkedServer linked;
     linked.address = link->address.text();
-    for (const std::string& id : link->cohorts) {
-        Query name(store.connection(), "SELECT name FROM cohort WHERE id = ?");
-        name.bind(id);
-        linked.cohorts.push_back(name.next() ? name.text(0) : id);
-    }
+    for (const std::string& id : link->cohorts) linked.cohorts.push_back(name_of_cohort(store, id));
     Query last(store.connection(),
                "SELECT MAX(time) FROM audit_entry WHERE station_id = ? AND operation = 'sync.finish'");
     last.bind(store.station_id());
     if (last.next() && !last.is_null(0)) linked.last_sync = last.integer(0);
     return linked;
+}
+
+std::optional<Sentence> station_scope(const Store& store, const Session& session) {
+    if (store.is_demo() || store.connection().is_server() || session.role() == Role::trainee)
+        return std::nullopt;
+    const std::optional<ServerLink> link = ServerLink::of(store.station_id());
+    if (!link || link->cohorts.empty()) return std::nullopt;
+    // The names of cohorts that are not an educator's are none of their concern.
+    if (session.role() == Role::educator)
+        return Sentence(
+            QT_TRANSLATE_NOOP("errors",
+                              "This station holds only some of the programme's cohorts. Reports from "
+                              "the programme server have all of yours."));
+    constexpr std::size_t most_names = 5;
+    std::vector<std::string> names;
+    for (const std::string& id : link->cohorts) names.push_back(name_of_cohort(store, id));
+    std::sort(names.begin(), names.end());
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i)
+        list += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > most_names) list += ", …";
+    return Sentence(
+        QT_TRANSLATE_NOOP("errors",
+                          "This station holds %1 of the programme's cohorts: %2. Reports from the "
+                          "programme server have all of them."),
+        static_cast<std::int64_t>(names.size()), list);
 }
 
 }  // namespace fulcrum::database

@@ -37,4 +37,9 @@ struct LinkedServer {
 /// Nothing where the station was not enrolled. Operation::backup. Throws StoreError (failed).
 std::optional<LinkedServer> linked_server(const Store& store, const Session& session);
 
+/// That the station has some cohorts of the programme only, for whoever reads figures of cohorts here.
+/// Nothing for trainees, where the station has everybody, and where the store is the server. Throws
+/// StoreError (failed).
+std::optional<Sentence> station_scope(const Store& store, const Session& session);
+
 }  // namespace fulcrum::database

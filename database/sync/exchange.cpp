@@ -120,14 +120,20 @@ void Exchange::use_enrolment() {
         while (rows.next()) ids += (ids.empty() ? "" : ",") + rows.text(0);
         return "{" + ids + "}";
     };
-    Query holds(server_, "SELECT station_holds(?::text[], ?::text[])");
-    holds.bind(list("SELECT id FROM person WHERE kind = 'real' UNION SELECT id FROM cohort"))
-        .bind(
-            list("SELECT p.id FROM person p WHERE p.kind = 'real' AND (EXISTS (SELECT 1 FROM attempt a WHERE "
-                 "a.person_id = p.id) OR EXISTS (SELECT 1 FROM standing_override d WHERE d.person_id = "
-                 "p.id) OR EXISTS (SELECT 1 FROM curriculum_move m WHERE m.person_id = p.id) OR EXISTS "
-                 "(SELECT 1 FROM personal_goal g WHERE g.person_id = p.id))"))
-        .run();
+    const std::string held = list("SELECT id FROM person WHERE kind = 'real' UNION SELECT id FROM cohort");
+    note_given(
+        held,
+        list("SELECT p.id FROM person p WHERE p.kind = 'real' AND (EXISTS (SELECT 1 FROM attempt a WHERE "
+             "a.person_id = p.id) OR EXISTS (SELECT 1 FROM standing_override d WHERE d.person_id = "
+             "p.id) OR EXISTS (SELECT 1 FROM curriculum_move m WHERE m.person_id = p.id) OR EXISTS "
+             "(SELECT 1 FROM personal_goal g WHERE g.person_id = p.id))"));
+    Query refused(server_, "SELECT r FROM refused_claims(?::text[]) r");
+    refused.bind(held);
+    while (refused.next()) refused_.insert(refused.text(0));
+}
+
+void Exchange::note_given(const std::string& held, const std::string& held_whole) {
+    Query(server_, "SELECT station_holds(?::text[], ?::text[])").bind(held).bind(held_whole).run();
 }
 
 void Exchange::apply_erasures() {
@@ -279,6 +285,16 @@ void Exchange::exchange_versioned(const Units& units) {
     for (const auto& [key, state] : here) {
         const auto other = there.find(key);
         if (other != there.end() && other->second.content == state.content) continue;
+        if (refused_.count(key) != 0) {
+            result.conflicts.push_back(
+                {QT_TRANSLATE_NOOP(
+                     "errors",
+                     "%1: \"%2\" is on the server, but the server never gave it to this station: it is not "
+                     "transferred, and the server's log has this; have the person added to a cohort "
+                     "of this station, or ask the server's owner for another token"),
+                 units.table().title, state.unique.empty() ? key : state.unique});
+            continue;
+        }
         if (other == there.end() || state.version > other->second.version) {
             if (!taken(key, state, owners_there)) up.push_back(key);
             continue;
@@ -395,6 +411,7 @@ void Exchange::run() {
         if (units.table().rule == SyncRule::added) add_missing(units, Way::down);
         ++step_;
     }
+    if (is_limited_) note_given("{}", "{}");
     finish();
     push_audit();
 }

@@ -36,6 +36,8 @@ class Exchange {
     /// Of a station that was enrolled: that the account is this one's, and where it gets some cohorts only,
     /// what else it has and the server is to go on showing it.
     void use_enrolment();
+    /// What the server shows now was given to this station, also when it shows it no more.
+    void note_given(const std::string& held, const std::string& held_whole);
     void apply_erasures();
     void exchange_versioned(const Units& units);
     void add_missing(const Units& units, Way way);
@@ -58,7 +60,9 @@ class Exchange {
     Connection& server_;
     const SyncOptions& options_;
     std::string server_id_;
-    bool is_limited_ = false;                                ///< the server shows some cohorts only
+    bool is_limited_ = false;  ///< the server shows some cohorts only
+    std::set<std::string>
+        refused_;  ///< people and cohorts here that the server has, but not for this station
     std::map<std::string, std::set<std::string>> known_[2];  ///< by table: keys that the receiving side has
     std::map<std::pair<std::string, Way>, std::int64_t> waiting_;  ///< by title
     std::set<std::string> names_taken_;

@@ -23,7 +23,7 @@ struct ServerCheck {
     std::int64_t stations = 0, audit_rows = 0, signatures = 0, records = 0;
     std::string audit_head;  ///< as reports from this server print it
     std::vector<Sentence> problems;
-    std::vector<Sentence> notes;  ///< keys of stations that the key before did not announce
+    std::vector<Sentence> notes;  ///< keys that the key before did not announce; refused claims of stations
 };
 /// Verifies the audit chain and the signatures of every station that has pushed, and compares attempts,
 /// traces, scores and reviews with the digests that were signed.

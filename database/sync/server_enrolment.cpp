@@ -209,4 +209,20 @@ std::vector<Sentence> stations_with_other_keys(Connection& server) {
     return problems;
 }
 
+std::vector<Sentence> claims_that_were_refused(Connection& server) {
+    std::vector<Sentence> notes;
+    Query rows(
+        server,
+        "SELECT detail, object, time FROM server_log WHERE operation = 'claim.refuse' ORDER BY number");
+    while (rows.next())
+        notes.push_back(
+            {QT_TRANSLATE_NOOP(
+                 "errors",
+                 "station %1: on %3 it named the person or cohort %2, which the server never gave "
+                 "to it, and was refused; if you cannot explain that, end its access (`fulcrum "
+                 "server withdraw %1`) and examine the station"),
+             rows.text(0), rows.text(1), iso_utc(rows.integer(2))});
+    return notes;
+}
+
 }  // namespace fulcrum::database

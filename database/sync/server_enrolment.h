@@ -47,5 +47,7 @@ void withdraw_enrolment(const ServerAddress& address, const std::string& id);
 /// What check_programme_server() says of stations whose log is not signed by the key that was enrolled, nor
 /// by one that leads from it.
 std::vector<Sentence> stations_with_other_keys(Connection& server);
+/// And of people and cohorts that a station named without having been given them.
+std::vector<Sentence> claims_that_were_refused(Connection& server);
 
 }  // namespace fulcrum::database

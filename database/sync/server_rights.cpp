@@ -169,6 +169,7 @@ constexpr Policy policies[] = {
     {"enrolment", nullptr, nullptr, nullptr},
     {"enrolment_cohort", nullptr, nullptr, nullptr},
     {"station_unit", nullptr, nullptr, nullptr},
+    {"station_shown", nullptr, nullptr, nullptr},
     {"server_log", nullptr, nullptr, nullptr}};
 #undef FULCRUM_HOLDS_DIRECTOR
 

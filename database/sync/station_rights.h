@@ -14,6 +14,6 @@ void set_station_rights(Connection& server);
 
 /// Tables of the server's own, of which stations and people see nothing but what functions answer.
 inline constexpr const char* enrolment_tables[] = {"enrolment", "enrolment_cohort", "station_unit",
-                                                   "server_log"};
+                                                   "station_shown", "server_log"};
 
 }  // namespace fulcrum::database

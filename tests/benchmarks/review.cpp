@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Waiting times of a reviewer (docs/QUALITY.md): a cohort report of 200 trainees as PDF (5 s), the first
-// chart of an hour's trace (1 s), a pan or zoom of it (16 ms). Runs without a display. Prints the figures, or
-// writes their page into a folder as well.   usage: benchmark_review [FOLDER]
+// chart of an hour's trace (1 s), a pan or zoom of it (16 ms), the memory of comparing two of them. Runs
+// without a display. Prints the figures, or writes their page into a folder as well.   usage:
+// benchmark_review [FOLDER]
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <QApplication>
 #include <QTemporaryDir>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 
 #include "database/records/recorder.h"
 #include "sim_core/lab/result_page.h"
@@ -17,6 +21,7 @@
 #include "ui/charts/time_chart.h"
 #include "ui/reports/report.h"
 #include "ui/review/attempt_model.h"
+#include "ui/review/comparison.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -158,6 +163,45 @@ BENCHMARK(pan_and_zoom_of_an_hour)
     ->UseRealTime()
     ->Iterations(200);
 
+/// MB that the process holds at most from now on (`peak` false: that it holds now).
+double memory_mb(bool peak) {
+    std::ifstream status("/proc/self/status");
+    const std::string wanted = peak ? "VmHWM:" : "VmRSS:";
+    for (std::string line; std::getline(status, line);)
+        if (line.rfind(wanted, 0) == 0) return std::strtod(line.c_str() + wanted.size(), nullptr) / 1e3;
+    return 0;
+}
+
+/// What the page of a comparison holds: both attempts with their records, charts and alignment.
+void comparing_two_attempts_of_an_hour(benchmark::State& state) {
+    const Hour& record = hour();
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins here
+    const double before = memory_mb(false);
+    TimeChart chart("force (N)");
+    chart.resize(800, 300);
+    for (auto _ : state) {
+        const database::Store store = database::Store::open(record.path, {});
+        const auto side = [&] {
+            return load_side(store, store.station_session(), record.attempt, std::nullopt, {});
+        };
+        const std::optional<ComparedSide> own = side(), other = side();
+        const ComparedPair pair = align(*own, *other);
+        fill(chart, own->model);
+        for (std::size_t h = 0; h < hand_count; ++h)
+            chart.add_series("other", &Palette::right_hand, Qt::DashLine, pair.force[h]);
+        benchmark::DoNotOptimize(chart.grab());
+        if (!own->has_trace() || own->model.trace->tick_count() != 3'600'000) state.SkipWithError("no trace");
+        state.counters["peak_MB"] = memory_mb(true) - before;
+        state.counters["held_MB"] = memory_mb(false) - before;
+    }
+}
+BENCHMARK(comparing_two_attempts_of_an_hour)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Iterations(1);
+
 /// Prints as usual and keeps the values for the page.
 class Keeper : public benchmark::ConsoleReporter {
   public:
@@ -168,6 +212,8 @@ class Keeper : public benchmark::ConsoleReporter {
     void ReportRuns(const std::vector<Run>& runs) override {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs) {
+            if (const auto peak = run.counters.find("peak_MB"); peak != run.counters.end())
+                peak_mb = peak->second;
             for (const auto& [name, title, budget] : lines) {
                 if (run.benchmark_name().rfind(name, 0) != 0 || run.error_occurred) continue;
                 table.rows.push_back(
@@ -176,6 +222,7 @@ class Keeper : public benchmark::ConsoleReporter {
         }
     }
     lab::ResultTable table;
+    double peak_mb = 0;
 
   private:
     struct Line {
@@ -185,6 +232,8 @@ class Keeper : public benchmark::ConsoleReporter {
         {"cohort_report", "cohort report of 200 trainees as PDF", "5000"},
         {"first_chart_of_an_hour", "an hour's trace, from the store to its first chart", "1000"},
         {"pan_and_zoom_of_an_hour", "a pan or zoom of that chart", "16"},
+        {"comparing_two_attempts_of_an_hour",
+         "two attempts of an hour, from the store to the comparison's first chart", ""},
     };
     static std::string figure(double milliseconds) {
         char text[32];
@@ -193,7 +242,7 @@ class Keeper : public benchmark::ConsoleReporter {
     }
 };
 
-void write_page(const std::string& folder, const lab::ResultTable& table, double load) {
+void write_page(const std::string& folder, const lab::ResultTable& table, double peak_mb, double load) {
     lab::ResultPage page("review", "Waiting times of a reviewer", "benchmark_review " + folder);
     char beside[256];
     std::snprintf(beside, sizeof beside,
@@ -202,6 +251,12 @@ void write_page(const std::string& folder, const lab::ResultTable& table, double
                   load);
     page.paragraph(beside);
     page.table(table);
+    std::snprintf(
+        beside, sizeof beside,
+        "Comparing two attempts of an hour takes at most %.0f MB of memory, with both records as their "
+        "replays need them (budget: 1000 MB).",
+        peak_mb);
+    page.paragraph(beside);
     page.write(folder, lab::this_machine(lab::build_info()));
 }
 
@@ -216,5 +271,5 @@ int main(int argc, char** argv) {
     if (getloadavg(&load, 1) != 1) load = 0;
     fulcrum::ui::Keeper keeper;
     benchmark::RunSpecifiedBenchmarks(&keeper);
-    if (argc > 1) fulcrum::ui::write_page(argv[1], keeper.table, load);
+    if (argc > 1) fulcrum::ui::write_page(argv[1], keeper.table, keeper.peak_mb, load);
 }

@@ -274,12 +274,13 @@ void FakeAttempt::end(AttemptState state, EventKind kind) {
 
 class FakeReplay : public ReplaySource {
   public:
-    FakeReplay(Scene scene, std::shared_ptr<const database::Trace> trace)
-        : scene_(std::move(scene)), trace_(std::move(trace)), world_(first_world(scene_)) {}
+    FakeReplay(Scene scene, const std::shared_ptr<const database::Trace>& trace)
+        : scene_(std::move(scene)),
+          ticks_(database::ticks_of(trace)),
+          reader_(ticks_->reader()),
+          world_(first_world(scene_)) {}
     const Scene& scene() const override { return scene_; }
-    double duration_s() const override {
-        return trace_->samples.empty() ? 0 : trace_->samples.back().tick * 1e-3;
-    }
+    double duration_s() const override { return ticks_->size() == 0 ? 0 : ticks_->last_sample().tick * 1e-3; }
     void seek(double time_s) override {
         time_ = time_s;
         fresh_ = true;
@@ -287,9 +288,9 @@ class FakeReplay : public ReplaySource {
     bool update() override {
         if (!fresh_) return false;
         fresh_ = false;
-        const auto index = std::min(static_cast<std::size_t>(time_ * 1000), trace_->samples.size() - 1);
+        const auto index = std::min(static_cast<std::size_t>(time_ * 1000), ticks_->size() - 1);
         for (int h = 0; h < hand_count; ++h) {
-            const HandSample& hand = trace_->samples[index].hand[h];
+            const HandSample& hand = reader_->sample(index).hand[h];
             for (int axis = 0; axis < 3; ++axis) {
                 world_.tools[h].tip[axis] = hand.tip[axis] * sample_length_unit;
                 world_.tools[h].axis[axis] = hand.axis[axis] * sample_axis_unit;
@@ -305,7 +306,8 @@ class FakeReplay : public ReplaySource {
 
   private:
     Scene scene_;
-    std::shared_ptr<const database::Trace> trace_;
+    std::shared_ptr<const RecordTicks> ticks_;
+    std::unique_ptr<TickReader> reader_;
     WorldSnapshot world_;
     double time_ = 0;
     bool fresh_ = true;
@@ -422,7 +424,7 @@ Scene FakeServices::scene_of(const database::Session&, const database::AttemptSu
 std::unique_ptr<ReplaySource> FakeServices::open_replay(const database::Session& session,
                                                         const database::AttemptSummary& attempt,
                                                         std::shared_ptr<const database::Trace> trace) {
-    return std::make_unique<FakeReplay>(scene_of(session, attempt), std::move(trace));
+    return std::make_unique<FakeReplay>(scene_of(session, attempt), trace);
 }
 
 std::function<std::optional<ExpertAttempt>(const Progress&)> FakeServices::expert_attempt(

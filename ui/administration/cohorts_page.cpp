@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <algorithm>
 
+#include "ui/page/station_note.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -46,6 +47,8 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Assign cohorts"), "title"));
+    note_ = new StationNote;
+    layout->addWidget(note_);
     auto* add_row = new QHBoxLayout;
     new_name_ = new QLineEdit;
     new_name_->setObjectName(QStringLiteral("new_cohort_name"));
@@ -103,6 +106,7 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
 }
 
 void CohortsPage::enter() {
+    note_->look(context());
     fill();
     (list_->count() > 0 ? static_cast<QWidget*>(list_) : new_name_)->setFocus();
 }

@@ -13,6 +13,8 @@ class QListWidget;
 
 namespace fulcrum::ui {
 
+class StationNote;
+
 class CohortsPage : public Page {
     Q_OBJECT
   public:
@@ -31,6 +33,7 @@ class CohortsPage : public Page {
     QListWidget *list_, *members_, *educators_;
     QLineEdit *new_name_, *name_;
     QFrame* editor_;
+    StationNote* note_;
 };
 
 }  // namespace fulcrum::ui

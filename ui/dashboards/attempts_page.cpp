@@ -7,6 +7,7 @@
 #include "database/records/people.h"
 #include "ui/dashboards/trace_import_card.h"
 #include "ui/page/background_job.h"
+#include "ui/page/station_note.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -20,6 +21,8 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     layout->setSpacing(12);
     title_ = make_label(tr("Attempts"), "title");
     layout->addWidget(title_);
+    note_ = new StationNote;
+    layout->addWidget(note_);
     cut_off_card_ = make_card(4);
     cut_off_card_->setObjectName(QStringLiteral("cut_off_attempts"));
     cut_off_ = card_layout(cut_off_card_);
@@ -74,6 +77,7 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
 }
 
 void AttemptsPage::enter() {
+    note_->look(context());
     const bool own = context().session().role() == database::Role::trainee;
     title_->setText(own ? tr("My attempts") : tr("Attempts"));
     fill_filters();

@@ -22,6 +22,8 @@ class BackgroundJob;
 class JobBar;
 class TraceImportCard;
 
+class StationNote;
+
 class AttemptsPage : public Page {
     Q_OBJECT
   public:
@@ -57,6 +59,7 @@ class AttemptsPage : public Page {
     QTableWidget* table_;
     TraceImportCard* import_;
     QPushButton* show_import_;
+    StationNote* note_;
 };
 
 }  // namespace fulcrum::ui

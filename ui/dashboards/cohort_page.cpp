@@ -14,6 +14,7 @@
 #include "ui/dashboards/overview_view.h"
 #include "ui/dashboards/practice_view.h"
 #include "ui/page/background_job.h"
+#include "ui/page/station_note.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
 #include "ui/style/flow_row.h"
@@ -67,6 +68,8 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
     layout->addWidget(make_label(tr("Cohort"), "title"));
+    note_ = new StationNote;
+    layout->addWidget(note_);
     auto* row = new FlowRow;
     row->setSpacing(24);
     cohort_ = new QComboBox;
@@ -160,6 +163,7 @@ QWidget* CohortPage::make_views() {
 }
 
 void CohortPage::enter() {
+    note_->look(context());
     const QString before = cohort_->currentData().toString();
     cohort_->clear();
     context().guarded([&] {

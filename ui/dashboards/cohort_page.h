@@ -24,6 +24,8 @@ class JobBar;
 class OverviewView;
 class PracticeView;
 
+class StationNote;
+
 class CohortPage : public Page {
     Q_OBJECT
   public:
@@ -54,6 +56,7 @@ class CohortPage : public Page {
     QTableWidget *concerns_, *table_;
     ExportRow* export_;
     JobBar* job_;
+    StationNote* note_;
 };
 
 /// What stands in a cell of the table, by device class: "passed (provisional) · 3 attempts · best 84".

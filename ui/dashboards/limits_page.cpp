@@ -14,6 +14,7 @@
 #include "assessment/scoring/gate_rules.h"
 #include "sim_core/scene/standard_names.h"
 #include "ui/dashboards/limits_chart.h"
+#include "ui/page/station_note.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -63,6 +64,8 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
     layout->addWidget(make_label(tr("Limits"), "title"));
+    note_ = new StationNote;
+    layout->addWidget(note_);
     layout->addWidget(make_label(tr("The limits that attempts are compared with, and how many people would "
                                     "pass with other limits. This page changes nothing."),
                                  "muted"));
@@ -154,6 +157,7 @@ const TaskDefinition* LimitsPage::task() {
 }
 
 void LimitsPage::enter() {
+    note_->look(context());
     if (tasks_->count() == 0) {
         for (const TaskDefinition& one : context().services().tasks())
             tasks_->addItem(context().task_title(one.id), text(one.id));

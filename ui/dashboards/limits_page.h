@@ -20,6 +20,8 @@ namespace fulcrum::ui {
 class GroupsChart;
 class LimitsChart;
 
+class StationNote;
+
 class LimitsPage : public Page {
     Q_OBJECT
   public:
@@ -52,6 +54,7 @@ class LimitsPage : public Page {
     LimitsChart* chart_;
     GroupsChart* groups_;
     QTableWidget* table_;
+    StationNote* note_;
 };
 
 }  // namespace fulcrum::ui

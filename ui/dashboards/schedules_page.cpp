@@ -14,6 +14,7 @@
 #include "database/research/research_export.h"
 #include "sim_core/numerics/output_file.h"
 #include "ui/page/background_job.h"
+#include "ui/page/station_note.h"
 #include "ui/reports/scheduled_reports.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
@@ -38,6 +39,8 @@ SchedulesPage::SchedulesPage(Context& context) : Page(context, "schedules_page")
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Reports"), "title"));
+    note_ = new StationNote;
+    layout->addWidget(note_);
     layout->addWidget(build_list());
     layout->addWidget(build_research());
     layout->addStretch(1);
@@ -162,6 +165,7 @@ void SchedulesPage::choose_folder(QLineEdit* into, const QString& title) {
 }
 
 void SchedulesPage::enter() {
+    note_->look(context());
     context().guarded([&] { cohorts_ = database::People(context().store()).cohorts(context().session()); });
     const QSignalBlocker quiet(cohort_);
     const QString before = cohort_->currentData().toString();

@@ -20,6 +20,8 @@ namespace fulcrum::ui {
 
 class JobBar;
 
+class StationNote;
+
 class SchedulesPage : public Page {
     Q_OBJECT
   public:
@@ -49,6 +51,7 @@ class SchedulesPage : public Page {
     QComboBox *cohort_, *format_, *every_;
     QLineEdit *folder_, *research_folder_;
     JobBar *bar_, *research_bar_;
+    StationNote* note_;
 };
 
 }  // namespace fulcrum::ui

@@ -93,11 +93,10 @@ std::optional<ComparedSide> load_side(const database::Store& store, const databa
     };
     try {
         if (!bring_trace(store.path(), session, attempt_id, share_of)) return std::nullopt;
-        // The charts chunk by chunk, before the whole trace is in memory: an hour of it takes 1.1 GB.
         std::optional<AttemptModel> model = load_attempt(store, session, attempt_id, scene, share_of);
         if (!model) return std::nullopt;
         side.model = std::move(*model);
-        if (summary.meta.keep_trace) *trace = attempts.read_trace(session, attempt_id);
+        if (summary.meta.keep_trace) *trace = attempts.read_packed_trace(session, attempt_id);
     } catch (const database::StoreError& error) {
         if (error.kind() != database::StoreErrorKind::not_found &&
             error.kind() != database::StoreErrorKind::unreachable)
@@ -110,7 +109,7 @@ std::optional<ComparedSide> load_side(const database::Store& store, const databa
                                 ? external_trace_text(summary.meta.device)
                                 : trace_not_kept_text();
     if (progress && !progress(0.9, {})) return std::nullopt;
-    if (side.has_trace() && trace->samples.empty())
+    if (side.has_trace() && trace->tick_count() == 0)
         side.why_no_trace = ComparisonTexts::tr("Nothing was recorded.");
     side.model.trace = trace;
     side.moments = phase_moments(trace->events, side.model.tick, side.model.duration);

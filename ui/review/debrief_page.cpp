@@ -351,7 +351,7 @@ void DebriefPage::read_record() {
             database::StoreOptions options;
             options.read_only = true;
             const database::Store store = database::Store::open(path, options);
-            *trace = database::Attempts(store).read_trace(session, id);
+            *trace = database::Attempts(store).read_packed_trace(session, id);
         },
         [this, trace] {
             job_ = nullptr;
@@ -370,7 +370,7 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
     model_ = std::move(model);
     std::unique_ptr<ReplaySource> source;
     QString why;
-    if (model_->trace->samples.empty()) {
+    if (model_->trace->tick_count() == 0) {
         why = tr("Nothing was recorded.");
     } else {
         try {

@@ -103,6 +103,7 @@ void ReplayPanel::open(std::shared_ptr<const AttemptModel> model, const TaskDefi
 void ReplayPanel::set_record(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
                              const QString& why_no_picture) {
     model_ = std::move(model);
+    ticks_ = model_->trace == nullptr ? nullptr : database::ticks_of(model_->trace)->reader();
     source_ = std::move(source);
     state_->setText(why_no_picture);
     view_->setVisible(source_ != nullptr);
@@ -114,6 +115,7 @@ void ReplayPanel::close() {
     timer_.stop();
     view_->unload();
     source_.reset();
+    ticks_.reset();
     model_.reset();
     notice_.clear();
     time_ = 0;
@@ -235,14 +237,12 @@ void ReplayPanel::fill_hud() {
             hud.tool_active[h] = field[0].tools[h].active;
         }
     }
-    const std::vector<TickSample>& samples = model_->trace->samples;
     const auto tick = static_cast<std::uint32_t>(time_ / model_->tick);
-    const auto found =
-        std::lower_bound(samples.begin(), samples.end(), tick,
-                         [](const TickSample& sample, std::uint32_t t) { return sample.tick < t; });
-    if (found != samples.end()) {
+    const std::size_t index = ticks_->at_or_after(tick);
+    if (index < model_->trace->tick_count()) {
+        const TickSample& sample = ticks_->sample(index);
         for (std::size_t h = 0; h < hand_count; ++h) {
-            const HandSample& hand = found->hand[h];
+            const HandSample& hand = sample.hand[h];
             hud.display.force[h] = static_cast<float>(model_->force[h]->value_at(time_));
             hud.jaws_closed[h] = (hand.flags & hand_grasping) != 0 || hand.jaw_angle < 50000;
             hud.display.warning[h] = (hand.flags & hand_warned) != 0;

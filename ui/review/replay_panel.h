@@ -58,6 +58,7 @@ class ReplayPanel : public QWidget {
     void practise();
 
     std::shared_ptr<const AttemptModel> model_;
+    std::unique_ptr<TickReader> ticks_;  ///< of the model's trace
     std::unique_ptr<ReplaySource> source_;
     const TaskDefinition* task_ = nullptr;
     TheatreView* view_;

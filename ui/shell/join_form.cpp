@@ -98,7 +98,7 @@ void JoinForm::join() {
         [this, complete] {
             if (*complete) emit joined();
         },
-        [this](const QString& why) { problem_->setText(why); });
+        [this](const QString& why) { problem_->setText(capital(why)); });
     connect(job, &BackgroundJob::ended, this, [this] {
         busy_ = false;
         update_button();

@@ -13,6 +13,7 @@
 #include "app/live/frame_store.h"
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/operators/operator.h"
+#include "database/rows/packed_ticks.h"
 #include "database/scoring/loaded_task.h"
 #include "tests/assessment/attempt/expert_record.h"
 #include "tests/support/own_folder.h"
@@ -155,6 +156,26 @@ AttemptRecord short_record(const LoadedTask& loaded, OperatorLevel level) {
     MemorySink sink;
     run_headless(engine, *rig, sink, [](double now) { return now < 1.2; });
     return std::move(sink.record);
+}
+
+TEST_F(KeptReplay, OfAPackedRecordIsThatOfTheRecordItself) {
+    use_reference();
+    const auto ticks = std::make_shared<database::PackedTicks>();
+    database::TraceCodec codec;
+    constexpr std::size_t chunk = 700;
+    for (std::size_t first = 0; first < trace->samples.size(); first += chunk) {
+        const std::size_t count = std::min(chunk, trace->samples.size() - first);
+        const RigSample* inputs = trace->inputs.data() + first;
+        database::TraceChunk packed = codec.encode(inputs, count);
+        ASSERT_TRUE(
+            ticks->add(std::move(packed), codec.encode(trace->samples.data() + first, count, inputs)));
+    }
+    request.trace =
+        std::make_shared<const database::Trace>(database::Trace{{}, {}, trace->steps, trace->events, ticks});
+    const auto replay = make_replay_source(request);
+    EXPECT_EQ(replay->duration_s(), trace->samples.back().tick * 1e-3);
+    expect_end(*replay);
+    EXPECT_NE(replay->moment(replay->duration_s() / 2), nullptr);
 }
 
 TEST_F(KeptReplay, FramesThatLeadAwayFromTheRecordAreMadeAgain) {

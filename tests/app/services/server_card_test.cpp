@@ -101,7 +101,7 @@ TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfARevi
     link.finish(joined.station_id(), "none");
     click(window, "fetch_recording");
     ASSERT_TRUE(wait_for([&] { return debrief->has_charts() && debrief->is_ready(); }));
-    EXPECT_EQ(debrief->model()->trace->samples.size(), 1000U);
+    EXPECT_EQ(debrief->model()->trace->tick_count(), 1000U);
     EXPECT_FALSE(sees(window, "fetch_recording"));
     EXPECT_TRUE(joined.check(joined.station_session()).ok);
     window.context().sign_out();

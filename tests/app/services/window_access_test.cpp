@@ -33,7 +33,7 @@ void WindowAccess::expect_debrief(const Target& target, const std::string& cell)
     ASSERT_TRUE(wait_for([&] { return debrief->has_charts(); })) << cell;
     ASSERT_TRUE(wait_for([&] { return debrief->is_ready(); })) << cell;
     EXPECT_TRUE(allowed(Operation::read_trace, target)) << cell;
-    EXPECT_EQ(debrief->model()->trace->samples.size(), 1000U) << cell;
+    EXPECT_EQ(debrief->model()->trace->tick_count(), 1000U) << cell;
     EXPECT_EQ(sees(*window, "comment_words"),
               allowed(Operation::read_comment, target) && !target.comment.empty())
         << cell;

@@ -34,6 +34,18 @@ TEST(Recorder, AnotherThreadFeedsIt) {
     feeder.join();
     EXPECT_EQ(recorder.records_waiting(), 0U);
     const Trace trace = programme.attempts().read_trace(programme.session("ann"), recorder.attempt_id());
+    const Trace packed =
+        programme.attempts().read_packed_trace(programme.session("ann"), recorder.attempt_id());
+    ASSERT_NE(packed.ticks, nullptr);
+    EXPECT_TRUE(packed.samples.empty() && packed.inputs.empty());
+    ASSERT_EQ(packed.tick_count(), trace.samples.size());
+    const auto reader = packed.ticks->reader();
+    for (std::size_t i = 0; i < trace.samples.size(); ++i) {
+        ASSERT_EQ(std::memcmp(&reader->sample(i), &trace.samples[i], sizeof(TickSample)), 0) << i;
+        ASSERT_EQ(std::memcmp(&reader->input(i), &trace.inputs[i], sizeof(RigSample)), 0) << i;
+    }
+    EXPECT_EQ(packed.steps.size(), trace.steps.size());
+    EXPECT_EQ(packed.events.size(), trace.events.size());
     ASSERT_EQ(trace.samples.size(), 4000U);
     ASSERT_EQ(trace.inputs.size(), 4000U);
     EXPECT_EQ(trace.steps.size(), 800U);

@@ -94,9 +94,10 @@ class Comparing : public ::testing::Test {
             {end - 1, {EventKind::phase_end, 2}},
             {end, {EventKind::completed, 0}}};
         for (std::uint32_t tick = 1; like.keep_trace && tick <= end; ++tick) {
-            recorder.append(RigSample());
+            RigSample input;
             TickSample sample;
-            sample.tick = tick;
+            input.tick = sample.tick = tick;
+            recorder.append(input);
             const double x = 0.02 * std::sin(tick * 2e-3 / like.pace);
             for (HandSample& hand : sample.hand) {
                 hand.tip[0] = static_cast<std::int32_t>(std::lround(x / sample_length_unit));
@@ -238,6 +239,11 @@ TEST_F(Comparing, APartHasTheMetricsOfBothByTheSameFunction) {
     const Scene scene = services.scene_for(task, "standard");
     const auto part = metrics_of_range(scene, task, 7, trace, 2, 5);
     const auto whole = metrics_of_range(scene, task, 7, trace, 0, 6);
+    const auto of_packed = metrics_of_range(
+        scene, task, 7, database::Attempts(*services.store()).read_packed_trace(sessions.at("tara"), own), 2,
+        5);
+    ASSERT_EQ(of_packed.size(), part.size());
+    for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(of_packed[i].value, part[i].value) << part[i].id;
     const auto value = [](const std::vector<MetricResult>& of, const char* id, const char* hand) {
         return find_result(of, id, hand, "")->value.value_or(-1);
     };

@@ -7924,6 +7924,22 @@
         <source>a kept key frame cannot be read, or does not match its checksum</source>
         <translation>ein aufbewahrter Zwischenstand kann nicht gelesen werden oder stimmt nicht mit seiner Prüfsumme überein</translation>
     </message>
+    <message>
+        <source>%1: &quot;%2&quot; is on the server, but the server never gave it to this station: it is not transferred, and the server&apos;s log has this; have the person added to a cohort of this station, or ask the server&apos;s owner for another token</source>
+        <translation>%1: „%2“ ist auf dem Server, aber der Server hat dieser Station das nie gegeben: Es wird nicht übertragen, und das Protokoll des Servers hat es vermerkt; lassen Sie die Person in eine Gruppe dieser Station aufnehmen, oder bitten Sie den Inhaber des Servers um ein anderes Token</translation>
+    </message>
+    <message>
+        <source>station %1: on %3 it named the person or cohort %2, which the server never gave to it, and was refused; if you cannot explain that, end its access (`fulcrum server withdraw %1`) and examine the station</source>
+        <translation>Station %1: Am %3 hat sie die Person oder Gruppe %2 genannt, die der Server ihr nie gegeben hat, und wurde abgewiesen; wenn Sie das nicht erklären können, beenden Sie ihren Zugang (`fulcrum server withdraw %1`) und untersuchen Sie die Station</translation>
+    </message>
+    <message>
+        <source>This station holds only some of the programme&apos;s cohorts. Reports from the programme server have all of yours.</source>
+        <translation>Diese Station hat nur einen Teil der Gruppen des Programms. Berichte vom Programmserver enthalten alle Ihre Gruppen.</translation>
+    </message>
+    <message>
+        <source>This station holds %1 of the programme&apos;s cohorts: %2. Reports from the programme server have all of them.</source>
+        <translation>Diese Station hat %1 der Gruppen des Programms: %2. Berichte vom Programmserver enthalten alle.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
