@@ -34,7 +34,7 @@ class FrameStore {
     /// In place of what is here: the frames of a file, which are read when they are asked for; null: none.
     /// Of add()'s thread, which adds none to them.
     void restore(std::shared_ptr<const FrameFile> file);
-    /// In place of what is here: frames() of another one. Of add()'s thread, which goes on from the last.
+    /// In place of what is here: frames() of another one. Of add()'s thread, which continues from the last.
     /// Throws StateArchiveError, StoreError.
     void restore(std::vector<PackedFrame> frames);
     /// All frames, to be kept in a file.

@@ -111,7 +111,7 @@ class MainWindow : public QMainWindow {
     QPushButton *switch_user_ = nullptr, *theme_ = nullptr, *menu_ = nullptr, *rail_switch_user_ = nullptr;
     QVBoxLayout* rail_layout_ = nullptr;
     QHBoxLayout* rail_and_pages_ = nullptr;  ///< rail and pages
-    bool narrow_ = false;                 ///< too little room for rail and pages
+    bool narrow_ = false;                    ///< too little room for rail and pages
     std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
     std::map<std::type_index, Page*> pages_;
     bool fitted_ = false;  ///< to the screen, with its real frame
