@@ -195,6 +195,9 @@ TEST_P(FaultWindow, PausesTheAttemptWithForceZeroSaysWhatToDoAndLosesNothing) {
     ASSERT_TRUE(wait_for([&] { return panel().contains(device->words); }, 10000)) << panel().toStdString();
     EXPECT_TRUE(panel().contains("The force is 0 and the timer is stopped")) << panel().toStdString();
     EXPECT_EQ(device->force(), 0);
+    // The display of a late step can come after the panel.
+    const std::uint32_t lost_at = theatre().session()->health().ticks;
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->snapshot().tick >= lost_at; }));
     const double stopped = theatre().session()->display().elapsed_s;
     EXPECT_GT(stopped, 0);
     device->repair();
