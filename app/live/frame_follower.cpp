@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/live/frame_follower.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 
 namespace fulcrum::app {
@@ -13,14 +10,6 @@ constexpr std::uint32_t slice_ticks = 10;
 /// Ticks between what is made and the newest: enough that the record knows which step follows.
 constexpr std::uint32_t behind_ticks = 100;
 constexpr std::size_t ticks_to_drop = 5000;
-
-/// Of the calling thread. SCHED_IDLE would be a fifth of this on a machine that is busy, and its owner may
-/// have to wait for it.
-void take_lowest_priority() {
-    const sched_param parameter{};
-    pthread_setschedparam(pthread_self(), SCHED_BATCH, &parameter);
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);
-}
 
 template <typename Type>
 void move_to(std::vector<Type>& from, std::vector<Type>& to) {

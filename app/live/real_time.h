@@ -5,7 +5,9 @@
 
 #include <pthread.h>
 #include <semaphore.h>
+#include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
@@ -31,6 +33,14 @@ inline bool raise_priority(int priority) {
     sched_param parameter{};
     parameter.sched_priority = priority;
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) == 0;
+}
+
+/// Of the calling thread, for work that may take its time. SCHED_IDLE would be a fifth of this on a machine
+/// that is busy, and its owner may have to wait for it.
+inline void take_lowest_priority() {
+    const sched_param parameter{};
+    pthread_setschedparam(pthread_self(), SCHED_BATCH, &parameter);
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);
 }
 
 /// Counting signal between threads; post() never blocks.

@@ -12,9 +12,11 @@
 #include "app/cli/installed_curriculum.h"
 #include "app/live/frame_follower.h"
 #include "app/live/frame_keeping.h"
+#include "app/live/frames_in_advance.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/live/replay_moment.h"
+#include "app/live/stored_start.h"
 #include "app/services/demo.h"
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
@@ -63,6 +65,7 @@ class Services : public ui::ApplicationServices {
     }
     void open_store(bool demo) override {
         const std::string path = store_path(demo);
+        in_advance_.finish();
         store_.reset();
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
         database::Curricula(*opened).check(curriculum());
@@ -188,20 +191,31 @@ class Services : public ui::ApplicationServices {
                                                   const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {
         const database::Attempts attempts(*store_);
-        ReplayRequest replay{{load_recorded(attempts, session, attempt), attempt.meta.seed},
-                             attempt.meta.id,
-                             std::move(trace),
-                             attempt.meta.force_devices,
-                             true};
-        if (attempt.meta.origin) {
-            replay.start_is_readable = attempt.meta.origin->build == state_build();
-            replay.start.state = attempts.start_state(session, attempt.meta.id);
-        }
+        StoredStart stored = stored_start(attempts, session, attempt);
+        ReplayRequest replay{std::move(stored.start), attempt.meta.id, std::move(trace),
+                             attempt.meta.force_devices, stored.readable};
         replay.follower = follower_;
+        replay.frames = in_advance_.take(attempt.meta.id);
+        replay.open = open_replays_[attempt.meta.id].lock();
+        if (replay.open == nullptr) replay.open = std::make_shared<char>();
+        open_replays_[attempt.meta.id] = replay.open;
         replay.keeping = frames_of(session, attempt, replay.start.loaded);
         replay.tap = sending_.begin(replay.start.loaded.scene);
         return make_replay_source(std::move(replay));
     }
+    void prepare_replays(const database::Session& session) override {
+        if (store_ == nullptr || store_->is_server() || store_->is_read_only()) return;
+        std::set<std::string> open;
+        for (auto one = open_replays_.begin(); one != open_replays_.end();) {
+            if (one->second.expired()) {
+                one = open_replays_.erase(one);
+            } else {
+                open.insert((one++)->first);
+            }
+        }
+        in_advance_.begin(store_->path(), session, std::move(open));
+    }
+    void stop_preparing_replays() override { in_advance_.stop(); }
     std::function<std::optional<ui::ExpertAttempt>(const ui::Progress&)> expert_attempt(
         const database::Session& session, const database::AttemptSummary& attempt) override {
         return expert_maker(load_recorded(database::Attempts(*store_), session, attempt), attempt.meta);
@@ -310,6 +324,7 @@ class Services : public ui::ApplicationServices {
     }
 
     std::unique_ptr<ui::AttemptSession> begin(LiveRequest live) {
+        in_advance_.stop();
         live.tap = sending_.begin(live.loaded.scene);
         if (!live.store_path.empty()) {
             live.follower = std::make_shared<FrameFollower>();
@@ -418,7 +433,9 @@ class Services : public ui::ApplicationServices {
 
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<FrameFollower> follower_;  ///< of the newest attempt
-    bool frames_swept_ = false;                ///< once for each store opened: frames whose attempts are gone
+    FramesInAdvance in_advance_;
+    std::map<std::string, std::weak_ptr<void>> open_replays_;  ///< by attempt
+    bool frames_swept_ = false;  ///< once for each store opened: frames whose attempts are gone
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
     Sending sending_;
     Sounds sounds_;

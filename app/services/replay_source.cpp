@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/live/frame_pass.h"
 #include "app/live/frame_store.h"
 #include "app/live/replay_moment.h"
 #include "assessment/attempt/engine_state.h"
@@ -20,7 +21,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::uint32_t slice_ticks = 10;  // of a run between two looks at what is asked for
+constexpr std::uint32_t slice_ticks = 10;  // of the viewer's run between two looks at what is asked for
 constexpr std::uint32_t nothing_viewed = 0xffffffff;
 constexpr std::uint32_t settled_ticks = 11;  // by which the world follows the tick
 constexpr std::uint32_t ahead_picture_ticks = 100;
@@ -135,7 +136,7 @@ class Replay : public ui::ReplaySource {
             viewer_.emplace(request_.start, *record_);
             publish(viewer_->engine.initial_snapshot(), viewer_->cursor.tick());
             simulated_.store(viewer_->cursor.tick());
-            use_followers_frames();
+            use_found_frames();
             use_kept_frames();
             while (!stop_.load()) {
                 if (!finished_.load() && !ahead_) begin_pass();
@@ -149,11 +150,13 @@ class Replay : public ui::ReplaySource {
         }
     }
 
-    void use_followers_frames() {
-        if (request_.follower == nullptr) return;
-        std::vector<PackedFrame> frames = request_.follower->take(request_.attempt_id);
-        request_.follower.reset();
-        if (!frames.empty()) frames_.restore(std::move(frames));
+    void use_found_frames() {
+        if (request_.follower != nullptr) {
+            std::vector<PackedFrame> frames = request_.follower->take(request_.attempt_id);
+            request_.follower.reset();
+            if (!frames.empty()) request_.frames = std::move(frames);
+        }
+        if (!request_.frames.empty()) frames_.restore(std::move(request_.frames));
     }
 
     void use_kept_frames() {
@@ -171,7 +174,6 @@ class Replay : public ui::ReplaySource {
         frames_.restore(nullptr);
         found_ = false;
         ahead_.reset();
-        run_since_frame_ = 0;
         viewer_.emplace(request_.start, *record_);
         simulated_.store(viewer_->cursor.tick());
         viewed_ = nothing_viewed;
@@ -180,18 +182,14 @@ class Replay : public ui::ReplaySource {
     }
 
     void begin_pass() {
-        ahead_.emplace(request_.start, *record_);
         found_ = frames_.count() > 0;
-        if (found_) {
-            try {
-                frames_.put(nothing_viewed, ahead_->cursor);
-            } catch (const StateArchiveError&) {
-                return forget_found_frames();
-            }
-        } else {
-            frames_.add(ahead_->cursor);
+        try {
+            ahead_.emplace(request_.start, *record_, frames_);
+        } catch (const StateArchiveError&) {
+            if (!found_) throw;
+            return forget_found_frames();
         }
-        simulated_.store(ahead_->cursor.tick());
+        simulated_.store(ahead_->tick());
     }
 
     /// Makes the world that is asked for; false where that is shown already, or is not simulated yet.
@@ -202,7 +200,7 @@ class Replay : public ui::ReplaySource {
             // Until the simulation has come to what is asked for, its newest world is shown.
             if (simulated_.load() >= shown_ahead_ + ahead_picture_ticks) {
                 shown_ahead_ = simulated_.load();
-                publish(ahead_->engine.world().snapshot(), shown_ahead_);
+                publish(ahead_->world(), shown_ahead_);
             }
             return false;
         }
@@ -249,27 +247,15 @@ class Replay : public ui::ReplaySource {
     bool simulate() {
         if (finished_.load()) return false;
         if (!ahead_) return true;  // begins with the next slice
-        ReplayCursor& cursor = ahead_->cursor;
-        const double begin = thread_seconds();
-        if (cursor.at_end()) {
-            cursor.run_to_end();
-        } else {
-            cursor.run_to(cursor.tick() + slice_ticks);
-        }
-        run_since_frame_ += thread_seconds() - begin;
-        if (!cursor.outcome().identical && found_) {
+        const bool more = ahead_->run_slice();
+        if (!ahead_->identical() && found_) {
             forget_found_frames();
             return true;
         }
-        if (!cursor.outcome().identical && differs_from_.load() < 0)
-            differs_from_.store(cursor.outcome().first_divergence_s);
-        const bool done = cursor.at_end();
-        if (!done && frames_.wants(run_since_frame_)) {
-            frames_.add(cursor);
-            run_since_frame_ = 0;
-        }
-        simulated_.store(cursor.tick());
-        if (!done) return true;
+        if (!ahead_->identical() && differs_from_.load() < 0)
+            differs_from_.store(ahead_->first_divergence_s());
+        simulated_.store(ahead_->tick());
+        if (more) return true;
         finished_.store(true);
         if (request_.keeping.wanted() && differs_from_.load() < 0 && ticks_->size() > 0)
             writer_.emplace(request_.keeping, frames_.frames(), ticks_->last_sample().tick);
@@ -334,11 +320,11 @@ class Replay : public ui::ReplaySource {
     std::atomic<double> differs_from_{-1.0};
     std::atomic<bool> stop_{false}, finished_{false};
     // The thread's own.
-    std::optional<Player> viewer_, ahead_;
+    std::optional<Player> viewer_;
+    std::optional<FramePass> ahead_;
     std::optional<FrameFileWriter> writer_;
     bool found_ = false;  // key frames are kept ones, or those of the attempt itself
     std::uint32_t viewed_ = 0, shown_ahead_ = 0;
-    double run_since_frame_ = 0;
 
     std::mutex mutex_;  // guards what follows, and what asked_ waits for
     std::condition_variable asked_;

@@ -20,11 +20,13 @@ struct ReplayRequest {
     bool start_is_readable = true;  ///< false: another build wrote start.state; only poses are shown
     FrameKeeping keeping = {};      ///< key frames of a completed pass, kept for the next opening
     std::shared_ptr<FrameFollower> follower = {};  ///< of the newest attempt, which may be this one; or null
+    std::vector<PackedFrame> frames = {};          ///< of the record's beginning, made already; or none
+    std::shared_ptr<void> open = {};               ///< held while the replay is open
     std::shared_ptr<SampleTap> tap = {};  ///< gets the recorded sample of what is shown; null: nobody looks
 };
 
 /// On a thread of its own one engine runs through the record once and leaves key frames (FrameStore), unless
-/// those of an earlier pass were kept, and from where those of the attempt itself end; a second one makes
+/// those of an earlier pass were kept, and from where those that were made before end; a second one makes
 /// what is asked for from the key frame before it, and compares what it makes with the record: kept frames
 /// that lead elsewhere are thrown away, and the pass is made. Instruments and scope come from the record.
 /// Owner's thread only.

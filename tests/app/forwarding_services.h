@@ -120,6 +120,8 @@ class ForwardingServices : public ui::ApplicationServices {
                                                   std::shared_ptr<const database::Trace> trace) override {
         return own_->open_replay(session, attempt, std::move(trace));
     }
+    void prepare_replays(const database::Session& session) override { own_->prepare_replays(session); }
+    void stop_preparing_replays() override { own_->stop_preparing_replays(); }
     Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
         return own_->scene_of(session, attempt);
     }

@@ -69,6 +69,8 @@ class FakeServices : public ApplicationServices {
     std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
                                               const database::AttemptSummary& attempt,
                                               std::shared_ptr<const database::Trace> trace) override;
+    void prepare_replays(const database::Session&) override {}
+    void stop_preparing_replays() override {}
     std::function<std::optional<ExpertAttempt>(const Progress&)> expert_attempt(
         const database::Session& session, const database::AttemptSummary& attempt) override;
     std::unique_ptr<ReplaySource> open_expert_replay(const database::Session& session,

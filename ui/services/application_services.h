@@ -147,6 +147,11 @@ class ReplayService {
     virtual std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
                                                       const database::AttemptSummary& attempt,
                                                       std::shared_ptr<const database::Trace> trace) = 0;
+    /// Makes ready, on a thread of the lowest priority, replays that would have to be simulated when they are
+    /// opened first; returns at once, and does nothing where that is at work already. An attempt that begins
+    /// or a replay that is opened stops it.
+    virtual void prepare_replays(const database::Session& session) = 0;
+    virtual void stop_preparing_replays() = 0;
     /// The first of the synthetic experts of the provisional benchmark performs the task of this attempt in
     /// its scene. The function that is returned does the work and may run on any thread; it is empty when
     /// stopped. Throws as scene_of.

@@ -67,7 +67,12 @@ TheatrePage* MainWindow::running_theatre() const {
 }
 
 MainWindow::MainWindow(ApplicationServices& services, QWidget* parent, int lock_ms, int close_ms)
-    : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms), schedules_(context_, this) {
+    : QMainWindow(parent),
+      context_(services),
+      idle_(this, lock_ms, close_ms),
+      schedules_(context_, this),
+      replays_(
+          context_, [this] { return running_theatre() != nullptr; }, this) {
     setObjectName(QStringLiteral("main_window"));
     setWindowTitle(tr("Fulcrum"));
     build();

@@ -11,6 +11,7 @@
 
 #include "ui/page/context.h"
 #include "ui/shell/idle_watch.h"
+#include "ui/shell/replay_watch.h"
 #include "ui/shell/schedule_watch.h"
 #include "ui/style/palette.h"
 
@@ -100,6 +101,7 @@ class MainWindow : public QMainWindow {
     Context context_;
     IdleWatch idle_;
     ScheduleWatch schedules_;
+    ReplayWatch replays_;
     QStackedWidget* layers_ = nullptr;  ///< the window proper, the lock
     QStackedWidget* stack_ = nullptr;
     QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;

@@ -10,16 +10,14 @@
 #include <filesystem>
 #include <thread>
 
-#include "app/live/frame_keeping.h"
 #include "app/live/live_attempt.h"
 #include "app/live/performance.h"
 #include "app/services/application.h"
 #include "app/services/replay_source.h"
 #include "assessment/operators/operator.h"
 #include "database/records/attempts.h"
-#include "database/records/people.h"
 #include "database/store/kept_frames.h"
-#include "sim_core/numerics/state_archive.h"
+#include "tests/app/live/kept_station.h"
 #include "tests/assessment/attempt/expert_record.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/support/own_folder.h"
@@ -47,27 +45,6 @@ class FollowedAttempt : public ::testing::Test {
         }
         follower.hand_on();
     }
-    /// From every frame to the next one, and from the last one to the end.
-    static void expect_bit_for_bit(const FrameKeeping& keeping, const LoadedTask& loaded, std::uint64_t seed,
-                                   const AttemptRecord& record) {
-        const auto file = FrameFile::open(keeping);
-        ASSERT_NE(file, nullptr);
-        EXPECT_EQ(file->last_tick(), record.inputs.back().tick);
-        FrameStore frames;
-        frames.restore(file);
-        AttemptEngine engine(loaded.scene, loaded.task, seed);
-        ReplayCursor cursor(engine, record);
-        for (std::size_t i = 0; i < file->count(); ++i) {
-            frames.put(file->tick(i), cursor);
-            ASSERT_EQ(cursor.tick(), file->tick(i));
-            if (i + 1 < file->count()) {
-                cursor.run_to(file->tick(i + 1));
-            } else {
-                cursor.run_to_end();
-            }
-            ASSERT_TRUE(cursor.outcome().identical) << "from frame " << i;
-        }
-    }
     bool kept() const { return std::filesystem::exists(keeping.folder); }
 
     const test::ExpertRecord& made = test::expert_record("A2");
@@ -82,7 +59,7 @@ TEST_F(FollowedAttempt, FramesAreInTheirFileWhenItIsOverAndContinueBitForBit) {
     follower.complete("attempt", keeping);
     ASSERT_TRUE(follower.finish_here());
     const AttemptRecord& record = made.record;
-    expect_bit_for_bit(keeping, load_task_and_scene("A2"), test::expert_seed, record);
+    expect_frames_bit_for_bit(keeping, load_task_and_scene("A2"), test::expert_seed, record);
     EXPECT_TRUE(follower.take("attempt").empty()) << "they are in the file";
 }
 
@@ -109,7 +86,7 @@ TEST_F(FollowedAttempt, AReplayThatIsOpenedBeforeTheEndWasReachedContinuesFromIt
     EXPECT_FALSE(replay->differs_from_s());
     while (FrameFile::open(keeping) == nullptr && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    expect_bit_for_bit(keeping, request.start.loaded, test::expert_seed, record);
+    expect_frames_bit_for_bit(keeping, request.start.loaded, test::expert_seed, record);
 }
 
 TEST_F(FollowedAttempt, OfARecordThatTheSimulationDoesNotRepeatNothingIsKept) {
@@ -145,33 +122,8 @@ TEST_F(FollowedAttempt, ClosingTheProgramDoesNotWaitForTheRest) {
     EXPECT_FALSE(kept());
 }
 
-/// A store of its own with a synthetic expert.
-struct Station {
-    explicit Station(const std::string& path) : store(database::Store::create(path)) {}
-    database::Store store;
-    database::Session session = store.station_session();
-    std::string person = database::People(store).ensure_synthetic(session, "expert", "Synthetic expert").id;
-
-    database::AttemptMeta meta(const LoadedTask& loaded) const {
-        database::AttemptMeta made = attempt_meta(loaded, test::expert_seed, AttemptMode::practice,
-                                                  DeviceClass::synthetic, "synthetic operator", {});
-        made.person_id = person;
-        return made;
-    }
-    /// As open_replay() looks for it.
-    FrameKeeping keeping(const std::string& attempt) const {
-        const database::Attempts attempts(store);
-        return frame_keeping(store, session, attempt,
-                             load_recorded(attempts, session, attempts.read(session, attempt)));
-    }
-    AttemptRecord record(const std::string& attempt) const {
-        const database::Trace trace = database::Attempts(store).read_trace(session, attempt);
-        return {trace.inputs, trace.samples, trace.steps, trace.events, {}};
-    }
-};
-
 TEST_F(FollowedAttempt, OnTheClockItsReplayIsPreparedWhenItEnds) {
-    const Station station((folder / "station.db").string());
+    const KeptStation station((folder / "station.db").string());
     LiveRequest request;
     request.loaded = load_task_and_scene("A2");
     request.seed = test::expert_seed;
@@ -196,7 +148,7 @@ TEST_F(FollowedAttempt, OnTheClockItsReplayIsPreparedWhenItEnds) {
     ASSERT_TRUE(follower->finish_here());
     AttemptRecord record = station.record(attempt);
     record.devices = database::Attempts(station.store).read(station.session, attempt).meta.force_devices;
-    expect_bit_for_bit(station.keeping(attempt), load_task_and_scene("A2"), test::expert_seed, record);
+    expect_frames_bit_for_bit(station.keeping(attempt), load_task_and_scene("A2"), test::expert_seed, record);
 }
 
 /// An attempt in the program that begins at this goal: its replay is opened as soon as it is over.
@@ -265,7 +217,7 @@ TEST_F(FollowedAttempt, OneThatBeginsAtALaterGoalToo) {
 }
 
 TEST_F(FollowedAttempt, PerformedWithoutAWindowItsReplayIsPreparedToo) {
-    const Station station((folder / "station.db").string());
+    const KeptStation station((folder / "station.db").string());
     PerformRequest request;
     request.loaded = load_task_and_scene("B3");
     request.operator_level = OperatorLevel::expert;
@@ -283,7 +235,7 @@ TEST_F(FollowedAttempt, PerformedWithoutAWindowItsReplayIsPreparedToo) {
     EXPECT_GT(frames.count(), 1U);
     AttemptRecord record = station.record(recorder.attempt_id());
     record.devices = performed.record.devices;
-    expect_bit_for_bit(where, request.loaded, test::expert_seed, record);
+    expect_frames_bit_for_bit(where, request.loaded, test::expert_seed, record);
 }
 
 }  // namespace
