@@ -69,8 +69,10 @@ class FakeServices : public ApplicationServices {
     std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
                                               const database::AttemptSummary& attempt,
                                               std::shared_ptr<const database::Trace> trace) override;
-    void prepare_replays(const database::Session&) override {}
-    void stop_preparing_replays() override {}
+    void prepare_replays(const database::Session& session) override {
+        prepared.push_back(session.person_id());
+    }
+    void stop_preparing_replays() override { ++stopped_preparing; }
     std::function<std::optional<ExpertAttempt>(const Progress&)> expert_attempt(
         const database::Session& session, const database::AttemptSummary& attempt) override;
     std::unique_ptr<ReplaySource> open_expert_replay(const database::Session& session,
@@ -143,8 +145,10 @@ class FakeServices : public ApplicationServices {
     ForceTestState force_test() override { return tested; }
     std::string program_version() const override { return "0.1.0-test"; }
 
-    std::optional<ExpertAttempt> expert;       ///< what expert_attempt() makes; none: the attempt itself
-    bool expert_waits = false;                 ///< it works until it is stopped
+    std::optional<ExpertAttempt> expert;  ///< what expert_attempt() makes; none: the attempt itself
+    bool expert_waits = false;            ///< it works until it is stopped
+    std::vector<std::string> prepared;    ///< people for whom prepare_replays() was called
+    int stopped_preparing = 0;
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;

@@ -2,15 +2,13 @@
 #include "ui/shell/replay_watch.h"
 
 namespace fulcrum::ui {
-namespace {
-
-constexpr int first_prepared_ms = 3000;  // after the sign-in: the first page is drawn first
-constexpr int prepare_every_ms = 60000;
-
-}  // namespace
-
-ReplayWatch::ReplayWatch(Context& context, std::function<bool()> attempt_runs, QObject* parent)
-    : QObject(parent), context_(context), attempt_runs_(std::move(attempt_runs)) {
+ReplayWatch::ReplayWatch(Context& context, std::function<bool()> attempt_runs, QObject* parent, int first_ms,
+                         int then_ms)
+    : QObject(parent),
+      context_(context),
+      attempt_runs_(std::move(attempt_runs)),
+      first_ms_(first_ms),
+      then_ms_(then_ms) {
     connect(&timer_, &QTimer::timeout, this, &ReplayWatch::look);
     connect(&context_, &Context::session_changed, this, &ReplayWatch::session_changed);
 }
@@ -18,11 +16,11 @@ ReplayWatch::ReplayWatch(Context& context, std::function<bool()> attempt_runs, Q
 void ReplayWatch::session_changed() {
     timer_.stop();
     context_.services().stop_preparing_replays();
-    if (context_.signed_in() && !context_.session().must_change_password()) timer_.start(first_prepared_ms);
+    if (context_.signed_in() && !context_.session().must_change_password()) timer_.start(first_ms_);
 }
 
 void ReplayWatch::look() {
-    timer_.setInterval(prepare_every_ms);
+    timer_.setInterval(then_ms_);
     if (!attempt_runs_()) context_.services().prepare_replays(context_.session());
 }
 

@@ -14,15 +14,20 @@ namespace fulcrum::ui {
 class ReplayWatch : public QObject {
     Q_OBJECT
   public:
+    static constexpr int first_look_ms = 3000;  ///< after the sign-in: the first page is drawn first
+    static constexpr int every_ms = 60000;
+
     /// `attempt_runs`: asked before each look.
-    ReplayWatch(Context& context, std::function<bool()> attempt_runs, QObject* parent = nullptr);
+    ReplayWatch(Context& context, std::function<bool()> attempt_runs, QObject* parent = nullptr,
+                int first_ms = first_look_ms, int then_ms = every_ms);
 
   private:
     void session_changed();
     void look();
 
     Context& context_;
-    std::function<bool()> attempt_runs_;
+    const std::function<bool()> attempt_runs_;
+    const int first_ms_, then_ms_;
     QTimer timer_;
 };
 

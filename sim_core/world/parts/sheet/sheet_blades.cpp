@@ -213,16 +213,16 @@ void SheetBlades::follow_track(const BladeStep& blade, BladeTrack& track) const 
         if (there.fragment < 0) continue;
         const Vector3 off = sheet_.place(there) - point;
         const double along = std::abs(off.dot(blade.normal));
-        const double beside = std::sqrt(std::max(0.0, off.squaredNorm() - along * along));
-        if (along > blade.depth || beside > 0.5 * blade.width) continue;
+        const double across = std::sqrt(std::max(0.0, off.squaredNorm() - along * along));
+        if (along > blade.depth || across > 0.5 * blade.width) continue;
         add_under(there, 0.5 * along / blade.depth, track.samples[i]);
-        track.samples[i].beside = beside;
+        track.samples[i].across = across;
     }
 }
 
 // Not next to it, where a lip is.
 bool SheetBlades::over_tissue(const UnderBlade& sample) noexcept {
-    return sample.count > 0 && sample.beside <= fresh_by;
+    return sample.count > 0 && sample.across <= fresh_by;
 }
 
 // Whether a blade comes upon tissue before it. Its step begins a little behind it: where nothing is before

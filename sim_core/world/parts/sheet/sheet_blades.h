@@ -26,7 +26,7 @@ class SheetBlades {
         };
         static constexpr std::size_t capacity = 3;
         std::size_t count = 0;
-        double beside = 0;  ///< m along the surface, from the point to what the blade's width alone reaches
+        double across = 0;  ///< m along the surface, from the point to what the blade's width alone reaches
         std::array<Layer, capacity> layers;
     };
     /// A blade's step before it divides anything.
