@@ -116,6 +116,10 @@ TEST(PassRule, IsReadFromItsText) {
 }
 
 TEST(RelapseCusum, LimitIsTheSmallestHundredthThatAlarmsFewEnough) {
+    EXPECT_EQ(relapse_limit, 3.05);
+    // By following every sequence of 20 attempts, apart from the program.
+    EXPECT_NEAR(relapse_alarm(0.1, 3.05, 20), 0.048853, 1e-6);
+    EXPECT_NEAR(relapse_alarm(0.1, 3.04, 20), 0.060712, 1e-6);
     EXPECT_LE(relapse_alarm(relapse_p0, relapse_limit, relapse_attempts), relapse_false_alarms);
     EXPECT_GT(relapse_alarm(relapse_p0, relapse_limit - 0.01, relapse_attempts), relapse_false_alarms);
 }

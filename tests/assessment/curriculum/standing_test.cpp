@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "assessment/curriculum/recommendation.h"
 
@@ -272,9 +273,13 @@ History random_history(const Curriculum& curriculum) {
         one.voided_at = *rc::gen::inRange(0, 8) == 0 ? one.time + *rc::gen::inRange(0, 30) * day : 0;
         history.record.attempts.push_back(one);
     }
-    if (*rc::gen::inRange(0, 3) == 0)
+    const int overrides = *rc::gen::inRange(0, 4);
+    for (int i = 0; i < overrides; ++i)
         history.record.overrides.push_back(
-            {"o", "B", StandingOverride::Kind::proficient, begin + *rc::gen::inRange(0, 365) * day});
+            {"override-" + std::to_string(i),
+             std::string(1, static_cast<char>('A' + *rc::gen::inRange(0, 3))),
+             *rc::gen::element(StandingOverride::Kind::proficient, StandingOverride::Kind::unlocked),
+             begin + *rc::gen::inRange(0, 365) * day});
     history.at = begin + *rc::gen::inRange(0, 400) * day;
     return history;
 }
@@ -294,9 +299,14 @@ bool same(const std::vector<TaskStanding>& a, const std::vector<TaskStanding>& b
 RC_GTEST_PROP(StandingProperty, TheOrderOfInsertionChangesNothing, ()) {
     const Curriculum curriculum =
         example(*rc::gen::element<std::string>("row:2", "of:3,4", "lc-cusum:0.1,0.3,2.5"));
-    const History history = random_history(curriculum);
+    const Curriculum next = example("row:3");
+    History history = random_history(curriculum);
+    history.record.assignments.push_back({begin + *rc::gen::inRange(0, 365) * day, &next});
     PersonRecord other = history.record;
-    std::reverse(other.attempts.begin(), other.attempts.end());
+    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    std::shuffle(other.attempts.begin(), other.attempts.end(), random);
+    std::shuffle(other.overrides.begin(), other.overrides.end(), random);
+    std::shuffle(other.assignments.begin(), other.assignments.end(), random);
     RC_ASSERT(same(standing_of(history.record, history.at), standing_of(other, history.at)));
 }
 
@@ -325,6 +335,32 @@ RC_GTEST_PROP(StandingProperty, AVoidedAttemptIsAsIfItHadNeverBeen, ()) {
     without.attempts.erase(without.attempts.begin() + static_cast<std::ptrdiff_t>(index));
     history.record.attempts[index].voided_at = history.at;
     RC_ASSERT(same(standing_of(history.record, history.at), standing_of(without, history.at)));
+}
+
+/// Whatever curriculum somebody is given later, and whether or not later attempts meet other limits.
+RC_GTEST_PROP(StandingProperty, ADeclaredProficiencyIsNeverTakenBackByALaterCurriculumOrLimit, ()) {
+    const Curriculum curriculum = example();
+    History history = random_history(curriculum);
+    for (CountedAttempt& one : history.record.attempts) one.voided_at = 0;
+    const auto before = standing_of(history.record, history.at);
+    const Curriculum strict =
+        example(*rc::gen::element<std::string>("row:9", "of:8,9", "lc-cusum:0.05,0.2,6"));
+    history.record.assignments.push_back({history.at + 1, &strict});
+    for (CountedAttempt& one : history.record.attempts) {
+        if (one.time <= history.at) continue;
+        one.passed = false;
+        one.provisional = *rc::gen::arbitrary<bool>();
+    }
+    const std::int64_t later = history.at + *rc::gen::inRange(1, 500) * day;
+    const auto after = standing_of(history.record, later);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i].declared_at == 0) continue;
+        // Failed attempts alone lead to a relapse; one that was regained is declared later.
+        if (after[i].standing != Standing::relapsed)
+            RC_ASSERT(after[i].declared_at >= before[i].declared_at);
+        RC_ASSERT(after[i].standing == Standing::proficient || after[i].standing == Standing::maintained ||
+                  after[i].standing == Standing::due || after[i].standing == Standing::relapsed);
+    }
 }
 
 RC_GTEST_PROP(StandingProperty, OnceUnlockedNeverLockedAgain, ()) {

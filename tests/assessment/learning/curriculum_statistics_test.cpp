@@ -204,6 +204,39 @@ TEST(LearningCurve, AttemptsToALimit) {
     EXPECT_EQ(*attempts_to_limit(values, fit, 20, false).attempts, 1) << "higher is better: met at once";
 }
 
+/// y = a + b/x is linear in a and b, so that the ends of the profile interval of a have a closed form.
+TEST(LearningCurve, PlateauIntervalOfTheInverseCurveIsThatOfItsClosedForm) {
+    const std::vector<double> values = {98, 66, 52, 49, 43, 44, 39, 41, 36, 38, 37, 35};
+    const double n = 12, limit = 37;
+    double u = 0, uu = 0, y = 0, uy = 0;
+    for (int x = 1; x <= 12; ++x) {
+        const double value = values[static_cast<std::size_t>(x - 1)];
+        u += 1.0 / x;
+        uu += 1.0 / x / x;
+        y += value;
+        uy += value / x;
+    }
+    const double b = (uy - u * y / n) / (uu - u * u / n), a = (y - b * u) / n;
+    double rss = 0;
+    for (int x = 1; x <= 12; ++x) rss += std::pow(values[static_cast<std::size_t>(x - 1)] - a - b / x, 2);
+    const double half = std::sqrt(rss * std::expm1(3.841458820694124 / n) / (n - u * u / uu));
+    const CurveFit fit = fit_curves(values)[0];
+    ASSERT_EQ(fit.model, CurveModel::inverse);
+    EXPECT_NEAR(fit.plateau, a, 1e-4);
+    ASSERT_TRUE(fit.plateau_low && fit.plateau_high);
+    EXPECT_NEAR(*fit.plateau_low, a - half, 1e-4);
+    EXPECT_NEAR(*fit.plateau_high, a + half, 1e-4);
+    // With the plateau at an end, b follows; the first whole attempt at or below the limit.
+    const auto first_at = [&](double plateau) {
+        return static_cast<int>(std::ceil((uy - plateau * u) / uu / (limit - plateau)));
+    };
+    const AttemptsToLimit met = attempts_to_limit(values, fit, limit, true);
+    EXPECT_EQ(met.attempts, static_cast<int>(std::ceil(b / (limit - a))));
+    EXPECT_EQ(met.low, first_at(a - half));
+    EXPECT_EQ(met.high, first_at(a + half));
+    EXPECT_LT(*met.low, *met.high);
+}
+
 TEST(LearningCurve, EqualAndHugeValuesGiveFiniteFits) {
     for (const std::vector<double>& values : {std::vector<double>(10, 5.0), std::vector<double>(10, 0.0),
                                               curve(1e12, 3e12, 0.3, false, 10, 1e10)}) {
@@ -227,12 +260,18 @@ TEST(Agreement, GivesTheSixFormsOfShroutAndFleiss) {
     EXPECT_NEAR(icc.one_k.value, 0.442797, 1e-6);
     EXPECT_NEAR(icc.two_k.value, 0.620051, 1e-6);
     EXPECT_NEAR(icc.three_k.value, 0.909316, 1e-6);
-    EXPECT_NEAR(icc.one_1.low, -0.133, 1e-3);
-    EXPECT_NEAR(icc.one_1.high, 0.723, 1e-3);
-    EXPECT_NEAR(icc.two_1.low, 0.019, 1e-3);
-    EXPECT_NEAR(icc.two_1.high, 0.761, 1e-3);
-    EXPECT_NEAR(icc.three_1.low, 0.342, 1e-3);
-    EXPECT_NEAR(icc.three_1.high, 0.946, 1e-3);
+    // Intervals by the formulas of Shrout and Fleiss (1979) and of McGraw and Wong (1996), with quantiles of
+    // F from a numerical integral.
+    const auto expect = [](const Correlation& found, double low, double high) {
+        EXPECT_NEAR(found.low, low, 1e-4);
+        EXPECT_NEAR(found.high, high, 1e-4);
+    };
+    expect(icc.one_1, -0.132932, 0.722560);
+    expect(icc.two_1, 0.018787, 0.761084);
+    expect(icc.three_1, 0.342465, 0.945858);
+    expect(icc.one_k, -0.884442, 0.912415);
+    expect(icc.two_k, 0.071137, 0.927232);
+    expect(icc.three_k, 0.675675, 0.985892);
 }
 
 TEST(Agreement, AlphaIsThatOfItsDefinition) {
@@ -252,6 +291,8 @@ TEST(Agreement, AlphaIsThatOfItsDefinition) {
         items += variance(item);
     }
     EXPECT_NEAR(cronbach_alpha(judges), k / (k - 1) * (1 - items / variance(totals)), 1e-12);
+    // It is the consistency of the mean of the judges, published as 0.91 (Shrout and Fleiss 1979, table 4).
+    EXPECT_NEAR(cronbach_alpha(judges), 0.909316, 1e-6);
 }
 
 TEST(Agreement, RefusesWhatIsNotATableAndKeepsNegativeValues) {
