@@ -174,11 +174,11 @@ class Services : public ui::ApplicationServices {
                                                         const ui::Progress& progress) override {
         return app::score_interrupted(store_path(session.is_demo()), session, progress);
     }
-    std::size_t stale_scores(const database::Session& session) override {
+    std::vector<database::StaleScore> stale_scores(const database::Session& session) override {
         database::StoreOptions options;
         options.read_only = true;
         const database::Store store = database::Store::open(store_path(session.is_demo()), options);
-        return database::Attempts(store).stale_scores(session, scoring_in_force()).size();
+        return database::Attempts(store).stale_scores(session, scoring_in_force());
     }
     std::vector<RecomputedScore> recompute_scores(const database::Session& session,
                                                   const ui::Progress& progress) override {

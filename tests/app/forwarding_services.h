@@ -108,7 +108,7 @@ class ForwardingServices : public ui::ApplicationServices {
                                                         const ui::Progress& progress) override {
         return own_->score_interrupted(session, progress);
     }
-    std::size_t stale_scores(const database::Session& session) override {
+    std::vector<database::StaleScore> stale_scores(const database::Session& session) override {
         return own_->stale_scores(session);
     }
     std::vector<RecomputedScore> recompute_scores(const database::Session& session,

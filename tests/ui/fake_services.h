@@ -62,7 +62,7 @@ class FakeServices : public ApplicationServices {
     std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override {
         return {};
     }
-    std::size_t stale_scores(const database::Session&) override { return 0; }
+    std::vector<database::StaleScore> stale_scores(const database::Session&) override { return {}; }
     std::vector<RecomputedScore> recompute_scores(const database::Session&, const Progress&) override {
         return {};
     }

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <map>
 
 #include "database/records/people.h"
 #include "ui/dashboards/trace_import_card.h"
@@ -14,6 +15,29 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// "Ann Trainee: A2 (3), B1", a line a person, so many at most.
+QString stale_names(const std::vector<database::StaleScore>& scores) {
+    constexpr std::size_t most_people = 6;
+    std::map<QString, std::map<QString, int>> people;
+    for (const database::StaleScore& score : scores) ++people[text(score.person_name)][text(score.task_id)];
+    QStringList lines;
+    for (const auto& [person, tasks] : people) {
+        if (lines.size() == static_cast<int>(most_people)) {
+            lines << AttemptsPage::tr("and of %n more people", nullptr,
+                                      static_cast<int>(people.size() - most_people));
+            break;
+        }
+        QStringList of;
+        for (const auto& [task, count] : tasks)
+            of << (count > 1 ? QStringLiteral("%1 (%2)").arg(task).arg(count) : task);
+        lines << QStringLiteral("%1: %2").arg(person, of.join(QStringLiteral(", ")));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
 
 AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     auto* body = new QWidget;
@@ -127,6 +151,9 @@ QFrame* AttemptsPage::build_stale() {
     stale_ = make_label({});
     stale_->setObjectName(QStringLiteral("stale_scores"));
     card_layout(stale_card_)->addWidget(stale_);
+    stale_names_ = make_label({}, "muted");
+    stale_names_->setObjectName(QStringLiteral("stale_names"));
+    card_layout(stale_card_)->addWidget(stale_names_);
     recompute_ = make_button(tr("Recompute"), "recompute_scores");
     connect(recompute_, &QPushButton::clicked, this, &AttemptsPage::recompute);
     card_layout(stale_card_)->addWidget(recompute_, 0, Qt::AlignLeft);
@@ -143,21 +170,22 @@ QFrame* AttemptsPage::build_stale() {
 void AttemptsPage::count_stale() {
     stale_card_->hide();
     if (job_ != nullptr || !context().allowed(database::Operation::recompute_score)) return;
-    auto count = std::make_shared<std::size_t>(0);
+    auto found = std::make_shared<std::vector<database::StaleScore>>();
     job_ = BackgroundJob::run(
         this,
-        [count, session = context().session(),
+        [found, session = context().session(),
          services = static_cast<ScoringService*>(&context().services())](const Progress&) {
-            *count = services->stale_scores(session);
+            *found = services->stale_scores(session);
         },
-        [this, count] {
+        [this, found] {
             job_ = nullptr;
             stale_->setText(
                 tr("%n scores were computed with older metrics or limits. Recomputing adds a second score to "
                    "each attempt; the score in force does not change.",
-                   nullptr, static_cast<int>(*count)));
+                   nullptr, static_cast<int>(found->size())));
+            stale_names_->setText(stale_names(*found));
             recompute_->setEnabled(true);
-            stale_card_->setVisible(*count > 0);
+            stale_card_->setVisible(!found->empty());
         },
         [this](const QString& why) {
             job_ = nullptr;

@@ -51,7 +51,7 @@ class AttemptsPage : public Page {
     QFrame *requests_card_, *cut_off_card_;
     QVBoxLayout *requests_, *cut_off_;
     QFrame* stale_card_;
-    QLabel* stale_;
+    QLabel *stale_, *stale_names_;
     QPushButton* recompute_;
     JobBar* bar_;
     BackgroundJob* job_ = nullptr;

@@ -15,6 +15,7 @@
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/forms/observer_form.h"
 #include "assessment/scoring/judged_limits.h"
+#include "database/records/attempts.h"
 #include "database/records/tissues.h"
 #include "database/rows/attempt_records.h"
 #include "database/scoring/rescoring.h"
@@ -124,8 +125,8 @@ class ScoringService {
     /// (docs/MANUAL.md: it does not count unless what was recorded failed already).
     virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session,
                                                             const Progress& progress) = 0;
-    /// How many scores within the session's scope are based on metrics or limits that are no longer in force.
-    virtual std::size_t stale_scores(const database::Session& session) = 0;
+    /// Scores within the session's scope that are based on metrics or limits that are no longer in force.
+    virtual std::vector<database::StaleScore> stale_scores(const database::Session& session) = 0;
     /// Makes a new score next to each of these.
     virtual std::vector<RecomputedScore> recompute_scores(const database::Session& session,
                                                           const Progress& progress) = 0;

@@ -331,6 +331,8 @@ TEST_F(WindowAccess, EducatorsRecomputeTheScoresOfTheirCohorts) {
     ASSERT_TRUE(wait_for([&] { return sees(*window, "recompute_scores"); }, 60000));
     EXPECT_TRUE(find<QLabel>(*window, "stale_scores")->text().startsWith("2 scores"))
         << "Ann's and their own";
+    EXPECT_TRUE(find<QLabel>(*window, "stale_names")->text().contains("Ann Trainee: A2"))
+        << find<QLabel>(*window, "stale_names")->text().toStdString();
     keep_picture(*window, "recompute");
     click(*window, "recompute_scores");
     ASSERT_TRUE(wait_for([&] { return attempts.scores(director, evaluated).size() == 2; }, 60000));

@@ -11068,6 +11068,13 @@
         <source>%1 interrupted attempts, the last on %2. Recorded: %3</source>
         <translation>%1 unterbrochene Versuche, der letzte am %2. Aufgezeichnet: %3</translation>
     </message>
+    <message numerus="yes">
+        <source>and of %n more people</source>
+        <translation>
+            <numerusform>und von %n weiteren Person</numerusform>
+            <numerusform>und von %n weiteren Personen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::AuditPage</name>
@@ -16376,6 +16383,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Outcome: %1 · Time limit %2</source>
         <translation>Ergebnis: %1 · Zeitlimit %2</translation>
+    </message>
+    <message>
+        <source>Watch an expert do it</source>
+        <translation>Einem Experten zusehen</translation>
+    </message>
+    <message>
+        <source>A simulated expert performs the task. Nothing is stored. Press Esc to stop.</source>
+        <translation>Ein simulierter Experte führt die Aufgabe durch. Es wird nichts gespeichert. Drücken Sie Esc, um zu beenden.</translation>
     </message>
 </context>
 <context>

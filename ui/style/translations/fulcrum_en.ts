@@ -12,6 +12,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>and of %n more people</source>
+        <translation>
+            <numerusform>and of %n more person</numerusform>
+            <numerusform>and of %n more people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n attempts</source>
         <translation>
             <numerusform>%n attempt</numerusform>
