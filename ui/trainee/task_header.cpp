@@ -4,6 +4,7 @@
 #include <map>
 
 #include "database/records/attempts.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -43,10 +44,16 @@ TaskHeader::TaskHeader(Context& context) : context_(context) {
     variants_->setSpacing(2);
     words->addLayout(variants_);
     perform_ = make_button(tr("Open the briefing"), "task_briefing", "primary");
-    words->addWidget(perform_, 0, Qt::AlignLeft);
+    watch_ = make_button(tr("Watch an expert do it"), "task_demonstration");
+    watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Esc to stop."));
+    auto* buttons = new FlowRow;
+    for (QPushButton* button : {perform_, watch_}) buttons->add(button);
+    words->addLayout(buttons);
     words->addStretch();
     row->addLayout(words, 1);
     connect(perform_, &QPushButton::clicked, this, [this] { emit context_.briefing_wanted(text(task_id_)); });
+    connect(watch_, &QPushButton::clicked, this,
+            [this] { emit context_.demonstration_wanted(text(task_id_)); });
 }
 
 /// What was practised of each variant; for oneself a link to the briefing with this variant.
@@ -89,6 +96,7 @@ void TaskHeader::show_task(const std::string& person_id, const std::string& task
         context_.allowed(database::Operation::perform_attempt, database::Subject::person(person_id));
     fill_variants(person_id, *task, may_perform);
     perform_->setVisible(may_perform);
+    watch_->setVisible(may_perform);
 }
 
 }  // namespace fulcrum::ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A task at the top of its page: the picture of its scene, what is to be done, what it leaves, its variants
-// with what the person has performed of them, and the way to its briefing.
+// with what the person has performed of them, and the way to its briefing and to its demonstration.
 #pragma once
 
 #include <QFrame>
@@ -30,7 +30,7 @@ class TaskHeader : public QFrame {
     ScenePicture* picture_;
     QLabel *title_, *briefing_, *product_;
     QVBoxLayout* variants_;
-    QPushButton* perform_;
+    QPushButton *perform_, *watch_;
 };
 
 }  // namespace fulcrum::ui

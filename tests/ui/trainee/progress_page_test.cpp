@@ -116,6 +116,7 @@ TEST_F(ProgressWithHistory, IsThePageOfTheTask) {
     for (int i = 0; i < 14; ++i) record(700 + 800 * std::exp(-0.35 * i) + (i % 2 == 0 ? 25 : -25));
     open(Role::trainee);
     EXPECT_TRUE(sees(*window, "task_header"));
+    EXPECT_TRUE(sees(*window, "task_demonstration"));
     auto* picture = find<ScenePicture>(*window, "scene_picture");
     EXPECT_TRUE(wait_for([&] { return !picture->picture().isNull(); })) << picture->trouble().toStdString();
     EXPECT_FALSE(sees(*window, "explain_progress")) << "points are no metric";
