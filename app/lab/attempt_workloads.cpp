@@ -94,14 +94,15 @@ lab::Workload tick_workload(const char* name, double budget_mg, int tick_rate = 
     return tick;
 }
 
-/// One step of the world in B1.
-lab::Workload world_workload() {
+/// One step of the world of a task; `parts` are those whose bytes count.
+lab::Workload world_workload(const char* name, const char* task, double budget_mg,
+                             const std::set<std::string>& parts) {
     lab::Workload world;
-    world.name = "world_b1";
-    world.budget_mg = 90;
+    world.name = name;
+    world.budget_mg = budget_mg;
     world.samples = 1500;
-    world.prepare = [] {
-        auto bench = std::make_shared<Bench>("B1", 8.0);
+    world.prepare = [task, parts] {
+        auto bench = std::make_shared<Bench>(task, 8.0);
         lab::Workload::Prepared prepared;
         prepared.step = [bench] { bench->engine.step(bench->outputs.data(), bench->outputs.size(), *bench); };
         prepared.between = [bench] {
@@ -109,7 +110,8 @@ lab::Workload world_workload() {
             bench->rig->observe(bench->engine.world().snapshot(), bench->engine.display());
             bench->ticks();
         };
-        prepared.bytes = bytes_of(bench->engine.world(), {"rod", "collision", "cage_and_surface"});
+        prepared.bytes = bytes_of(bench->engine.world(), parts);
+        if (!bench->loaded.scene.bowel) return prepared;
         prepared.error = [bench] {
             return std::optional<double>(bench->engine.world().snapshot().bowel.solve_residual);
         };
@@ -168,8 +170,12 @@ std::size_t bytes_of(const World& world, const std::set<std::string>& parts) {
 
 std::vector<lab::Workload> attempt_workloads() {
     // At the paper's rate a tick may take the same share of its period.
-    return {tick_workload("tick", 15), tick_workload("tick_1200hz", 12.5, 1200), world_workload(),
-            plane_workload(), recording_workload()};
+    return {tick_workload("tick", 15),
+            tick_workload("tick_1200hz", 12.5, 1200),
+            world_workload("world_a3", "A3", 60, {"objects", "pegs"}),
+            world_workload("world_b1", "B1", 90, {"rod", "collision", "cage_and_surface"}),
+            plane_workload(),
+            recording_workload()};
 }
 
 }  // namespace fulcrum::app
