@@ -58,6 +58,8 @@ void FramesInAdvance::begin(const std::string& store_path, const database::Sessi
         if (work_ != nullptr && work_->store_path == store_path &&
             work_->session.person_id() == session.person_id())
             seen = std::move(work_->seen);
+        for (const std::string& id : opened_) seen.erase(id);
+        opened_.clear();
         work_ = std::make_shared<Work>(store_path, session);
         work_->seen = std::move(seen);
         work_->except = std::move(except);
@@ -73,8 +75,9 @@ void FramesInAdvance::stop() noexcept {
 
 std::vector<PackedFrame> FramesInAdvance::take(const std::string& attempt_id) noexcept {
     stop();
-    if (!at_work()) return {};
     try {
+        opened_.insert(attempt_id);
+        if (!at_work()) return {};
         std::shared_ptr<const FrameStore> frames;
         {
             const std::lock_guard<std::mutex> lock(work_->mutex);
@@ -116,7 +119,10 @@ void FramesInAdvance::make_all(Work& work) {
             // A task that is not known here.
         } catch (const StateArchiveError&) {
         } catch (const database::StoreError& error) {
-            if (error.kind() != database::StoreErrorKind::corrupt) throw;  // later
+            // Damaged, or at another station; anything else may be over a minute later.
+            if (error.kind() != database::StoreErrorKind::corrupt &&
+                error.kind() != database::StoreErrorKind::not_found)
+                throw;
         }
         if (!work.stop.load()) work.seen.insert(attempt.meta.id);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Key frames of stored attempts that have none (brought by an exchange with the programme server, cut off by
-// a killed program, recorded before frames were kept), made on a thread of the lowest priority so that the
-// first opening of their replays need not make them.
+// Key frames of stored attempts that have none (cut off by a killed program, fetched from the programme
+// server, of the demonstration, recorded by another build of the program), made on a thread of the lowest
+// priority so that the first opening of their replays need not make them.
 #pragma once
 
 #include <atomic>
@@ -42,7 +42,8 @@ class FramesInAdvance {
     /// Stops, and waits until the store is closed here.
     void finish() noexcept;
     bool at_work() const { return work_ != nullptr && !work_->ended.load(); }
-    /// Stops soon, and gives the frames made so far where the work is on this attempt. Does not wait.
+    /// Its replay is opened. Stops soon, and gives the frames made so far where the work is on this attempt;
+    /// the next begin() looks at it again. Does not wait.
     std::vector<PackedFrame> take(const std::string& attempt_id) noexcept;
 
   private:
@@ -66,6 +67,7 @@ class FramesInAdvance {
                          const database::AttemptSummary& attempt);
 
     std::shared_ptr<Work> work_;
+    std::set<std::string> opened_;  ///< since the last begin()
     std::thread thread_;
 };
 

@@ -12,6 +12,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/packed_bytes.h"
 #include "database/store/accepted_assets.h"
+#include "database/store/kept_frames.h"
 #include "sim_core/numerics/files.h"
 #include "sim_core/numerics/output_file.h"
 
@@ -73,6 +74,7 @@ bool write_store(const std::vector<std::uint8_t>& bytes, const std::string& path
     }
     if (progress && !progress(0.9, {})) return false;
     remove_store(path);
+    database::remove_all_kept_frames(path);
     rename_replacing(unfinished, path);
     return true;
 }

@@ -60,7 +60,7 @@ std::string kept_frames_folder(const std::string& store_path) {
 }
 
 std::string kept_frames_folder(const Store& store) {
-    if (store.is_server() || store.is_read_only() || store.is_demo()) return {};
+    if (store.is_server() || store.is_read_only()) return {};
     return kept_frames_folder(store.path());
 }
 

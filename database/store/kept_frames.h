@@ -10,7 +10,7 @@
 namespace fulcrum::database {
 
 /// STORE.frames next to the store's own file, however it was named. Empty where none are kept: a programme
-/// server, a store that is only read, the demonstration.
+/// server, a store that is only read.
 std::string kept_frames_folder(const Store& store);
 /// Of the folder of a store at this path.
 std::string kept_frames_folder(const std::string& store_path);

@@ -112,6 +112,10 @@ TEST_F(AdvanceFrames, ThatWereThrownAwayAreMadeWhenTheProgramStartsAgain) {
     database::remove_all_kept_frames(station.store.path());
     prepare();
     EXPECT_EQ(inode(one), 0U) << "looked at once";
+    EXPECT_TRUE(frames.take(one).empty());
+    prepare();
+    EXPECT_NE(inode(one), 0U) << "its replay was opened, and closed before it was ready";
+    database::remove_all_kept_frames(station.store.path());
     FramesInAdvance another;
     another.begin(station.store.path(), station.session);
     EXPECT_TRUE(becomes_true([&] { return !another.at_work(); }));
