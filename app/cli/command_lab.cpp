@@ -77,7 +77,9 @@ std::vector<Command> laboratory_commands() {
                 page)},
         {"lab passes", "[TASK...]", 0, 20,
          "Counts which synthetic operators pass each task with each class of devices.",
-         joined({{"--seeds", "N", "Attempts of each preset: 6 to 1000 (20)."}}, page)},
+         joined({{"--seeds", "N", "Attempts of each preset: 6 to 1000 (20)."},
+                 {"--variants", "", "Each variant of each task instead."}},
+                page)},
         {"lab invariance", "", 0, 0,
          "Measures what metrics make of the same attempts recorded otherwise: turned, later, at half the "
          "rate, with noise.",

@@ -196,18 +196,25 @@ Sentence costs_text() {
     if (!costs)
         return QT_TRANSLATE_NOOP("commands",
                                  "What a fidelity costs in score is not measured for this version.");
-    Sentence text(QT_TRANSLATE_NOOP(
-                      "commands",
-                      "What a fidelity costs: processor time, the assessed metric that differs most from %1, "
-                      "and verdicts that differ, measured with synthetic operators (fulcrum lab fidelity)."),
-                  finest_fidelity());
+    Sentence text(
+        QT_TRANSLATE_NOOP("commands",
+                          "Fidelities with another score than %1, measured with synthetic operators "
+                          "(fulcrum lab fidelity): the assessed metric that differs most, and "
+                          "verdicts that differ."),
+        finest_fidelity());
     for (const auto& [task, measured] : costs->tasks) {
-        Sentence levels;
-        for (const FidelityCost& cost : measured.levels)
-            levels = levels.empty() ? cost_text(cost) : Sentence("%1; %2", levels, cost_text(cost));
-        text = Sentence("%1 %2: %3.", text, task, levels);
+        for (const FidelityCost& cost : measured.levels) {
+            if (cost.metric.empty() && cost.verdicts == 0) continue;
+            const Sentence verdicts(QT_TRANSLATE_NOOP("commands", "%1 at %2: another verdict for %3 of %4"),
+                                    task, cost.fidelity, cost.verdicts, cost.attempts);
+            text = cost.metric.empty() ? Sentence("%1 %2.", text, verdicts)
+                                       : Sentence("%1 %2, %3 %4 %.", text, verdicts,
+                                                  cost.metric + (cost.hand.empty() ? "" : " " + cost.hand),
+                                                  three_digits(cost.shift_percent, true));
+        }
     }
-    return text;
+    return {"%1 %2", text,
+            QT_TRANSLATE_NOOP("commands", "Every other fidelity gives the same score as the finest one.")};
 }
 
 int run_perform(const Arguments& arguments) {

@@ -134,8 +134,9 @@ int operators(const Arguments& arguments) {
 int passes(const Arguments& arguments) {
     const auto seeds = static_cast<int>(arguments.integer("--seeds", 20, 6, 1000));
     make_output(arguments);
+    const std::vector<std::string> tasks = arguments.words().empty() ? task_ids() : arguments.words();
     const Measured measured =
-        measure_passes(arguments.words().empty() ? task_ids() : arguments.words(), seeds);
+        arguments.has("--variants") ? measure_variant_passes(tasks, seeds) : measure_passes(tasks, seeds);
     return deliver(arguments, measured.page, measured.document);
 }
 

@@ -333,6 +333,48 @@ Measured measure_passes(const std::vector<std::string>& tasks, int seeds) {
     return measured;
 }
 
+Measured measure_variant_passes(const std::vector<std::string>& tasks, int seeds) {
+    Measured measured{lab::ResultPage("passes_by_variant",
+                                      "Who passes each variant of each task, " + std::to_string(seeds) +
+                                          " seeds from " + std::to_string(operators_first_seed),
+                                      "fulcrum lab passes --variants --seeds " + std::to_string(seeds) +
+                                          " --output docs/results"),
+                      nlohmann::json::object({{"passes", nlohmann::json::array()}})};
+    lab::ResultTable table;
+    table.name = "passes_by_variant";
+    table.columns = {"task", "variant", "judged by the set of", "experts", "intermediates", "novices"};
+    for (const std::string& task : tasks) {
+        for (const TaskVariant& variant : load_task_and_scene(task).task.variants) {
+            const LoadedTask loaded = load_task_and_scene(TaskRequest{task, variant.id, {}});
+            const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
+            std::vector<std::string> row = {task, variant.id, variant.family};
+            if (limits.comparable() == nullptr) {
+                row.insert(row.end(), {"no set", "", ""});
+                table.rows.push_back(std::move(row));
+                continue;
+            }
+            const Summary summary = perform_all(loaded, limits, {seeds, 0, 0});
+            for (const int passed : summary.passed)
+                row.push_back(std::to_string(passed) + " (" + short_number(100.0 * passed / seeds, 3) +
+                              " %)");
+            table.rows.push_back(std::move(row));
+            measured.document["passes"].push_back({{"task", task},
+                                                   {"variant", variant.id},
+                                                   {"family", variant.family},
+                                                   {"seeds", seeds},
+                                                   {"passed", summary.passed},
+                                                   {"completed", summary.completed}});
+        }
+    }
+    measured.page.paragraph(
+        "Attempts of synthetic operators who move the handle freely, as with a device that renders force. A "
+        "variant is judged by the benchmark set of its family (DECISIONS.md, *Variants in the task's file*): "
+        "experts have to pass there as often as in the standard variant, and novices not.");
+    measured.page.table(table);
+    measured.page.document(measured.document);
+    return measured;
+}
+
 Measured measure_operators(const std::string& task, int seeds, int replays, int retests) {
     const LoadedTask loaded = load_task_and_scene(task);
     const std::string& id = loaded.task.id;

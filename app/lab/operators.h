@@ -22,4 +22,7 @@ Measured measure_operators(const std::string& task, int seeds, int replays, int 
 /// Throws InputError for an unknown task.
 Measured measure_passes(const std::vector<std::string>& tasks, int seeds);
 
+/// The same for each variant of each task, with handles that move freely.
+Measured measure_variant_passes(const std::vector<std::string>& tasks, int seeds);
+
 }  // namespace fulcrum::app

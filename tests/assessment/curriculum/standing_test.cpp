@@ -356,8 +356,7 @@ RC_GTEST_PROP(StandingProperty, ADeclaredProficiencyIsNeverTakenBackByALaterCurr
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (before[i].declared_at == 0) continue;
         // Failed attempts alone lead to a relapse; one that was regained is declared later.
-        if (after[i].standing != Standing::relapsed)
-            RC_ASSERT(after[i].declared_at >= before[i].declared_at);
+        if (after[i].standing != Standing::relapsed) RC_ASSERT(after[i].declared_at >= before[i].declared_at);
         RC_ASSERT(after[i].standing == Standing::proficient || after[i].standing == Standing::maintained ||
                   after[i].standing == Standing::due || after[i].standing == Standing::relapsed);
     }

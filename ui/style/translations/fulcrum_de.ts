@@ -414,10 +414,6 @@
         <translation>Wie sich die Genauigkeit auf die Bewertung auswirkt, ist für diese Version nicht gemessen.</translation>
     </message>
     <message>
-        <source>What a fidelity costs: processor time, the assessed metric that differs most from %1, and verdicts that differ, measured with synthetic operators (fulcrum lab fidelity).</source>
-        <translation>Was eine Genauigkeit kostet: Prozessorzeit, die bewertete Kennzahl, die am meisten von %1 abweicht, und abweichende Ergebnisse, gemessen mit simulierten Operateuren (fulcrum lab fidelity).</translation>
-    </message>
-    <message>
         <source>Runs one attempt without a window, stores it and scores it.</source>
         <translation>Führt einen Versuch ohne Fenster durch, speichert und bewertet ihn.</translation>
     </message>
@@ -1300,6 +1296,18 @@
     <message>
         <source>TOKEN</source>
         <translation>TOKEN</translation>
+    </message>
+    <message>
+        <source>Fidelities with another score than %1, measured with synthetic operators (fulcrum lab fidelity): the assessed metric that differs most, and verdicts that differ.</source>
+        <translation>Genauigkeiten mit einer anderen Bewertung als %1, gemessen mit simulierten Operateuren (fulcrum lab fidelity): die bewertete Messgröße, die am meisten abweicht, und Urteile, die abweichen.</translation>
+    </message>
+    <message>
+        <source>%1 at %2: another verdict for %3 of %4</source>
+        <translation>%1 mit %2: ein anderes Urteil bei %3 von %4</translation>
+    </message>
+    <message>
+        <source>Every other fidelity gives the same score as the finest one.</source>
+        <translation>Jede andere Genauigkeit ergibt dieselbe Bewertung wie die feinste.</translation>
     </message>
 </context>
 <context>
