@@ -16,7 +16,7 @@ namespace fulcrum {
 
 /// How much of a record is in memory at a time. The rows are the same.
 enum class RangePasses {
-    by_length,  ///< at once up to five minutes
+    by_length,  ///< at once up to a quarter of an hour
     at_once,
     hand_by_hand,  ///< one hand, and the columns that a group of metrics reads
 };

@@ -288,7 +288,7 @@ void write_page(const std::string& folder, const lab::ResultTable& table, double
         "records as their replays need them and all charts (budget: 1000 MB); key frames and pictures of the "
         "replays are not included. Of the metrics above the packed record, which the page holds anyway. Up "
         "to "
-        "five minutes are computed at once.");
+        "a quarter of an hour is computed at once.");
     page.write(folder, lab::this_machine(lab::build_info()));
 }
 

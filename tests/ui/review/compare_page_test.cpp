@@ -8,13 +8,16 @@
 #include <QChart>
 #include <QComboBox>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QSlider>
 #include <cmath>
 
 #include "assessment/task/task.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
+#include "database/records/reviews.h"
 #include "database/scoring/range_metrics.h"
+#include "database/sync/station_erasure.h"
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
@@ -22,6 +25,7 @@
 #include "ui/charts/time_chart.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
+#include "ui/shell/idle_watch.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/text.h"
 
@@ -372,6 +376,111 @@ TEST_F(Comparing, TheCohortIsABandOfFivePeopleOrMore) {
     ComparePage& theirs = open("tara", own);
     for (const ComparisonChoice& one : theirs.choices())
         EXPECT_NE(one.kind, ComparisonChoice::Kind::cohort) << one.title.toStdString();
+}
+
+// A part is chosen while something else happens to the page.
+TEST_F(Comparing, APartOutlivesHastyChoicesAThemeAndTheErasureOfItsTrainee) {
+    record("tara", {2, 1, "standard", true, 90});
+    const std::string own = record("tara", {});
+    ComparePage& page = open("ed", own);
+    auto* step = find<QComboBox>(*window, "compare_step");
+    step->setFocus();
+    for (int i = 0; i < 12; ++i) QTest::keyClick(step, i % 4 == 3 ? Qt::Key_Up : Qt::Key_Down);
+    QTest::keyClick(step, Qt::Key_Home);
+    QTest::keyClick(step, Qt::Key_Down);  // the first step: to 2 s
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_EQ(line("Time")[0], "2 s") << "of the part that was chosen last";
+    const QString words = find<QLabel>(*window, "range_words")->text();
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        window->set_theme(theme);
+        EXPECT_EQ(find<QLabel>(*window, "range_words")->text(), words);
+        EXPECT_EQ(line("Time")[0], "2 s");
+    }
+    // The trainee is erased by another program: what is read is shown until the page is left.
+    const auto erase = [&] {
+        const database::Store other = database::Store::open(services.store()->path());
+        database::erase_person(other, sessions.at("dora"), sessions.at("tara").person_id(), "asked", false);
+    };
+    erase();
+    choose_tab(*window, "compare_tabs", "Force and speed");
+    step->setFocus();
+    QTest::keyClick(step, Qt::Key_Down);
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_EQ(line("Time")[0], "3 s");
+    EXPECT_FALSE(sees(*window, "message_text"));
+    click(*window, "compare_back");
+    EXPECT_TRUE(sees(*window, "message_text")) << "the attempt is gone";
+    EXPECT_FALSE(sees(*window, "comment_text"));
+    choose_page(*window, "rail_metrics");
+    EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
+}
+
+class UnsentComments : public Comparing {
+  protected:
+    DebriefPage& debrief(const std::string& attempt) {
+        window = std::make_unique<MainWindow>(services);
+        window->resize(1012, 726);
+        window->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        window->start();
+        window->context().set_session(sessions.at("ed"));
+        emit window->context().debrief_wanted(text(attempt), 1.5);
+        auto* page = static_cast<DebriefPage*>(window->current_page());
+        EXPECT_TRUE(wait_for([&] { return page->is_ready(); }));
+        return *page;
+    }
+    std::vector<database::Comment> seen_by(const std::string& login, const std::string& attempt) {
+        return database::Reviews(*services.store()).comments(sessions.at(login), attempt);
+    }
+};
+
+TEST_F(UnsentComments, AreDraftsOfTheirAuthorWhateverEndsTheReview) {
+    const std::string other = record("tara", {});
+    const std::vector<std::pair<const char*, std::function<void()>>> ends = {
+        {"another page", [&] { choose_page(*window, "rail_metrics"); }},
+        {"another attempt", [&] { emit window->context().debrief_wanted(text(other), -1); }},
+        {"another person", [&] { emit window->context().switch_user_wanted(); }},
+        {"another language", [&] { window->set_language(Language::german); }},
+        {"the lock", [&] { QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock"); }},
+        {"the window's end", [&] { window->close(); }},
+        {"the same attempt again", [&] { emit window->context().debrief_wanted(text(other), -1); }}};
+    for (const auto& [what, end] : ends) {
+        const std::string attempt =
+            std::string(what) == "the same attempt again" ? other : record("tara", {});
+        debrief(attempt);
+        QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "Hold the flap.");
+        end();
+        const auto drafts = seen_by("ed", attempt);
+        ASSERT_EQ(drafts.size(), 1U) << what;
+        EXPECT_EQ(drafts[0].text, "Hold the flap.");
+        EXPECT_EQ(drafts[0].sent, 0);
+        EXPECT_NEAR(drafts[0].time_s, 1.5, 1e-3);
+        EXPECT_TRUE(seen_by("tara", attempt).empty()) << what;
+        window->set_language(Language::english);
+        window.reset();
+        EXPECT_EQ(seen_by("ed", attempt).size(), 1U) << "kept once: " << what;
+        if (attempt != other) continue;
+        debrief(attempt);
+        EXPECT_EQ(find<QLabel>(*window, "comment_words")->text(), "Hold the flap.");
+        EXPECT_TRUE(find<QPlainTextEdit>(*window, "comment_text")->toPlainText().isEmpty());
+    }
+    // Nothing typed, nothing kept.
+    const std::string attempt = record("tara", {});
+    debrief(attempt);
+    QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "  ");
+    choose_page(*window, "rail_metrics");
+    EXPECT_TRUE(seen_by("ed", attempt).empty());
+    // The attempt is erased in between: the page says so.
+    debrief(attempt);
+    QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "Too late.");
+    {
+        const database::Store store = database::Store::open(services.store()->path());
+        database::erase_person(store, sessions.at("dora"), sessions.at("tara").person_id(), "asked", false);
+    }
+    click(*window, "comment_send");
+    EXPECT_TRUE(sees(*window, "message_text"));
+    choose_page(*window, "rail_metrics");
+    EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
 }
 
 }  // namespace

@@ -11702,6 +11702,10 @@ Kennzahlen: %2</translation>
         <source>No comments yet.</source>
         <translation>Noch keine Kommentare.</translation>
     </message>
+    <message>
+        <source>Your comment was kept as a draft of %1.</source>
+        <translation>Ihr Kommentar wurde als Entwurf bei %1 aufbewahrt.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparePage</name>
