@@ -145,6 +145,7 @@ void ComparePage::load_cohort(const std::string& id) {
 }
 
 void ComparePage::measure_range() {
+    table_->clear();
     const TaskDefinition* task = context().task(own_->model.summary.meta.task_id);
     if (task == nullptr || !own_->scene) return;
     struct Measured {
@@ -154,7 +155,6 @@ void ComparePage::measure_range() {
     const auto other = other_ != nullptr && other_->has_trace() && other_->scene ? other_ : nullptr;
     const double other_from = pair_ ? pair_->map.to_second(from_) : 0,
                  other_to = pair_ ? pair_->map.to_second(to_) : 0;
-    table_->clear();
     range_job_ = BackgroundJob::run(
         this,
         [measured, own = own_, other, task = *task, from = from_, to = to_, other_from, other_to,

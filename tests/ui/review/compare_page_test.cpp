@@ -8,14 +8,12 @@
 #include <QChart>
 #include <QComboBox>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QSlider>
 #include <cmath>
 
 #include "assessment/task/task.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
-#include "database/records/reviews.h"
 #include "database/scoring/range_metrics.h"
 #include "database/sync/station_erasure.h"
 #include "tests/support/support.h"
@@ -25,7 +23,6 @@
 #include "ui/charts/time_chart.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
-#include "ui/shell/idle_watch.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/text.h"
 
@@ -42,6 +39,7 @@ struct ComparedRecord {
     std::string variant = "standard";
     bool keep_trace = true;
     double points = 50;
+    std::string task = "B2";
 };
 
 class Comparing : public ::testing::Test {
@@ -78,7 +76,7 @@ class Comparing : public ::testing::Test {
         const Session& person = sessions.at(login);
         database::AttemptMeta meta;
         meta.person_id = person.person_id();
-        meta.task_id = "B2";
+        meta.task_id = like.task;
         meta.mode = AttemptMode::assessed;
         meta.device_class = DeviceClass::haptic;
         meta.device = "test";
@@ -415,78 +413,22 @@ TEST_F(Comparing, APartOutlivesHastyChoicesAThemeAndTheErasureOfItsTrainee) {
     EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
 }
 
-class UnsentComments : public Comparing {
-  protected:
-    void debrief(const std::string& attempt) {
-        if (window == nullptr) {
-            window = std::make_unique<MainWindow>(services);
-            window->resize(1012, 726);
-            window->show();
-            EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-            window->start();
-            window->context().set_session(sessions.at("ed"));
-        }
-        emit window->context().debrief_wanted(text(attempt), 1.5);
-        auto* page = static_cast<DebriefPage*>(window->current_page());
-        EXPECT_TRUE(wait_for([&] { return page->is_ready(); }));
-    }
-    std::vector<database::Comment> seen_by(const std::string& login, const std::string& attempt) {
-        return database::Reviews(*services.store()).comments(sessions.at(login), attempt);
-    }
-};
-
-TEST_F(UnsentComments, AreDraftsOfTheirAuthorWhateverEndsTheReview) {
-    const std::string other = record("tara", {});
-    struct End {
-        const char* what;
-        std::function<void()> end;
-        bool of_window = true;  ///< the next one begins with another window
-    };
-    const std::vector<End> ends = {
-        {"another page", [&] { choose_page(*window, "rail_metrics"); }, false},
-        {"another attempt", [&] { emit window->context().debrief_wanted(text(other), -1); }, false},
-        {"another language", [&] { window->set_language(Language::german); }, false},
-        {"another person", [&] { emit window->context().switch_user_wanted(); }},
-        {"the lock", [&] { QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock"); }},
-        {"the window's end", [&] { window->close(); }}};
-    for (const auto& [what, end, of_window] : ends) {
-        const std::string attempt = record("tara", {});
-        debrief(attempt);
-        QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "Hold the flap.");
-        end();
-        const auto drafts = seen_by("ed", attempt);
-        ASSERT_EQ(drafts.size(), 1U) << what;
-        EXPECT_EQ(drafts[0].text, "Hold the flap.");
-        EXPECT_EQ(drafts[0].sent, 0);
-        EXPECT_NEAR(drafts[0].time_s, 1.5, 1e-3);
-        EXPECT_TRUE(seen_by("tara", attempt).empty()) << what;
-        if (language_in_use() != Language::english) window->set_language(Language::english);
-        if (of_window) window.reset();
-        EXPECT_EQ(seen_by("ed", attempt).size(), 1U) << "kept once: " << what;
-    }
-    // The same attempt again: the draft is there, and the field is empty.
-    debrief(other);
-    QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "Hold the flap.");
-    debrief(other);
-    EXPECT_EQ(find<QLabel>(*window, "comment_words")->text(), "Hold the flap.");
-    EXPECT_TRUE(find<QPlainTextEdit>(*window, "comment_text")->toPlainText().isEmpty());
-    // Nothing typed, nothing kept.
-    const std::string attempt = record("tara", {});
-    debrief(attempt);
-    QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "  ");
-    choose_page(*window, "rail_metrics");
-    EXPECT_TRUE(seen_by("ed", attempt).empty());
-    // The attempt is erased in between: the page says so.
-    debrief(attempt);
-    QTest::keyClicks(find<QPlainTextEdit>(*window, "comment_text"), "Too late.");
-    {
-        const database::Store store = database::Store::open(services.store()->path());
-        database::erase_person(store, sessions.at("dora"), sessions.at("tara").person_id(), "asked", false);
-    }
-    click(*window, "comment_send");
-    EXPECT_TRUE(sees(*window, "message_text"));
-    choose_page(*window, "rail_metrics");
-    EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
+TEST_F(Comparing, APartOfATaskThatIsNotThereHasNoMetricsInsteadOfThoseOfTheWhole) {
+    ComparedRecord unknown;
+    unknown.task = "Z9";
+    ComparePage& page = open("tara", record("tara", unknown));
+    EXPECT_EQ(line("Time")[0], "6 s");
+    choose_tab(*window, "compare_tabs", "Force and speed");
+    auto* slider = find<QSlider>(*window, "compare_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    click(*window, "range_begin");
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_TRUE(find<QLabel>(*window, "range_words")->text().contains("no metrics of a part"))
+        << find<QLabel>(*window, "range_words")->text().toStdString();
+    EXPECT_TRUE(line("Time").isEmpty());
+    click(*window, "range_whole");
+    EXPECT_EQ(line("Time")[0], "6 s");
 }
 
 }  // namespace

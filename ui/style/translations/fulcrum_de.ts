@@ -11905,6 +11905,10 @@ Kennzahlen: %2</translation>
         <source>; other attempt %1 / %2</source>
         <translation>; anderer Versuch %1 / %2</translation>
     </message>
+    <message>
+        <source>; no metrics of a part, because this program does not have the task</source>
+        <translation>; keine Kennzahlen eines Teils, weil dieses Programm die Aufgabe nicht hat</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparisonTable</name>
