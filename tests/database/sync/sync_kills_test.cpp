@@ -170,9 +170,12 @@ void write_sync_page(const std::string& folder, const SyncToll& toll) {
                          "FULCRUM_KILLS=" + std::to_string(toll.kills) + " FULCRUM_KILLS_PAGE=" + folder +
                              " test_database --gtest_filter=SyncKills.*");
     page.paragraph(
-        "Two stations of a programme have each some 14 attempts with traces, scores, comments, an observer "
-        "form, a void and a personal goal that the other lacks. The second one has sent its own to a "
-        "PostgreSQL that the test starts. The first one exchanges both ways, and a `kill -9` ends it up to "
+        "Two stations of a programme: the first has 15 attempts with traces and scores, a comment, an "
+        "observer "
+        "form, a void and a personal goal that the other lacks, the second 12 attempts with a comment each. "
+        "The "
+        "second one has sent its own to a PostgreSQL that the test starts. The first one exchanges both "
+        "ways, and a `kill -9` ends it up to "
         "10 ms after a random one of its first 12 lines of progress; the next one starts on the same store, "
         "until an exchange was whole. A "
         "unit counts as *reported* when the line of progress that counts it was made. After every kill these "
