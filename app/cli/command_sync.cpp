@@ -247,6 +247,18 @@ const char* state_name(database::EnrolledStation::State state) {
     return "withdrawn";
 }
 
+const char* proof_name(database::Proof proof) {
+    return proof == database::Proof::holds    ? "yes"
+           : proof == database::Proof::broken ? "broken"
+                                              : "not asked";
+}
+
+const char* proof_words(database::Proof proof) {
+    return proof == database::Proof::holds    ? "possession proved"
+           : proof == database::Proof::broken ? "POSSESSION NOT PROVED"
+                                              : "possession was not asked for";
+}
+
 std::string list_of(const std::vector<std::string>& words, const char* none) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -296,13 +308,14 @@ int stations_of_server(const Arguments& arguments) {
                         {"station", or_null(one.station_id)},
                         {"account", or_null(one.account)},
                         {"key", or_null(one.key)},
+                        {"key_proved", or_null(one.used == 0 ? "" : proof_name(one.proof))},
                         {"last_row", or_null(time(one.last_row))}});
         if (arguments.has("--json")) continue;
         std::cout << one.id << "  " << state_name(one.state) << (one.name.empty() ? "" : "  " + one.name)
                   << "  for " << list_of(one.cohorts, "everybody");
         if (one.used != 0)
-            std::cout << "  station " << one.station_id << ", key " << one.key.substr(0, 16) << ", since "
-                      << time(one.used)
+            std::cout << "  station " << one.station_id << ", key " << one.key.substr(0, 16) << " ("
+                      << proof_words(one.proof) << "), since " << time(one.used)
                       << (one.last_row == 0 ? ", has sent nothing" : ", newest row " + time(one.last_row));
         else
             std::cout << "  until " << time(one.expires);

@@ -10,7 +10,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double motion_cutoff = 10.0, force_cutoff = 50.0;  // Hz
+constexpr double motion_cutoff = 10.0;  // Hz
 // Higher frequencies are noise of the device. Physiological tremor (6 to 12 Hz, harmonics up to 25 Hz)
 // belongs to the hand; a low-pass at 10 Hz would count half of it as noise of the device.
 constexpr double noise_cutoff = 50.0;  // Hz
@@ -18,19 +18,13 @@ constexpr std::size_t decimation = 10;
 constexpr double shortest_segment_s = 0.3, longest_segment_s = 10.0, slowest_peak = 0.020;
 constexpr double valley_share = 0.5;     // of the lower of the peaks on both sides
 constexpr double shortest_free_s = 0.2;  // between two contacts
-// A spike of one sample can be distinguished from a short force only where samples are dense.
-constexpr double despike_rate = 500.0;  // Hz
-constexpr double force_step = 1e-3;     // N, the record's resolution
-constexpr double area_step = 1e-9;      // m2
 static_assert(decimation * 100 == 1000);
 
-/// Three filtered columns with held ends, at 100 Hz.
-Eigen::Matrix3Xd decimate(const std::vector<double>& x, const std::vector<double>& y,
-                          const std::vector<double>& z) {
-    const std::size_t size = (x.size() - 1) / decimation + 1;
-    Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(size));
-    for (std::size_t i = 0; i < size; ++i)
-        out.col(static_cast<Eigen::Index>(i)) << x[i * decimation], y[i * decimation], z[i * decimation];
+/// Three columns of the same length as points.
+Eigen::Matrix3Xd points_of(const std::vector<double>& x, const std::vector<double>& y,
+                           const std::vector<double>& z) {
+    Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(x.size()));
+    for (std::size_t i = 0; i < x.size(); ++i) out.col(static_cast<Eigen::Index>(i)) << x[i], y[i], z[i];
     return out;
 }
 
@@ -299,18 +293,18 @@ HandAnalysis Analysis::motion_of(const HandTrace& hand) const {
             const std::vector<double> raw = grid.interpolate(*columns[c]);
             first[static_cast<Eigen::Index>(c)] = raw.front();
             last[static_cast<Eigen::Index>(c)] = raw.back();
-            smooth[c] = low_pass_held(raw, motion_cutoff, force_rate);
+            smooth[c] = decimate(low_pass_held(raw, motion_cutoff, force_rate));
             residuals[c] = residuals_of(raw, low_pass(raw, noise_cutoff, force_rate));
         }
-        const Eigen::Matrix3Xd position = decimate(smooth[0], smooth[1], smooth[2]);
+        const Eigen::Matrix3Xd position = points_of(smooth[0], smooth[1], smooth[2]);
         block.position = between_rests(position, size, first, last);
         block.speed =
             rates_of(position, size, [](const Vector3& a, const Vector3& b) { return (b - a).norm(); });
         if (hand.has(Channel::axis)) {
             const auto filtered = [&](const std::vector<double>& column) {
-                return low_pass_held(grid.interpolate(column), motion_cutoff, force_rate);
+                return decimate(low_pass_held(grid.interpolate(column), motion_cutoff, force_rate));
             };
-            Eigen::Matrix3Xd axis = decimate(filtered(hand.ax), filtered(hand.ay), filtered(hand.az));
+            Eigen::Matrix3Xd axis = points_of(filtered(hand.ax), filtered(hand.ay), filtered(hand.az));
             axis.colwise().normalize();
             block.axis = between_rests(axis, size, axis.col(0), axis.col(axis.cols() - 1));
             block.angular_speed =
@@ -338,67 +332,6 @@ HandAnalysis Analysis::motion_of(const HandTrace& hand) const {
     if (noise[0].count > 0)
         out.noise_at_rest = std::max({noise[0].value(), noise[1].value(), noise[2].value()});
     return out;
-}
-
-HandTrace despiked_forces(const Trace& trace, std::size_t h, std::size_t& replaced) {
-    const HandTrace& hand = trace.hand[h];
-    HandTrace out;
-    const bool dense = trace.mean_rate() >= despike_rate * 0.999;
-    const auto despiked = [&](std::vector<double> samples, double step) {
-        if (dense && !samples.empty())
-            for (const TraceBlock& block : trace.blocks)
-                replaced += despike(samples, block.first, block.last, step);
-        return samples;
-    };
-    out.fx = despiked(hand.fx, force_step);
-    out.fy = despiked(hand.fy, force_step);
-    out.fz = despiked(hand.fz, force_step);
-    out.jaw_force = despiked(hand.jaw_force, force_step);
-    out.jaw_area = despiked(hand.jaw_area, area_step);
-    return out;
-}
-
-void Analysis::build_force(std::size_t h) {
-    const HandTrace& hand = trace_.hand[h];
-    HandAnalysis& out = hands_[h];
-    if (!hand.has(Channel::force) && !hand.has(Channel::jaw_force)) return;
-    std::size_t replaced = 0;
-    const HandTrace sampled = despiked_forces(trace_, h, replaced);
-    for (const UniformGrid& grid : grids_) {
-        ForceBlock block;
-        block.begin = grid.begin();
-        const auto filtered = [](const std::vector<double>& column) {
-            return low_pass(column, force_cutoff, force_rate);
-        };
-        if (hand.has(Channel::tissue)) block.tissue = grid.hold(hand.tissue);
-        if (hand.has(Channel::patch)) block.patch = grid.hold(hand.patch);
-        if (hand.has(Channel::force)) {
-            block.force.resize(3, static_cast<Eigen::Index>(grid.size()));
-            Eigen::Index row = 0;
-            for (const auto* column : {&sampled.fx, &sampled.fy, &sampled.fz}) {
-                const std::vector<double> smooth = filtered(grid.interpolate(*column));
-                block.force.row(row++) = Eigen::Map<const Eigen::RowVectorXd>(
-                    smooth.data(), static_cast<Eigen::Index>(smooth.size()));
-            }
-            const Eigen::RowVectorXd norm = block.force.colwise().norm();
-            block.norm.assign(norm.data(), norm.data() + norm.size());
-        }
-        if (hand.has(Channel::jaw_force)) {
-            std::vector<double> jaw = grid.interpolate_within(sampled.jaw_force, hand.tissue);
-            block.grasp.resize(jaw.size());
-            for (std::size_t i = 0; i < jaw.size(); ++i)
-                block.grasp[i] =
-                    jaw[i] > contact_force && (block.tissue.empty() || block.tissue[i] >= 0) ? 1 : 0;
-            block.jaw = filtered(jaw);
-            if (hand.has(Channel::jaw_area)) {
-                const std::vector<double> area = grid.interpolate_within(sampled.jaw_area, hand.tissue);
-                for (std::size_t i = 0; i < jaw.size(); ++i)
-                    jaw[i] = block.grasp[i] != 0 && area[i] > 0 ? jaw[i] / area[i] : 0.0;
-                block.pressure = filtered(jaw);
-            }
-        }
-        out.force.push_back(std::move(block));
-    }
 }
 
 std::optional<double> Analysis::force_limit(int tissue) const {

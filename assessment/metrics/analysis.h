@@ -174,6 +174,8 @@ class Analysis {
   private:
     HandAnalysis motion_of(const HandTrace& hand) const;
     void build_force(std::size_t h);
+    void add_forces(std::size_t h);
+    void add_jaw(std::size_t h);
 
     const Trace& trace_;
     const std::vector<Event>& events_;

@@ -33,37 +33,53 @@ double area_of(std::int32_t count) {
 static_assert(sample_length_unit == 1e-7 && sample_axis_unit == 1e-8 && sample_angle_unit == 1e-6 &&
               sample_force_unit == 1e-3 && sample_area_unit == 1e-9 && sample_torque_unit == 1e-5);
 
-template <typename T, typename Get>
-void fill(std::vector<T>& column, const std::vector<TickSample>& samples, Get get) {
-    column.resize(samples.size());
-    std::transform(samples.begin(), samples.end(), column.begin(), get);
-}
-
-void fill_hand(HandTrace& hand, const std::vector<TickSample>& samples, std::size_t h) {
+/// Calls visit(column, value of a sample of the hand) for each column of these channels.
+template <typename Visit>
+void each_column(HandTrace& hand, ChannelSet channels, bool torque, Visit visit) {
+    const auto wants = [channels](Channel channel) { return (channels & bit_of(channel)) != 0; };
     const auto vector3 = [&](std::vector<double>& x, std::vector<double>& y, std::vector<double>& z,
                              const std::int32_t(HandSample::*field)[3], double (*convert)(std::int32_t)) {
-        fill(x, samples, [&](const TickSample& s) { return convert((s.hand[h].*field)[0]); });
-        fill(y, samples, [&](const TickSample& s) { return convert((s.hand[h].*field)[1]); });
-        fill(z, samples, [&](const TickSample& s) { return convert((s.hand[h].*field)[2]); });
+        visit(x, [=](const HandSample& s) { return convert((s.*field)[0]); });
+        visit(y, [=](const HandSample& s) { return convert((s.*field)[1]); });
+        visit(z, [=](const HandSample& s) { return convert((s.*field)[2]); });
     };
-    vector3(hand.px, hand.py, hand.pz, &HandSample::tip, length_of);
-    vector3(hand.ax, hand.ay, hand.az, &HandSample::axis, axis_of);
-    vector3(hand.fx, hand.fy, hand.fz, &HandSample::force, force_of);
-    vector3(hand.tx, hand.ty, hand.tz, &HandSample::torque, torque_of);
-    fill(hand.roll, samples, [&](const TickSample& s) { return angle_of(s.hand[h].roll); });
-    fill(hand.jaw_force, samples, [&](const TickSample& s) { return force_of(s.hand[h].jaw_force); });
-    fill(hand.jaw_area, samples, [&](const TickSample& s) { return area_of(s.hand[h].jaw_area); });
-    fill(hand.tissue, samples, [&](const TickSample& s) { return s.hand[h].tissue; });
-    fill(hand.patch, samples, [&](const TickSample& s) { return s.hand[h].patch; });
-    const auto flag = [&](std::vector<std::uint8_t>& column, HandFlag mask) {
-        fill(column, samples, [&](const TickSample& s) {
-            return static_cast<std::uint8_t>((s.hand[h].flags & mask) != 0 ? 1 : 0);
+    if (wants(Channel::position)) vector3(hand.px, hand.py, hand.pz, &HandSample::tip, length_of);
+    if (wants(Channel::axis)) vector3(hand.ax, hand.ay, hand.az, &HandSample::axis, axis_of);
+    if (wants(Channel::force)) vector3(hand.fx, hand.fy, hand.fz, &HandSample::force, force_of);
+    if (wants(Channel::force) && torque) vector3(hand.tx, hand.ty, hand.tz, &HandSample::torque, torque_of);
+    if (wants(Channel::roll)) visit(hand.roll, [](const HandSample& s) { return angle_of(s.roll); });
+    if (wants(Channel::jaw_force))
+        visit(hand.jaw_force, [](const HandSample& s) { return force_of(s.jaw_force); });
+    if (wants(Channel::jaw_area))
+        visit(hand.jaw_area, [](const HandSample& s) { return area_of(s.jaw_area); });
+    if (wants(Channel::tissue)) visit(hand.tissue, [](const HandSample& s) { return s.tissue; });
+    if (wants(Channel::patch)) visit(hand.patch, [](const HandSample& s) { return s.patch; });
+    const auto flag = [&](Channel channel, std::vector<std::uint8_t>& column, HandFlag mask) {
+        if (!wants(channel)) return;
+        visit(column, [mask](const HandSample& s) {
+            return static_cast<std::uint8_t>((s.flags & mask) != 0 ? 1 : 0);
         });
     };
-    flag(hand.inside, hand_inside);
-    flag(hand.in_view, hand_in_view);
-    flag(hand.energy, hand_energy);
-    flag(hand.cutting, hand_cutting);
+    flag(Channel::inside, hand.inside, hand_inside);
+    flag(Channel::in_view, hand.in_view, hand_in_view);
+    flag(Channel::energy, hand.energy, hand_energy);
+    flag(Channel::cutting, hand.cutting, hand_cutting);
+}
+
+/// The same of the scope.
+template <typename Visit>
+void each_column(CameraTrace& camera, Visit visit) {
+    visit(camera.px, [](const CameraSample& s) { return length_of(s.tip[0]); });
+    visit(camera.py, [](const CameraSample& s) { return length_of(s.tip[1]); });
+    visit(camera.pz, [](const CameraSample& s) { return length_of(s.tip[2]); });
+    visit(camera.qw, [](const CameraSample& s) { return axis_of(s.orientation[0]); });
+    visit(camera.qx, [](const CameraSample& s) { return axis_of(s.orientation[1]); });
+    visit(camera.qy, [](const CameraSample& s) { return axis_of(s.orientation[2]); });
+    visit(camera.qz, [](const CameraSample& s) { return axis_of(s.orientation[3]); });
+}
+
+double time_of_tick(const TickSample& sample, int tick_rate) {
+    return static_cast<double>(sample.tick) / tick_rate;
 }
 
 bool ends_attempt(EventKind kind) {
@@ -152,23 +168,51 @@ double Trace::mean_rate() const {
     return duration > 0 ? steps / duration : 0;
 }
 
+TraceBuilder::TraceBuilder(std::size_t samples, const std::vector<std::string>& tissues, int tick_rate,
+                           const TraceContent& content)
+    : tick_rate_(tick_rate), content_(content) {
+    trace_.tick_period = 1.0 / tick_rate;
+    trace_.tissues = tissues;
+    trace_.t.reserve(samples);
+    const auto reserve = [samples](auto& column, auto) { column.reserve(samples); };
+    for (std::size_t h = 0; h < trace_.hand.size(); ++h)
+        each_column(trace_.hand[h], content.hand[h], content.torque, reserve);
+    if (content.scope) each_column(trace_.camera, reserve);
+}
+
+void TraceBuilder::add(const TickSample& sample) {
+    trace_.t.push_back(time_of_tick(sample, tick_rate_));
+    for (std::size_t h = 0; h < trace_.hand.size(); ++h)
+        each_column(trace_.hand[h], content_.hand[h], content_.torque,
+                    [&](auto& column, auto get) { column.push_back(get(sample.hand[h])); });
+    if (content_.scope)
+        each_column(trace_.camera, [&](auto& column, auto get) { column.push_back(get(sample.camera)); });
+}
+
+Trace TraceBuilder::finish(const std::vector<Event>& events) {
+    split_blocks(trace_, events);
+    return std::move(trace_);
+}
+
 Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vector<Event>& events,
                          const std::vector<std::string>& tissues, int tick_rate,
                          std::array<bool, hand_count> hands) {
+    // Column by column, which is faster where all samples are in memory.
     Trace trace;
     trace.tick_period = 1.0 / tick_rate;
     trace.tissues = tissues;
-    fill(trace.t, samples, [&](const TickSample& s) { return static_cast<double>(s.tick) / tick_rate; });
+    const auto fill = [&](auto& column, auto get) {
+        column.resize(samples.size());
+        std::transform(samples.begin(), samples.end(), column.begin(), get);
+    };
+    fill(trace.t, [&](const TickSample& s) { return time_of_tick(s, tick_rate); });
     for (std::size_t h = 0; h < hands.size(); ++h)
-        if (hands[h]) fill_hand(trace.hand[h], samples, h);
-    CameraTrace& camera = trace.camera;
-    fill(camera.px, samples, [](const TickSample& s) { return length_of(s.camera.tip[0]); });
-    fill(camera.py, samples, [](const TickSample& s) { return length_of(s.camera.tip[1]); });
-    fill(camera.pz, samples, [](const TickSample& s) { return length_of(s.camera.tip[2]); });
-    fill(camera.qw, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[0]); });
-    fill(camera.qx, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[1]); });
-    fill(camera.qy, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[2]); });
-    fill(camera.qz, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[3]); });
+        each_column(trace.hand[h], hands[h] ? every_channel : 0, true, [&](auto& column, auto get) {
+            fill(column, [&](const TickSample& s) { return get(s.hand[h]); });
+        });
+    each_column(trace.camera, [&](auto& column, auto get) {
+        fill(column, [&](const TickSample& s) { return get(s.camera); });
+    });
     split_blocks(trace, events);
     return trace;
 }

@@ -94,6 +94,36 @@ struct Trace {
     double mean_rate() const;
 };
 
+/// Channels of a hand, a bit each.
+using ChannelSet = std::uint32_t;
+constexpr ChannelSet bit_of(Channel channel) {
+    return ChannelSet{1} << static_cast<unsigned>(channel);
+}
+inline constexpr ChannelSet every_channel = bit_of(Channel::scope) - 1;
+
+/// Which columns a trace gets: an hour with all of them takes 1.1 GB.
+struct TraceContent {
+    std::array<ChannelSet, hand_count> hand{every_channel, every_channel};
+    bool torque = true;  ///< with the force of a hand
+    bool scope = true;
+};
+
+/// Makes a trace of samples that come one after the other and need not be in memory together.
+class TraceBuilder {
+  public:
+    /// `samples`: as many as will be added, or more. `tissues`: the scene's table.
+    TraceBuilder(std::size_t samples, const std::vector<std::string>& tissues, int tick_rate,
+                 const TraceContent& content);
+    void add(const TickSample& sample);
+    /// Once, at the end.
+    Trace finish(const std::vector<Event>& events);
+
+  private:
+    Trace trace_;
+    int tick_rate_;
+    TraceContent content_;
+};
+
 /// From the record of an attempt. `tissues` is the scene's table; hands without an instrument get no
 /// channels.
 Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vector<Event>& events,

@@ -150,12 +150,22 @@ Bytes StationKey::sign(const Bytes& row_hash) const {
     return database::sign(seed_, message_of(row_hash));
 }
 
+Bytes StationKey::sign_enrolment(const std::string& statement) const {
+    // Its first line is the use, which no message about an audit row has.
+    return database::sign(seed_, Bytes(statement.begin(), statement.end()));
+}
+
 std::string key_fingerprint(const Bytes& public_half) {
     return to_hex(blake2b(public_half, 16));
 }
 
 bool row_signature_holds(const Bytes& public_half, const Bytes& row_hash, const Bytes& signature) {
     return signature_holds(public_half, message_of(row_hash), signature);
+}
+
+bool enrolment_signature_holds(const Bytes& public_half, const std::string& statement,
+                               const Bytes& signature) {
+    return signature_holds(public_half, Bytes(statement.begin(), statement.end()), signature);
 }
 
 }  // namespace fulcrum::database

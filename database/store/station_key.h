@@ -41,6 +41,8 @@ class StationKey {
     std::int64_t first_row() const noexcept { return first_row_; }
     /// Of the hash of an audit row.
     Bytes sign(const Bytes& row_hash) const;
+    /// Of the statement with which the station joins a programme server (database/sync/enrolment_proof.h).
+    Bytes sign_enrolment(const std::string& statement) const;
 
   private:
     StationKey(Bytes seed, std::int64_t first_row);
@@ -52,5 +54,7 @@ class StationKey {
 /// Hexadecimal digits by which people compare keys: BLAKE2b-128 of the public half.
 std::string key_fingerprint(const Bytes& public_half);
 bool row_signature_holds(const Bytes& public_half, const Bytes& row_hash, const Bytes& signature);
+bool enrolment_signature_holds(const Bytes& public_half, const std::string& statement,
+                               const Bytes& signature);
 
 }  // namespace fulcrum::database

@@ -9,6 +9,7 @@
 #include "database/schema/server_version.h"
 #include "database/store/audit.h"
 #include "database/store/station_key.h"
+#include "database/sync/enrolment_proof.h"
 #include "database/sync/enrolment_token.h"
 #include "database/sync/server_link.h"
 
@@ -41,9 +42,9 @@ bool is_refused_account(const StoreError& error) {
                           "server's owner for a new one (`fulcrum server enrol`)"));
 }
 
-Bytes key_of_store(const Store& store) {
+StationKey key_of_store(const Store& store) {
     Transaction transaction(store.connection());
-    Bytes key = Audit(store).next_key().public_half();
+    StationKey key = Audit(store).next_key();
     transaction.commit();
     return key;
 }
@@ -81,13 +82,37 @@ struct Answer {
                           "put the copy of its key back; if the key is lost, have the server's owner run "
                           "`fulcrum server withdraw %1` first"),
                       store.station_id()});
+    if (said.answer == "no_proof")
+        refuse_token({QT_TRANSLATE_NOOP("errors",
+                                        "the server does not accept the signature by which this station "
+                                        "proves that it holds its key %1"),
+                      Audit(store).signing_key()},
+                     QT_TRANSLATE_NOOP("errors",
+                                       "the token was not used: install the same version of Fulcrum here and "
+                                       "where `fulcrum server create` is run, then give the token again"));
     refuse_unknown(store, token, server);
 }
 
-Answer ask_server(Connection& server, const Store& store, const EnrolmentToken& token, const Bytes& key,
-                  const std::string& password) {
-    Query row(server, "SELECT answer, about, since FROM enrol_station(?, ?, ?, ?)");
-    row.bind(token.proof()).bind(store.station_id()).bind(key).bind(scram_verifier(password));
+void require_proof(Connection& server) {
+    if (server_asks_for_proof(server)) return;
+    throw StoreError(StoreErrorKind::older_schema,
+                     {QT_TRANSLATE_NOOP("errors",
+                                        "%1: was made by an older program, which does not ask a station to "
+                                        "prove that it holds its key"),
+                      server.path()},
+                     Sentence(QT_TRANSLATE_NOOP("errors",
+                                                "have its administrator run `fulcrum server create --to "
+                                                "%1` with this program; nothing is lost"),
+                              server.path()));
+}
+
+Answer ask_server(Connection& server, const Store& store, const EnrolmentToken& token, const StationKey& key,
+                  const ServerLink& link) {
+    const std::string verifier = scram_verifier(link.password);
+    const Bytes signature = key.sign_enrolment(
+        enrolment_statement(link.server_id, token.id, store.station_id(), key.public_half(), verifier));
+    Query row(server, "SELECT answer, about, since FROM enrol_station(?, ?, ?, ?, ?)");
+    row.bind(token.proof()).bind(store.station_id()).bind(key.public_half()).bind(verifier).bind(signature);
     if (!row.next()) return {};
     return {row.text(0), row.text(1), row.integer(2)};
 }
@@ -118,7 +143,7 @@ bool is_enrolled_there(ServerLink& link, const std::string& station_id) {
 }
 
 Enrolment complete(const Store& store, const Session& session, const EnrolmentToken& token,
-                   const ServerLink& link, const Bytes& key) {
+                   const ServerLink& link, const StationKey& key) {
     {
         Transaction transaction(store.connection());
         std::string cohorts;
@@ -127,7 +152,7 @@ Enrolment complete(const Store& store, const Session& session, const EnrolmentTo
                             json_object({{"server", link.server_id},
                                          {"address", link.address.text()},
                                          {"token", token.id},
-                                         {"key", key_fingerprint(key)},
+                                         {"key", key_fingerprint(key.public_half())},
                                          {"cohorts", cohorts}}));
         transaction.commit();
     }
@@ -145,7 +170,7 @@ Enrolment enrol_station(const Store& store, const Session& session, const Server
                          QT_TRANSLATE_NOOP("errors", "name the store of the programme with --db"));
     if (!session.is_station() || store.has_administrator()) store.require(session, Operation::backup);
     const EnrolmentToken token = EnrolmentToken::parse(typed);
-    const Bytes key = key_of_store(store);
+    const StationKey key = key_of_store(store);
     ServerLink link;
     link.address = server;
     link.address.user = token.station_account();
@@ -158,6 +183,7 @@ Enrolment enrol_station(const Store& store, const Session& session, const Server
         link.server_id = require_server(connection);
         if (link.server_id.compare(0, token.server.size(), token.server) != 0)
             refuse_unknown(store, token, server.text());
+        require_proof(connection);
         if (!begun) {
             link.password = to_hex(random_bytes(24));
             if (!link.begin(store.station_id(), token.id)) {
@@ -165,7 +191,7 @@ Enrolment enrol_station(const Store& store, const Session& session, const Server
                 if (begun) link.password = begun->password;
             }
         }
-        const Answer said = ask_server(connection, store, token, key, link.password);
+        const Answer said = ask_server(connection, store, token, key, link);
         if (said.answer == "enrolled") {
             link.cohorts = words_of(said.about);
             return complete(store, session, token, link, key);

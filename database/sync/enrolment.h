@@ -17,11 +17,12 @@ struct Enrolment {
     std::vector<std::string> cohorts;  ///< ids of those whose people it gets; empty: everybody
 };
 
-/// Registers the station with the public half of its key; its account's password goes next to the key.
+/// Registers the station with the public half of its key, and proves to the server that it holds the other
+/// half (enrolment_proof.h); its account's password goes next to the key.
 /// Audited. Cut off anywhere, the same call with the same token completes it. Operation::backup (an
 /// administrator); where the store has no administrator yet, the station itself may. Throws StoreError:
 /// bad_value (mistyped), conflict (used, withdrawn, out of date, of another server; another key),
-/// unreachable, sealed_demo.
+/// unreachable, older_schema, sealed_demo.
 Enrolment enrol_station(const Store& store, const Session& session, const ServerAddress& server,
                         const std::string& token);
 

@@ -105,6 +105,7 @@ ServerCheck check_programme_server(const ServerAddress& address) {
     check.notes = std::move(signatures.notes);
     for (Sentence& note : claims_that_were_refused(server)) check.notes.push_back(std::move(note));
     for (Sentence& problem : stations_with_other_keys(server)) check.problems.push_back(std::move(problem));
+    check_proofs(server, check.problems, check.notes);
     check_server_records(server, check);
     for (Sentence& problem : merged_into_erased(server)) check.problems.push_back(std::move(problem));
     return check;

@@ -127,15 +127,18 @@ TokenMade make_enrolment_token(const ServerAddress& address, const std::string& 
 
 std::vector<EnrolledStation> enrolled_stations(const ServerAddress& address) {
     Connection server(address);
-    require_server(server);
+    const std::string server_id = require_server(server);
     std::vector<EnrolledStation> stations;
     const UtcMilliseconds now = server_now(server);
     {
+        const char* kept =
+            server_asks_for_proof(server) ? "COALESCE(e.statement, ''), COALESCE(e.signature, '')" : "'', ''";
         Query rows(server,
                    "SELECT e.id, e.name, e.made_by, COALESCE(e.station_id, ''), e.made, e.expires, "
                    "COALESCE(e.used, 0), COALESCE(e.withdrawn, 0), e.public_half, COALESCE((SELECT a.time "
                    "FROM audit_entry a WHERE a.station_id = e.station_id ORDER BY a.sequence DESC LIMIT 1), "
-                   "0) FROM enrolment e ORDER BY e.made DESC, e.id");
+                   "0), " +
+                       QString(kept) + " FROM enrolment e ORDER BY e.made DESC, e.id");
         while (rows.next()) {
             EnrolledStation one;
             one.id = rows.text(0);
@@ -148,6 +151,9 @@ std::vector<EnrolledStation> enrolled_stations(const ServerAddress& address) {
             one.withdrawn = rows.integer(7);
             if (!rows.is_null(8)) one.key = key_fingerprint(rows.bytes(8));
             one.last_row = rows.integer(9);
+            if (one.used != 0)
+                one.proof = look_at_proof(
+                    server_id, {one.id, one.station_id, rows.text(10), rows.bytes(8), rows.bytes(11)});
             one.state = one.withdrawn != 0   ? EnrolledStation::State::withdrawn
                         : one.used != 0      ? EnrolledStation::State::enrolled
                         : one.expires >= now ? EnrolledStation::State::open

@@ -9,6 +9,7 @@
 #include "database/rows/errors.h"
 #include "database/rows/server_address.h"
 #include "database/store/store.h"
+#include "database/sync/enrolment_proof.h"
 
 namespace fulcrum::database {
 
@@ -32,7 +33,8 @@ struct EnrolledStation {
     enum class State { open, ended, enrolled, withdrawn };
     State state = State::open;
     std::string id, name, made_by, station_id, account;
-    std::string key;  ///< fingerprint of the key with which it was enrolled
+    std::string key;                 ///< fingerprint of the key with which it was enrolled
+    Proof proof = Proof::not_asked;  ///< that it held that key, as this program verifies it; of those used
     UtcMilliseconds made = 0, expires = 0, used = 0, withdrawn = 0;
     UtcMilliseconds last_row = 0;  ///< time of the newest row of its audit log on the server; 0: none
     std::vector<std::string> cohorts;

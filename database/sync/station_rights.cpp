@@ -6,18 +6,22 @@
 #include <vector>
 
 #include "database/schema/server_version.h"
+#include "database/sync/enrolment_proof.h"
 #include "database/sync/sync_tables.h"
 
 namespace fulcrum::database {
 namespace {
 
-// `enrolment`: a token, and the station that used it. `station_unit`: people and cohorts that a station of
-// some cohorts has, of these or not; `whole`: people whose attempts it has. What a station has stays up to
-// date there.
+// `enrolment`: a token, and the station that used it, with the statement by which it proved that it holds its
+// key (enrolment_proof.h; none of stations from before the server asked). `station_unit`: people and cohorts
+// that a station of some cohorts has, of these or not; `whole`: people whose attempts it has. What a station
+// has stays up to date there.
 const char* const enrolment_schema = R"(
 CREATE TABLE IF NOT EXISTS enrolment (id TEXT COLLATE "C" PRIMARY KEY, name TEXT NOT NULL, made BIGINT NOT NULL,
     made_by TEXT NOT NULL, expires BIGINT NOT NULL, proof TEXT NOT NULL, used BIGINT,
     station_id TEXT COLLATE "C", public_half BYTEA, withdrawn BIGINT);
+ALTER TABLE enrolment ADD COLUMN IF NOT EXISTS statement TEXT;
+ALTER TABLE enrolment ADD COLUMN IF NOT EXISTS signature BYTEA;
 CREATE TABLE IF NOT EXISTS enrolment_cohort (enrolment_id TEXT COLLATE "C" NOT NULL REFERENCES enrolment (id),
     cohort_id TEXT COLLATE "C" NOT NULL REFERENCES cohort (id), PRIMARY KEY (enrolment_id, cohort_id));
 CREATE TABLE IF NOT EXISTS station_unit (station_id TEXT COLLATE "C" NOT NULL,
@@ -117,24 +121,30 @@ CREATE OR REPLACE FUNCTION trace_evidence(wanted text) RETURNS TABLE (station_id
             (a.station_id = (SELECT enrolled_station()) OR a.person_id IN (SELECT station_trainees()))))
     ORDER BY e.time DESC, e.sequence DESC $$;
 -- Asked by the account of a token. Answers instead of failing, so that a refusal is in the log too.
-CREATE OR REPLACE FUNCTION enrol_station(asked_proof text, asked_station text, asked_key bytea, verifier text)
-    RETURNS TABLE (answer text, about text, since bigint)
+DROP FUNCTION IF EXISTS enrol_station(text, text, bytea, text);
+CREATE OR REPLACE FUNCTION enrol_station(asked_proof text, asked_station text, asked_key bytea, verifier text,
+    asked_signature bytea) RETURNS TABLE (answer text, about text, since bigint)
     LANGUAGE plpgsql SECURITY DEFINER SET search_path = public, pg_temp AS $$
 #variable_conflict use_column
 DECLARE
     e enrolment;
     old record;
     moment bigint := (extract(epoch FROM clock_timestamp()) * 1000)::bigint;
+    said text;
 BEGIN
     -- Two tokens of one station at once: one after the other.
     PERFORM pg_advisory_xact_lock(hashtext(asked_station));
     SELECT x.* INTO e FROM enrolment x WHERE 'enrol_' || x.id = session_user::text FOR UPDATE;
+    said := 'fulcrum enrolment 1' || E'\nserver ' || (SELECT s.id FROM programme_server s) || E'\ntoken ' || e.id
+        || E'\nstation ' || asked_station || E'\nkey ' || encode(asked_key, 'hex') || E'\npassword '
+        || encode(sha256(convert_to(verifier, 'UTF8')), 'hex');
     answer := CASE WHEN e.id IS NULL OR e.proof <> asked_proof THEN 'unknown'
         WHEN e.withdrawn IS NOT NULL AND e.used IS NULL THEN 'withdrawn'
         WHEN e.used IS NOT NULL THEN 'used' WHEN e.expires < moment THEN 'expired'
         WHEN EXISTS (SELECT 1 FROM enrolment x WHERE x.station_id = asked_station AND x.withdrawn IS NULL
             AND x.public_half <> asked_key AND NOT EXISTS (SELECT 1 FROM station_key k
                 WHERE k.station_id = asked_station AND k.public_half = asked_key)) THEN 'other_key'
+        WHEN NOT COALESCE(ed25519_holds(asked_key, convert_to(said, 'UTF8'), asked_signature), false) THEN 'no_proof'
         ELSE 'enrolled' END;
     about := COALESCE(e.station_id, '');
     since := COALESCE(e.used, e.withdrawn, e.expires);
@@ -155,7 +165,8 @@ BEGIN
                 UNION SELECT asked_station, c.id FROM cohort c ON CONFLICT DO NOTHING;
         END IF;
         EXECUTE format('CREATE ROLE %I LOGIN PASSWORD %L IN ROLE fulcrum_station', 'station_' || e.id, verifier);
-        UPDATE enrolment x SET used = moment, station_id = asked_station, public_half = asked_key WHERE x.id = e.id;
+        UPDATE enrolment x SET used = moment, station_id = asked_station, public_half = asked_key,
+            statement = said, signature = asked_signature WHERE x.id = e.id;
         about := COALESCE((SELECT string_agg(m.cohort_id, ' ') FROM enrolment_cohort m WHERE m.enrolment_id = e.id), '');
         since := moment;
     END IF;
@@ -259,25 +270,27 @@ CREATE TRIGGER attempt_of_stranger BEFORE INSERT ON attempt FOR EACH ROW EXECUTE
 struct FunctionRight {
     const char *name, *group;  ///< null: called by other functions and triggers only
 };
-constexpr FunctionRight function_rights[] = {{"own_enrolment()", "fulcrum_station"},
-                                             {"enrolled_station()", "fulcrum_station"},
-                                             {"station_sees_all()", "fulcrum_station"},
-                                             {"station_cohorts()", "fulcrum_station"},
-                                             {"station_trainees()", "fulcrum_station"},
-                                             {"station_people()", "fulcrum_station"},
-                                             {"station_holds(text[], text[])", "fulcrum_station"},
-                                             {"names_taken(text[], text[])", "fulcrum_station"},
-                                             {"trace_evidence(text)", "fulcrum_station"},
-                                             {"station_given()", "fulcrum_station"},
-                                             {"attempt_is_there(text)", "fulcrum_station"},
-                                             {"score_is_there(text)", "fulcrum_station"},
-                                             {"rating_is_there(text)", "fulcrum_station"},
-                                             {"refused_claims(text[])", "fulcrum_station"},
-                                             {"log_claim(text)", nullptr},
-                                             {"unit_is_made()", nullptr},
-                                             {"attempt_of_stranger()", nullptr},
-                                             {"merge_with_stranger()", nullptr},
-                                             {"enrol_station(text, text, bytea, text)", "fulcrum_enrol"}};
+constexpr FunctionRight function_rights[] = {
+    {"own_enrolment()", "fulcrum_station"},
+    {"enrolled_station()", "fulcrum_station"},
+    {"station_sees_all()", "fulcrum_station"},
+    {"station_cohorts()", "fulcrum_station"},
+    {"station_trainees()", "fulcrum_station"},
+    {"station_people()", "fulcrum_station"},
+    {"station_holds(text[], text[])", "fulcrum_station"},
+    {"names_taken(text[], text[])", "fulcrum_station"},
+    {"trace_evidence(text)", "fulcrum_station"},
+    {"station_given()", "fulcrum_station"},
+    {"attempt_is_there(text)", "fulcrum_station"},
+    {"score_is_there(text)", "fulcrum_station"},
+    {"rating_is_there(text)", "fulcrum_station"},
+    {"refused_claims(text[])", "fulcrum_station"},
+    {"log_claim(text)", nullptr},
+    {"unit_is_made()", nullptr},
+    {"attempt_of_stranger()", nullptr},
+    {"merge_with_stranger()", nullptr},
+    {"ed25519_holds(bytea, bytea, bytea)", nullptr},
+    {"enrol_station(text, text, bytea, text, bytea)", "fulcrum_enrol"}};
 
 #define FULCRUM_SEES_ALL "(SELECT station_sees_all()) OR "
 #define FULCRUM_OF_TRAINEES FULCRUM_SEES_ALL "person_id IN (SELECT station_trainees())"
@@ -372,6 +385,7 @@ void make_enrolment_tables(Connection& server) {
 }
 
 void set_station_rights(Connection& server) {
+    server.execute(signature_function());
     server.execute(functions_of_stations);
     server.execute(functions_of_claims);
     for (const FunctionRight& one : function_rights) {

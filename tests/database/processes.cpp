@@ -19,6 +19,7 @@
 #include "database/store/store_state.h"
 #include "database/sync/sync.h"
 #include "database/xapi/record_store.h"
+#include "tests/database/deeds_journal.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -208,9 +209,17 @@ int xapi(const std::string& folder, int port) {
 
 int run_child(const std::string& name, const std::string& folder, int number) {
     const std::map<std::string, int (*)(const std::string&, int)> children = {
-        {"window", window},      {"command", command}, {"foreign", foreign_program},
-        {"rounds", rounds},      {"create", create},   {"backup", backup},
-        {"migrate", open_older}, {"sync", sync},       {"xapi", xapi}};
+        {"window", window},
+        {"command", command},
+        {"foreign", foreign_program},
+        {"rounds", rounds},
+        {"create", create},
+        {"backup", backup},
+        {"migrate", open_older},
+        {"sync", sync},
+        {"xapi", xapi},
+        {"review", review_until_killed},
+        {"exchange", exchange_until_killed}};
     try {
         return children.at(name)(folder, number);
     } catch (const std::exception& error) {

@@ -6,18 +6,20 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <memory>
 
 namespace fulcrum::database::test {
 
 class OwnStationKeys {
   public:
     OwnStationKeys() {
-        if (qEnvironmentVariableIsEmpty("FULCRUM_STATION_KEYS"))
-            qputenv("FULCRUM_STATION_KEYS", folder_.path().toLocal8Bit());
+        if (!qEnvironmentVariableIsEmpty("FULCRUM_STATION_KEYS")) return;
+        folder_ = std::make_unique<QTemporaryDir>();
+        qputenv("FULCRUM_STATION_KEYS", folder_->path().toLocal8Bit());
     }
 
   private:
-    QTemporaryDir folder_;
+    std::unique_ptr<QTemporaryDir> folder_;  ///< none in a program that a test started: it may be killed
 };
 
 /// A test that changes keys: it has copies of them, so that the others keep theirs.

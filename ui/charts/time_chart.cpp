@@ -265,7 +265,11 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
         const double y = area.bottom() - area.height() * (value - y_axis_->min()) / y_span;
         painter->setPen(QPen(p.limit, 1.4, Qt::DashDotLine));
         painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-        painter->drawText(QPointF(area.left() + 6, y - area.top() < 18 ? y + 14 : y - 4), name);
+        // Above the line, or below it where there is no room; a long name in several lines.
+        constexpr int flags = Qt::AlignLeft | Qt::TextWordWrap;
+        QRectF words = painter->boundingRect(area.adjusted(6, 0, -6, 0), flags, name);
+        words.moveTop(y - area.top() < words.height() + 4 ? y + 2 : y - words.height() - 2);
+        painter->drawText(words, flags, name);
     }
     for (const ChartMark& mark : marks_) {
         if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;

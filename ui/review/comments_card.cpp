@@ -105,6 +105,16 @@ void CommentsCard::fill() {
     }
 }
 
+void CommentsCard::keep_unsent() {
+    if (attempt_id_.empty() || composer_->isHidden() || !context_.signed_in() ||
+        text_->toPlainText().trimmed().isEmpty())
+        return;
+    write(false);
+    // Where the store refuses it the problem is shown, and the words stay as long as the page does.
+    if (text_->toPlainText().isEmpty())
+        context_.say(tr("Your comment was kept as a draft of %1.").arg(clock_text(moment_)));
+}
+
 void CommentsCard::write(bool send) {
     const std::string words = plain(text_->toPlainText().trimmed());
     if (words.empty()) {

@@ -23,6 +23,8 @@ class CommentsCard : public QFrame {
     void open(const std::string& attempt_id, const std::string& person_id);
     /// Where the next comment goes.
     void set_moment(double time);
+    /// What was typed and not sent becomes a draft of its author.
+    void keep_unsent();
 
   signals:
     void time_chosen(double time);

@@ -145,6 +145,7 @@ void ComparePage::load_cohort(const std::string& id) {
 }
 
 void ComparePage::measure_range() {
+    table_->clear();
     const TaskDefinition* task = context().task(own_->model.summary.meta.task_id);
     if (task == nullptr || !own_->scene) return;
     struct Measured {
@@ -154,14 +155,17 @@ void ComparePage::measure_range() {
     const auto other = other_ != nullptr && other_->has_trace() && other_->scene ? other_ : nullptr;
     const double other_from = pair_ ? pair_->map.to_second(from_) : 0,
                  other_to = pair_ ? pair_->map.to_second(to_) : 0;
-    table_->clear();
     range_job_ = BackgroundJob::run(
         this,
-        [measured, own = own_, other, task = *task, from = from_, to = to_, other_from,
-         other_to](const Progress&) {
-            const auto of = [&task](const ComparedSide& side, double begin, double end) {
+        [measured, own = own_, other, task = *task, from = from_, to = to_, other_from, other_to,
+         one = one_range_](const Progress& progress) {
+            // A range that was chosen before lets go first: a long one takes hundreds of megabytes.
+            const std::lock_guard alone(*one);
+            RangeOptions options;
+            options.stop = [&progress] { return !progress(0, {}); };
+            const auto of = [&task, &options](const ComparedSide& side, double begin, double end) {
                 return compared_metrics(metrics_of_range(*side.scene, task, side.model.summary.meta.seed,
-                                                         *side.model.trace, begin, end));
+                                                         *side.model.trace, begin, end, options));
             };
             measured->own = of(*own, from, to);
             if (other != nullptr) measured->other = of(*other, other_from, other_to);

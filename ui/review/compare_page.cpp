@@ -403,7 +403,12 @@ void ComparePage::show_range() {
         if (pair_ && other_->has_trace())
             words += tr("; other attempt %1 to %2")
                          .arg(clock_text(pair_->map.to_second(from_)), clock_text(pair_->map.to_second(to_)));
-        if (cohort_) words += tr("; metrics of this attempt alone");
+        const bool measurable =
+            context().task(own_->model.summary.meta.task_id) != nullptr && own_->scene.has_value();
+        if (!measurable)
+            words += tr("; no metrics of a part, because this program does not have the task");
+        else if (cohort_)
+            words += tr("; metrics of this attempt alone");
     }
     range_words_->setText(words);
     range_words_->setVisible(!words.isEmpty());

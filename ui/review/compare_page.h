@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,6 +80,7 @@ class ComparePage : public Page {
     std::optional<CohortSide> cohort_;
     double from_ = 0, to_ = 0;  ///< s, the range; to_ <= from_: the whole attempt
     BackgroundJob *job_ = nullptr, *range_job_ = nullptr;
+    const std::shared_ptr<std::mutex> one_range_ = std::make_shared<std::mutex>();  ///< measured at a time
     bool begins_next_ = false;  ///< what is compared with is loaded as soon as the bar is free
     JobBar* job_bar_;
     QPushButton* back_;

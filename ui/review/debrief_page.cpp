@@ -300,7 +300,12 @@ void DebriefPage::enter() {
     back_->setFocus();
 }
 
+void DebriefPage::keep_comment() {
+    if (model_) comments_->keep_unsent();
+}
+
 void DebriefPage::leave() {
+    keep_comment();
     if (job_ != nullptr) job_->cancel();
     job_ = nullptr;
     ratings_->leave();

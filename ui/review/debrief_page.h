@@ -42,6 +42,8 @@ class DebriefPage : public Page {
     void open_to_rate(const std::string& attempt_id);
     void enter() override;
     void leave() override;
+    /// A comment that was not sent: before the session ends, or the screen is locked.
+    void keep_comment();
     /// The charts stand; the replay may still be waiting for the rest of the record.
     bool has_charts() const { return model_ != nullptr; }
     /// Everything is there, the replay too.

@@ -163,7 +163,7 @@ void TracePanel::fill_charts() {
     }
     // Tissues that bear the same share a line, and its name.
     std::map<double, QStringList> limits;
-    for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << text(tissue);
+    for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << asset_text(tissue);
     for (const auto& [limit, tissues] : limits)
         force_->add_limit(tr("limit, %1").arg(tissues.join(QStringLiteral(", "))), limit);
     speed_->show_all();

@@ -59,6 +59,15 @@ P* MainWindow::page() {
     return static_cast<P*>(page(typeid(P), [](Context& context) -> Page* { return new P(context); }));
 }
 
+namespace {
+
+/// While its author is still signed in.
+void keep_comment_on(Page* page) {
+    if (auto* debrief = qobject_cast<DebriefPage*>(page)) debrief->keep_comment();
+}
+
+}  // namespace
+
 TheatrePage* MainWindow::running_theatre() const {
     const auto found = pages_.find(typeid(TheatrePage));
     if (found == pages_.end() || found->second == nullptr) return nullptr;
@@ -166,6 +175,7 @@ void MainWindow::connect_lock_page() {
     connect(lock_page_, &LockPage::switch_user, this, [this] {
         unlock();
         if (TheatrePage* theatre = running_theatre()) theatre->close_attempt(TheatrePage::Closed::by_trainee);
+        keep_comment_on(current_page());
         context_.sign_out();
     });
 }
@@ -377,6 +387,7 @@ void MainWindow::show_sign_in() {
 void MainWindow::change_role(int index) {
     const auto role = static_cast<database::Role>(role_->itemData(index).toInt());
     if (role == context_.session().role()) return;
+    keep_comment_on(current_page());
     context_.guarded(
         [&] { context_.set_session(database::People(context_.store()).act_as(context_.session(), role)); });
 }
@@ -386,11 +397,13 @@ void MainWindow::switch_user() {
         theatre->ask_before_leaving();
         return;
     }
+    keep_comment_on(current_page());
     context_.sign_out();
 }
 
 void MainWindow::lock() {
     if (TheatrePage* theatre = running_theatre()) theatre->pause();
+    keep_comment_on(current_page());
     message_area_->hide();
     layers_->setCurrentWidget(lock_page_);
     lock_page_->enter();
@@ -425,6 +438,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    keep_comment_on(current_page());
     QMainWindow::closeEvent(event);
 }
 

@@ -32,6 +32,7 @@
 #include "ui/page/background_job.h"
 #include "ui/reports/certificate.h"
 #include "ui/reports/report.h"
+#include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_table.h"
@@ -347,6 +348,19 @@ class DemonstrationWindow : public ::testing::Test {
         settle();
         return *page;
     }
+    /// With its first choice, and the first step chosen as a part.
+    void compare(const std::string& id) {
+        emit window->context().compare_wanted(QString::fromStdString(id));
+        auto* page = static_cast<ui::ComparePage*>(window->current_page());
+        const auto ready = [&] { return page->is_ready(); };
+        EXPECT_TRUE(wait_for(ready, 60000));
+        auto* step = find<QComboBox>(*window, "compare_step");
+        if (!step->isEnabled() || step->count() < 2) return;
+        step->setFocus();
+        QTest::keyClick(step, Qt::Key_Down);
+        EXPECT_TRUE(wait_for(ready, 60000));
+        settle();
+    }
     QTemporaryDir folder;
     std::unique_ptr<ui::ApplicationServices> services;
     std::unique_ptr<ui::MainWindow> window;
@@ -378,6 +392,8 @@ TEST_F(DemonstrationWindow, EveryScreenOfEachRoleOpens) {
             if (!kept.empty()) {
                 debrief(kept);
                 expect_good(who + "-debrief");
+                compare(kept);
+                expect_good(who + "-compare");
             }
             debrief(lost);
             expect_good(who + "-debrief-no-trace");

@@ -120,7 +120,7 @@ TEST_F(Enrolments, AStationGetsAnAccountOfItsOwnThatAddsAndNeverChanges) {
               "UPDATE score SET points = 100", "SELECT * FROM enrolment", "SELECT * FROM server_log",
               "INSERT INTO enrolment (id, name, made, made_by, expires, proof) VALUES ('x', '', 1, '', 1, "
               "'')",
-              "SELECT enrol_station('', '', '', '')"})
+              "SELECT enrol_station('', '', '', '', '')", "SELECT ed25519_holds('', '', '')"})
             EXPECT_EQ(error_kind([&] { account.execute(statement); }), StoreErrorKind::read_only)
                 << statement;
         // Nor does it write into the log of another station.

@@ -15,6 +15,7 @@
 #include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "database/scoring/range_metrics.h"
+#include "database/sync/station_erasure.h"
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
@@ -38,6 +39,7 @@ struct ComparedRecord {
     std::string variant = "standard";
     bool keep_trace = true;
     double points = 50;
+    std::string task = "B2";
 };
 
 class Comparing : public ::testing::Test {
@@ -74,7 +76,7 @@ class Comparing : public ::testing::Test {
         const Session& person = sessions.at(login);
         database::AttemptMeta meta;
         meta.person_id = person.person_id();
-        meta.task_id = "B2";
+        meta.task_id = like.task;
         meta.mode = AttemptMode::assessed;
         meta.device_class = DeviceClass::haptic;
         meta.device = "test";
@@ -372,6 +374,61 @@ TEST_F(Comparing, TheCohortIsABandOfFivePeopleOrMore) {
     ComparePage& theirs = open("tara", own);
     for (const ComparisonChoice& one : theirs.choices())
         EXPECT_NE(one.kind, ComparisonChoice::Kind::cohort) << one.title.toStdString();
+}
+
+// A part is chosen while something else happens to the page.
+TEST_F(Comparing, APartOutlivesHastyChoicesAThemeAndTheErasureOfItsTrainee) {
+    record("tara", {2, 1, "standard", true, 90});
+    const std::string own = record("tara", {});
+    ComparePage& page = open("ed", own);
+    auto* step = find<QComboBox>(*window, "compare_step");
+    step->setFocus();
+    for (int i = 0; i < 12; ++i) QTest::keyClick(step, i % 4 == 3 ? Qt::Key_Up : Qt::Key_Down);
+    QTest::keyClick(step, Qt::Key_Home);
+    QTest::keyClick(step, Qt::Key_Down);  // the first step: to 2 s
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_EQ(line("Time")[0], "2 s") << "of the part that was chosen last";
+    const QString words = find<QLabel>(*window, "range_words")->text();
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        window->set_theme(theme);
+        EXPECT_EQ(find<QLabel>(*window, "range_words")->text(), words);
+        EXPECT_EQ(line("Time")[0], "2 s");
+    }
+    // The trainee is erased by another program: what is read is shown until the page is left.
+    const auto erase = [&] {
+        const database::Store other = database::Store::open(services.store()->path());
+        database::erase_person(other, sessions.at("dora"), sessions.at("tara").person_id(), "asked", false);
+    };
+    erase();
+    choose_tab(*window, "compare_tabs", "Force and speed");
+    step->setFocus();
+    QTest::keyClick(step, Qt::Key_Down);
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_EQ(line("Time")[0], "3 s");
+    EXPECT_FALSE(sees(*window, "message_text"));
+    click(*window, "compare_back");
+    EXPECT_TRUE(sees(*window, "message_text")) << "the attempt is gone";
+    EXPECT_FALSE(sees(*window, "comment_text"));
+    choose_page(*window, "rail_metrics");
+    EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
+}
+
+TEST_F(Comparing, APartOfATaskThatIsNotThereHasNoMetricsInsteadOfThoseOfTheWhole) {
+    ComparedRecord unknown;
+    unknown.task = "Z9";
+    ComparePage& page = open("tara", record("tara", unknown));
+    EXPECT_EQ(line("Time")[0], "6 s");
+    choose_tab(*window, "compare_tabs", "Force and speed");
+    auto* slider = find<QSlider>(*window, "compare_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    click(*window, "range_begin");
+    ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
+    EXPECT_TRUE(find<QLabel>(*window, "range_words")->text().contains("no metrics of a part"))
+        << find<QLabel>(*window, "range_words")->text().toStdString();
+    EXPECT_TRUE(line("Time").isEmpty());
+    click(*window, "range_whole");
+    EXPECT_EQ(line("Time")[0], "6 s");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QChart>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <cmath>
@@ -15,8 +16,10 @@
 #include "database/records/people.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/painted_words.h"
 #include "tests/ui/specimens.h"
 #include "ui/charts/time_chart.h"
+#include "ui/language/language.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
@@ -314,6 +317,26 @@ TEST_F(DebriefLayout, ADefectOnTheMapMovesTheReplay) {
     click(*window, "specimen_cell_1_left");
     click(*window, "specimen_show");
     EXPECT_NEAR(graded.moment(), 4.0, 1e-9);
+}
+
+TEST_F(DebriefLayout, ALimitOfForceNamesItsTissuesWholeAndInTheReadersLanguage) {
+    use_language(Language::german);
+    open(record(varied_specimen()));
+    auto* chart = find<TimeChart>(*window, "force_chart");
+    EXPECT_TRUE(wait_for([&] { return chart->chart()->plotArea().width() > 100; }));
+    WordsDevice device(chart->size());
+    QPainter painter(&device);
+    chart->render(&painter);
+    painter.end();
+    QString painted;
+    for (const PaintedWords& line : device.words()) {
+        painted += line.words.trimmed() + QLatin1Char(' ');
+        EXPECT_LE(line.place.right(), chart->width()) << line.words.toStdString();
+    }
+    for (const char* words : {"Grenze, Darm, Faszie", "lockeres", "Bindegewebe"})
+        EXPECT_TRUE(painted.contains(words)) << words << " in " << painted.toStdString();
+    keep("debrief-limit-de");
+    use_language(Language::english);
 }
 
 }  // namespace

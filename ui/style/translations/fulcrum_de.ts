@@ -7948,6 +7948,26 @@
         <source>This station holds %1 of the programme&apos;s cohorts: %2. Reports from the programme server have all of them.</source>
         <translation>Diese Station hat %1 der Gruppen des Programms: %2. Berichte vom Programmserver enthalten alle.</translation>
     </message>
+    <message>
+        <source>the server does not accept the signature by which this station proves that it holds its key %1</source>
+        <translation>der Server nimmt die Signatur nicht an, mit der diese Station zeigt, dass sie ihren Schlüssel %1 hat</translation>
+    </message>
+    <message>
+        <source>the token was not used: install the same version of Fulcrum here and where `fulcrum server create` is run, then give the token again</source>
+        <translation>das Token wurde nicht verbraucht: installieren Sie hier und dort, wo `fulcrum server create` ausgeführt wird, dieselbe Version von Fulcrum, und geben Sie das Token noch einmal ein</translation>
+    </message>
+    <message>
+        <source>%1: was made by an older program, which does not ask a station to prove that it holds its key</source>
+        <translation>%1: wurde von einem älteren Programm angelegt, das von einer Station keinen Nachweis verlangt, dass sie ihren Schlüssel hat</translation>
+    </message>
+    <message>
+        <source>station %1: what the server keeps of its enrolment is not signed by the key %2, with which it was enrolled: end its access (`fulcrum server withdraw %1`), and find out who could write into the server&apos;s tables</source>
+        <translation>Station %1: Was der Server von ihrer Aufnahme aufbewahrt, ist nicht mit dem Schlüssel %2 signiert, mit dem sie aufgenommen wurde: Beenden Sie ihren Zugang (`fulcrum server withdraw %1`), und finden Sie heraus, wer in die Tabellen des Servers schreiben konnte</translation>
+    </message>
+    <message>
+        <source>station %1: was enrolled before stations proved that they hold their key (%2); enrol it again with a new token</source>
+        <translation>Station %1: wurde aufgenommen, bevor Stationen nachwiesen, dass sie ihren Schlüssel haben (%2); nehmen Sie sie mit einem neuen Token noch einmal auf</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -11697,6 +11717,10 @@ Kennzahlen: %2</translation>
         <source>No comments yet.</source>
         <translation>Noch keine Kommentare.</translation>
     </message>
+    <message>
+        <source>Your comment was kept as a draft of %1.</source>
+        <translation>Ihr Kommentar wurde als Entwurf bei %1 aufbewahrt.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparePage</name>
@@ -11895,6 +11919,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>; other attempt %1 / %2</source>
         <translation>; anderer Versuch %1 / %2</translation>
+    </message>
+    <message>
+        <source>; no metrics of a part, because this program does not have the task</source>
+        <translation>; keine Kennzahlen eines Teils, weil dieses Programm die Aufgabe nicht hat</translation>
     </message>
 </context>
 <context>
