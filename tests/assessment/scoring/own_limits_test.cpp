@@ -104,6 +104,10 @@ TEST(OwnLimits, NarrowAnAbsoluteGateAndNeverWidenIt) {
     const JudgedLimit shown = judged_limits(small_task(), &set, {})[2];
     EXPECT_NEAR(shown.limit.value_or(0), std::exp(0.6), 1e-12) << "what a crash cannot take back";
     EXPECT_NE(shown.limit_source.find("synthetic operators"), std::string::npos);
+    EXPECT_EQ(shown.task_limit, 4.0);
+    EXPECT_TRUE(shown.of_set);
+    EXPECT_FALSE(judged_limits(small_task(), &set, {})[0].task_limit) << "no limit of the task";
+    EXPECT_FALSE(judged_limits(small_task(), nullptr, {})[2].of_set);
     const nlohmann::json json = benchmark_to_json(set);
     EXPECT_EQ(benchmark_to_json(parse_benchmark(json.dump(), "set.json")), json);
     set.levels.back().mean = std::log(3.9);
