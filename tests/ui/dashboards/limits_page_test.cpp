@@ -160,9 +160,8 @@ TEST_F(LimitsView, ShowsAnAbsoluteLimitThatASetNarrows) {
         return spec.metric == "f_max" && spec.hand == "left";
     });
     ASSERT_NE(gate, task.gates.end());
-    const auto shown = std::find_if(chart->gates().begin(), chart->gates().end(), [](const GateLimits& one) {
-        return one.unit == "N";
-    });
+    const auto shown = std::find_if(chart->gates().begin(), chart->gates().end(),
+                                    [](const GateLimits& one) { return one.unit == "N"; });
     ASSERT_NE(shown, chart->gates().end());
     EXPECT_EQ(shown->limits[0], gate->limit) << "that of the task";
     EXPECT_NEAR(shown->limits[1].value_or(0), std::exp(0.2), 1e-9);
