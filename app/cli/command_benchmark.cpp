@@ -28,7 +28,7 @@ struct Group {
     int individuals = 0, counted = 0;
     std::uint64_t first_seed = 0;
 };
-constexpr Group groups[] = {{32, 3, 1000}, {80, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
+constexpr Group groups[] = {{32, 3, 1000}, {60, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
 constexpr int familiarisation = 3;
 // Seeds 1000-1999 are reserved for benchmarks.
 
