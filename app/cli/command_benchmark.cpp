@@ -13,8 +13,10 @@
 #include "assessment/assets/assets.h"
 #include "assessment/operators/device_model.h"
 #include "assessment/scoring/benchmark_builder.h"
+#include "assessment/scoring/judged_limits.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/files.h"
+#include "sim_core/numerics/number_text.h"
 #include "sim_core/scene/json_document.h"
 
 namespace fulcrum::app {
@@ -26,7 +28,7 @@ struct Group {
     int individuals = 0, counted = 0;
     std::uint64_t first_seed = 0;
 };
-constexpr Group groups[] = {{32, 3, 1000}, {40, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
+constexpr Group groups[] = {{32, 3, 1000}, {60, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
 constexpr int familiarisation = 3;
 // Seeds 1000-1999 are reserved for benchmarks.
 
@@ -235,23 +237,64 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
     return request;
 }
 
-nlohmann::json json_of(const BenchmarkBuild& build, const std::string& task) {
+/// What the set judges by: the gates on the experts' range, and the absolute ones that it narrows.
+std::vector<JudgedLimit> limits_of(const TaskDefinition& task, const BenchmarkSet& set) {
+    std::vector<JudgedLimit> limits = judged_limits(task, &set);
+    limits.erase(std::remove_if(limits.begin(), limits.end(),
+                                [](const JudgedLimit& limit) { return !limit.of_set || !limit.limit; }),
+                 limits.end());
+    return limits;
+}
+
+nlohmann::json limits_json(const TaskDefinition& task, const BenchmarkSet& set) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const JudgedLimit& limit : limits_of(task, set)) {
+        const BenchmarkLevel& level = *set.find(limit.metric, limit.hand, limit.tissue);
+        rows.push_back({{"metric", limit.metric},
+                        {"hand", or_null(limit.hand)},
+                        {"tissue", or_null(limit.tissue)},
+                        {"limit", *limit.limit},
+                        {"unit", limit.unit},
+                        {"better", limit.higher_is_better ? "higher" : "lower"},
+                        {"k", level.absolute_limit ? nlohmann::json() : nlohmann::json(set.k_of(level))},
+                        {"limit_of_task", or_null(limit.task_limit)}});
+    }
+    return rows;
+}
+
+nlohmann::json json_of(const BenchmarkBuild& build, const TaskDefinition& task) {
     nlohmann::json trials = nlohmann::json::array();
     for (const BenchmarkTrial& trial : build.trials)
         trials.push_back({{"k", trial.k}, {"pass_share", trial.pass_share}});
-    return {{"task", task},
+    return {{"task", task.id},
             {"usable", build.set.has_value()},
             {"refusal", or_null(build.refusal)},
             {"trials", trials},
             {"log", build.log},
+            {"limits", build.set ? limits_json(task, *build.set) : nlohmann::json()},
             {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
 }
 
-void print_summary(const BenchmarkBuild& build) {
+void print_limits(const TaskDefinition& task, const BenchmarkSet& set) {
+    for (const JudgedLimit& limit : limits_of(task, set)) {
+        std::cout << limit.metric;
+        for (const std::string& part : {limit.hand, limit.tissue})
+            if (!part.empty()) std::cout << ' ' << part;
+        std::cout << (limit.higher_is_better ? ": at least " : ": at most ") << decimal_text(*limit.limit, 4)
+                  << ' ' << limit.unit;
+        if (limit.task_limit && *limit.task_limit != *limit.limit)
+            std::cout << ", narrower than the task's " << decimal_text(*limit.task_limit, 4) << ' '
+                      << limit.unit;
+        std::cout << '\n';
+    }
+}
+
+void print_summary(const TaskDefinition& task, const BenchmarkBuild& build) {
     for (const std::string& line : build.log) std::cout << line << '\n';
     for (const BenchmarkTrial& trial : build.trials)
         std::cout << "k " << trial.k << ": " << 100 * trial.pass_share
                   << " % of the experts' own attempts pass\n";
+    if (build.set) print_limits(task, *build.set);
     std::cout << (build.set ? "usable at k " + std::to_string(build.set->k) : "refused: " + build.refusal)
               << '\n';
 }
@@ -264,9 +307,9 @@ bool build_one(const Arguments& arguments, const Setting& setting, DeviceClass d
         build_benchmark(setting.loaded.task, request_for(arguments, setting, device_class, output));
     if (build.set && output) write_whole_file(*output, benchmark_to_json(*build.set).dump(2) + "\n");
     if (arguments.has("--json")) {
-        print_json(json_of(build, setting.loaded.task.id));
+        print_json(json_of(build, setting.loaded.task));
     } else {
-        print_summary(build);
+        print_summary(setting.loaded.task, build);
         if (build.set && output && !build.set->provisional)
             std::cout << "assessed attempts use it once an educator has accepted it: fulcrum assets accept "
                       << *output << " --reason TEXT --as LOGIN\n";

@@ -190,6 +190,12 @@ JudgedAttempt judged_without_levels(const TaskDefinition& task, const BenchmarkA
     return judged;
 }
 
+int number_of(const std::string& person, const std::vector<BenchmarkPerson>& people) {
+    const auto place = std::find_if(people.begin(), people.end(),
+                                    [&](const BenchmarkPerson& known) { return known.name == person; });
+    return static_cast<int>(place - people.begin());
+}
+
 /// Scores every expert attempt against the set made without its expert.
 class LeaveOneOut {
   public:
@@ -225,8 +231,10 @@ class LeaveOneOut {
     }
     std::vector<JudgedAttempt> judged() const {
         std::vector<JudgedAttempt> all;
-        for (const BenchmarkAttempt& attempt : request_.experts)
+        for (const BenchmarkAttempt& attempt : request_.experts) {
             all.push_back(judged_without_levels(task_, attempt, without_its_expert(full_, attempt)));
+            all.back().person = number_of(attempt.person, full_.experts);
+        }
         return all;
     }
 
@@ -280,13 +288,11 @@ std::vector<int> gates_of(const TaskDefinition& task, const BenchmarkSet& set) {
     return gates;
 }
 
-double passing_share(const TaskDefinition& task, const std::vector<BenchmarkAttempt>& attempts,
-                     const BenchmarkSet& set) {
-    const auto passes = [&](const BenchmarkAttempt& attempt) {
-        return score_of(task, attempt, set).passed == true;
-    };
-    return static_cast<double>(std::count_if(attempts.begin(), attempts.end(), passes)) /
-           static_cast<double>(attempts.size());
+int passing(const TaskDefinition& task, const std::vector<BenchmarkAttempt>& attempts,
+            const BenchmarkSet& set) {
+    return static_cast<int>(std::count_if(
+        attempts.begin(), attempts.end(),
+        [&](const BenchmarkAttempt& attempt) { return score_of(task, attempt, set).passed == true; }));
 }
 
 std::string percent(double share) {
@@ -301,7 +307,8 @@ bool of_benchmark_gate(const TaskDefinition& task, const BenchmarkLevel& level) 
 }
 
 /// Gives each gate a k of its own, absolute gates too where that brings both shares nearer to their middles.
-void set_own_limits(const TaskDefinition& task, const BenchmarkRequest& request, BenchmarkSet& set) {
+/// Returns what is to be expected of fresh attempts.
+HeldOutLimits set_own_limits(const TaskDefinition& task, const BenchmarkRequest& request, BenchmarkSet& set) {
     BenchmarkSet wide = set;
     wide.levels = make_levels(task, request, {}, true).levels;
     const LeaveOneOut leave_one_out(task, request, wide, true);
@@ -309,34 +316,42 @@ void set_own_limits(const TaskDefinition& task, const BenchmarkRequest& request,
     for (const BenchmarkLevel& level : wide.levels)
         start.push_back(of_benchmark_gate(task, level) ? set.k : no_limit);
     std::vector<JudgedAttempt> intermediates;
-    for (const BenchmarkAttempt& attempt : request.intermediates)
+    for (const BenchmarkAttempt& attempt : request.intermediates) {
         intermediates.push_back(judged_without_levels(task, attempt, wide));
-    const std::vector<double> k =
-        limits_between(leave_one_out.judged(), intermediates, gates_of(task, wide), start);
+        intermediates.back().person = number_of(attempt.person, set.intermediates);
+    }
+    HeldOutLimits chosen =
+        limits_for_fresh(leave_one_out.judged(), intermediates, gates_of(task, wide), start);
     set.levels.clear();
-    for (std::size_t i = 0; i < k.size(); ++i) {
-        if (k[i] == no_limit) continue;
+    for (std::size_t i = 0; i < chosen.k.size(); ++i) {
+        if (chosen.k[i] == no_limit) continue;
         BenchmarkLevel level = wide.levels[i];
-        if (!level.absolute_limit && std::abs(k[i] - set.k) > 1e-9) level.k = k[i];
+        if (!level.absolute_limit && std::abs(chosen.k[i] - set.k) > 1e-9) level.k = chosen.k[i];
         set.levels.push_back(std::move(level));
     }
+    return chosen;
 }
 
-/// With intermediates: how many pass, and a k for each gate where that is not well within its band.
+/// With intermediates: how many pass, and a k for each gate where that is not surely within its band.
 void heed_intermediates(const TaskDefinition& task, const BenchmarkRequest& request, BenchmarkSet& set,
                         std::vector<std::string>& log) {
     if (request.intermediates.empty()) return;
+    const int all = static_cast<int>(request.intermediates.size());
+    const auto share = [&](int passed) { return static_cast<double>(passed) / all; };
     set.intermediates = people_of(request.intermediates, request.familiarisation);
-    set.intermediate_pass_share = passing_share(task, request.intermediates, set);
-    log.push_back("k " + decimal_text(set.k, 1) + ": " + percent(*set.intermediate_pass_share) +
+    const int passed = passing(task, request.intermediates, set);
+    set.intermediate_pass_share = share(passed);
+    log.push_back("k " + decimal_text(set.k, 1) + ": " + percent(share(passed)) +
                   " of intermediates' attempts pass");
-    if (intermediates_well_within(*set.intermediate_pass_share)) return;
-    set_own_limits(task, request, set);
+    if (intermediates_surely_within(passed, all)) return;
+    const HeldOutLimits chosen = set_own_limits(task, request, set);
     for (const BenchmarkLevel& level : set.levels)
         if (level.k) log.push_back(level_name(level) + ": k " + decimal_text(*level.k, 1) + " of its own");
-    set.intermediate_pass_share = passing_share(task, request.intermediates, set);
-    log.push_back("with these: " + percent(*set.intermediate_pass_share) +
-                  " of intermediates' attempts pass");
+    set.intermediate_pass_share = chosen.held_out.intermediates;
+    log.push_back("with these: " + percent(share(passing(task, request.intermediates, set))) +
+                  " of intermediates' attempts pass; of those left out when limits are chosen " +
+                  percent(chosen.held_out.intermediates) + ", of experts' " +
+                  percent(chosen.held_out.experts) + " (aim " + percent(chosen.aim) + ")");
 }
 
 void log_levels(const BenchmarkSet& set, std::vector<std::string>& log) {

@@ -38,6 +38,8 @@ std::vector<JudgedLimit> judged_limits(const TaskDefinition& task, const Benchma
         limit.higher_is_better = metric != nullptr && metric->direction == Direction::higher;
         const BenchmarkLevel* level =
             benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
+        limit.of_set = level != nullptr;
+        if (spec.kind == GateKind::absolute) limit.task_limit = spec.limit;
         if (level != nullptr) add_experts(limit, *level);
         limits.push_back(std::move(limit));
     }

@@ -20,6 +20,8 @@ struct JudgedLimit {
     bool exclusive = false;       ///< a value equal to the limit is beyond it
     std::optional<double> limit;  ///< absent: no set has a level for it
     std::string limit_source;
+    std::optional<double> task_limit;  ///< of an absolute gate: the task's own, which a set may narrow
+    bool of_set = false;               ///< the set has a level for it
     bool provisional = false;
     Statement absent_because;  ///< why there is no limit
     /// The experts' mean plus and minus their standard deviation, on the metric's scale; absent without a

@@ -10,6 +10,7 @@ namespace fulcrum {
 struct JudgedAttempt {
     bool otherwise = false;  ///< everything is met apart from the levels below
     std::vector<double> z;   ///< of each level, in the set's order
+    int person = 0;          ///< attempts of one person are left out together
 };
 
 /// Shares of attempts that pass.
@@ -22,21 +23,38 @@ inline constexpr double no_limit = 1e9;  ///< a k that every value meets
 /// The bands in which fresh attempts are expected to pass: experts 80 to 95 %, intermediates 5 to 40 %.
 inline constexpr double experts_middle = 0.875, experts_half = 0.075;
 inline constexpr double intermediates_middle = 0.225, intermediates_half = 0.175;
-/// A share counted on some dozens of attempts counts as within its band up to this part of its half width.
-inline constexpr double well_within = 0.75;
 
-/// Whether the share of intermediates is well within its band.
-bool intermediates_well_within(double share);
+/// Whether the share of intermediates is within its band, and surely so: with Wilson's 95 % interval.
+bool intermediates_surely_within(int passed, int attempts);
 
 PassShares pass_shares(const std::vector<JudgedAttempt>& experts,
                        const std::vector<JudgedAttempt>& intermediates, const std::vector<double>& k);
 
-/// A k for each level, from `start`: the change of the k of one or two gates that brings both shares nearest
-/// to the middles of their bands, each distance in half widths of its band, again and again until none does.
-/// Of equally good changes the smallest. The share of experts does not leave the inner half of its band.
-/// Levels with the same number in `gate` keep one k. Pure.
+/// A k for each level, from `start`: the change of the k of one or two gates that brings the share of experts
+/// nearest to the middle of its band and that of intermediates nearest to `aim`, each distance in half widths
+/// of its band, again and again until none does. Of equally good changes the smallest. The share of experts
+/// does not leave the inner half of its band. Levels with the same number in `gate` keep one k. Pure.
 std::vector<double> limits_between(const std::vector<JudgedAttempt>& experts,
                                    const std::vector<JudgedAttempt>& intermediates,
-                                   const std::vector<int>& gate, const std::vector<double>& start);
+                                   const std::vector<int>& gate, const std::vector<double>& start,
+                                   double aim = intermediates_middle);
+
+/// The shares that pass limits in whose choice they had no part: people are divided into `held_out_parts`
+/// parts, and each part is judged by limits_between() of the others.
+inline constexpr int held_out_parts = 5;
+PassShares held_out_shares(const std::vector<JudgedAttempt>& experts,
+                           const std::vector<JudgedAttempt>& intermediates, const std::vector<int>& gate,
+                           const std::vector<double>& start, double aim);
+
+struct HeldOutLimits {
+    std::vector<double> k;
+    double aim = intermediates_middle;  ///< with which they were chosen
+    PassShares held_out;                ///< what is to be expected of fresh attempts
+};
+/// limits_between() with the aim whose held-out shares are nearest to the middles of both bands. Limits fit
+/// the attempts that they were chosen on better than others; a lower (or higher) aim makes up for that. Pure.
+HeldOutLimits limits_for_fresh(const std::vector<JudgedAttempt>& experts,
+                               const std::vector<JudgedAttempt>& intermediates, const std::vector<int>& gate,
+                               const std::vector<double>& start);
 
 }  // namespace fulcrum

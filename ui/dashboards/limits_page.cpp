@@ -32,11 +32,17 @@ QString gate_name(const GateSpec& gate) {
     return name;
 }
 
+/// What attempts are held against with this set: where it narrows an absolute limit, the narrower one.
 std::optional<double> limit_in(const BenchmarkSet& set, const GateSpec& gate) {
-    const BenchmarkLevel* level = set.find(gate.metric, gate.hand, gate.tissue);
-    const MetricDescriptor* descriptor = find_metric(gate.metric);
-    if (level == nullptr || descriptor == nullptr) return std::nullopt;
-    return level->absolute_limit ? *level->absolute_limit : limit_of(*descriptor, *level, set.k_of(*level));
+    return judge_gate(gate, {}, &set).limit;
+}
+
+/// Gates on the experts' range, and absolute ones that one of the sets narrows.
+bool is_shown(const GateSpec& gate, const std::vector<const BenchmarkSet*>& sets) {
+    return gate.kind == GateKind::benchmark ||
+           std::any_of(sets.begin(), sets.end(), [&](const BenchmarkSet* set) {
+               return set->find(gate.metric, gate.hand, gate.tissue) != nullptr;
+           });
 }
 
 std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate) {
@@ -199,7 +205,7 @@ void LimitsPage::choose_set() {
         for (std::size_t k = 0; k < task()->gates.size(); ++k) {
             const GateSpec& gate = task()->gates[k];
             const BenchmarkLevel* level = sets_.front().set.find(gate.metric, gate.hand, gate.tissue);
-            if (gate.kind == GateKind::benchmark && level != nullptr && !level->absolute_limit)
+            if (level != nullptr && !level->absolute_limit)
                 metrics_->addItem(gate_name(gate), static_cast<int>(k));
         }
     }
@@ -228,11 +234,16 @@ void LimitsPage::add_file() {
 void LimitsPage::fill() {
     std::vector<GateLimits> gates;
     if (task() != nullptr && !sets_.empty()) {
+        std::vector<const BenchmarkSet*> compared;
+        for (const Compared& one : sets_) compared.push_back(&one.set);
         for (const GateSpec& gate : task()->gates) {
-            if (gate.kind != GateKind::benchmark) continue;
+            if (!is_shown(gate, compared)) continue;
             GateLimits row;
             row.name = gate_name(gate);
             row.unit = text(find_metric(gate.metric)->unit);
+            if (gate.kind == GateKind::absolute)
+                row.name = tr("%1 (limit of the task: %2)")
+                               .arg(row.name, figure_with_unit(gate.limit, row.unit.toStdString()));
             row.higher_is_better = find_metric(gate.metric)->direction == Direction::higher;
             for (const Compared& one : sets_) row.limits.push_back(limit_in(one.set, gate));
             row.values = values_of(attempts_, gate);

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,7 @@
 #include "tests/ui/hands.h"
 #include "ui/dashboards/limits_chart.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -135,6 +137,38 @@ TEST_F(LimitsView, ShowsWhoWouldPassUnderEachSet) {
     window.set_theme(Theme::light);
     window.resize(1920, 1080);
     keep("limits-wide");
+}
+
+TEST_F(LimitsView, ShowsAnAbsoluteLimitThatASetNarrows) {
+    const std::size_t before = chart->gates().size();
+    BenchmarkSet narrow = set;
+    BenchmarkLevel force = set.levels.front();
+    force.metric = "f_max";
+    force.hand = "left";
+    force.tissue.clear();
+    force.metric_version = find_metric("f_max")->version;
+    force.unit = "N";
+    force.scale = Scale::ln;
+    force.mean = std::log(1.0);
+    force.deviation = 0.1;
+    force.k = 2;
+    narrow.levels.push_back(force);
+    compare(QString::fromStdString(write(narrow, "narrow-force.json")));
+    ASSERT_EQ(chart->gates().size(), before + 1);
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+    const auto gate = std::find_if(task.gates.begin(), task.gates.end(), [](const GateSpec& spec) {
+        return spec.metric == "f_max" && spec.hand == "left";
+    });
+    ASSERT_NE(gate, task.gates.end());
+    const auto shown = std::find_if(chart->gates().begin(), chart->gates().end(),
+                                    [](const GateLimits& one) { return one.unit == "N"; });
+    ASSERT_NE(shown, chart->gates().end());
+    EXPECT_EQ(shown->limits[0], gate->limit) << "that of the task";
+    EXPECT_NEAR(shown->limits[1].value_or(0), std::exp(0.2), 1e-9);
+    EXPECT_TRUE(shown->name.contains(figure_with_unit(gate->limit, "N"))) << shown->name.toStdString();
+    keep("limits-narrowed-light");
+    window.set_theme(Theme::dark);
+    keep("limits-narrowed-dark");
 }
 
 TEST_F(LimitsView, NamesThePassMarkBetweenExpertsAndAttempts) {

@@ -13861,6 +13861,10 @@ Kennzahlen: %2</translation>
         <source>Pass mark: %1. With it, %2 % of the attempts here would pass and %3 % of the experts&apos; attempts would fail. The limit in force is %4.</source>
         <translation>Bestehensgrenze: %1. Damit wären %2 % der Versuche hier bestanden und %3 % der Versuche der Experten nicht bestanden. Der geltende Grenzwert ist %4.</translation>
     </message>
+    <message>
+        <source>%1 (limit of the task: %2)</source>
+        <translation>%1 (Grenzwert der Aufgabe: %2)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::LockPage</name>
