@@ -141,8 +141,7 @@ void TracePanel::show_reviews(std::vector<database::ErrorReview> reviews) {
     // The line that was chosen stays chosen, wherever it is now.
     const QSignalBlocker quiet(events_);
     for (int i = 0; chosen.isValid() && i < events_->count(); ++i)
-        if (events_->item(i)->data(index_role) == chosen && events_->item(i)->data(Qt::UserRole).isValid())
-            events_->setCurrentRow(i);
+        if (events_->item(i)->data(index_role) == chosen) events_->setCurrentRow(i);
 }
 
 const database::ErrorReview* TracePanel::review_of(const Event& event) const {
@@ -157,7 +156,7 @@ void TracePanel::choose(QListWidgetItem* item) {
 }
 
 /// A line of its own below the struck or confirmed one, which says the same to a screen reader.
-void TracePanel::add_note(const database::ErrorReview& review, int index, QListWidgetItem* line) {
+void TracePanel::add_note(const database::ErrorReview& review, QListWidgetItem* line) {
     const QString words = review_words(review);
     if (review.verdict == database::ErrorVerdict::struck) {
         QFont font = line->font();
@@ -171,8 +170,7 @@ void TracePanel::add_note(const database::ErrorReview& review, int index, QListW
                                                                               : QStringLiteral("      ✓ ")) +
                                 words,
                             events_);
-    note->setFlags(Qt::ItemIsEnabled);
-    note->setData(index_role, index);
+    note->setFlags(Qt::NoItemFlags);  // the keyboard steps over it
     set_tint(note, Tint::muted);
 }
 
@@ -194,7 +192,7 @@ void TracePanel::fill_events() {
         item->setData(Qt::UserRole, line.time);
         item->setData(index_role, index);
         if (line.severe) set_tint(item, Tint::bad);
-        if (const database::ErrorReview* review = review_of(line.event)) add_note(*review, index, item);
+        if (const database::ErrorReview* review = review_of(line.event)) add_note(*review, item);
     }
     if (events_->count() == 0) {
         auto* none = new QListWidgetItem(tr("nothing"), events_);

@@ -39,7 +39,7 @@ class TracePanel : public QWidget {
     void fill_events();
     void fill_charts();
     void choose(QListWidgetItem* item);
-    void add_note(const database::ErrorReview& review, int index, QListWidgetItem* line);
+    void add_note(const database::ErrorReview& review, QListWidgetItem* line);
     const database::ErrorReview* review_of(const Event& event) const;
     /// Without choosing a time.
     void mark_event(double time);

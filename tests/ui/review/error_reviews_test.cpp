@@ -155,6 +155,7 @@ TEST_F(ErrorReviewPages, AnEducatorStrikesAndConfirmsAndTheTraineeReadsIt) {
     EXPECT_TRUE(reason->text().isEmpty());
     const auto expect_struck = [&] {
         const int row = row_of("slipped");
+        ASSERT_LT(row + 1, list()->count());
         EXPECT_TRUE(list()->item(row)->font().strikeOut());
         EXPECT_TRUE(
             list()->item(row + 1)->text().contains("struck by Ed Educator: The flap was torn before."));
@@ -209,7 +210,7 @@ TEST_F(ErrorReviewPages, TheReplayMovesTheCursorAndNotTheChoice) {
     EXPECT_FALSE(label("debrief_notes").contains("struck"));
 }
 
-TEST_F(ErrorReviewPages, WhoRatesBlindDoesNotReadWhatOthersSaid) {
+TEST_F(ErrorReviewPages, ARaterWhoIsBlindReadsOwnReviewsOnly) {
     database::ErrorReviews(*services.store())
         .add(sessions.at("ed"), attempt, Event{slip_tick, EventKind::slip, 0, -1, 0, 0.0F},
              ErrorVerdict::struck, "Tara has told me.");
@@ -234,7 +235,7 @@ TEST_F(ErrorReviewPages, WhoRatesBlindDoesNotReadWhatOthersSaid) {
     EXPECT_TRUE(shown().contains("Tara has told me."));
 }
 
-TEST_F(ErrorReviewPages, AnAttemptThatIsVoidedOrErasedMeanwhileIsSaid) {
+TEST_F(ErrorReviewPages, AVoidTakesNothingBackAndAnErasedAttemptIsRefused) {
     debrief("ed");
     database::Attempts(*services.store()).void_attempt(sessions.at("ida"), attempt, "the camera was off");
     choose("slipped");
