@@ -15,6 +15,7 @@
 #include "assessment/metrics/statement_words.h"
 #include "assessment/trace/events_csv.h"
 #include "assessment/trace/trace_csv.h"
+#include "database/records/error_reviews.h"
 #include "database/records/external_attempts.h"
 #include "database/rows/force_devices.h"
 #include "sim_core/numerics/files.h"
@@ -88,6 +89,28 @@ std::string text_of(const nlohmann::json& document) {
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+/// What educators said of recorded errors: all of it, oldest first; the last of an event counts. Names
+/// nobody, as the rest of the document.
+nlohmann::json error_reviews_json(const database::Store& store, const database::Session& session,
+                                  const std::string& attempt, const std::vector<std::string>& tissues,
+                                  double tick_period) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const database::ErrorReview& review : database::ErrorReviews(store).history(session, attempt)) {
+        const bool known = review.tissue >= 0 && static_cast<std::size_t>(review.tissue) < tissues.size();
+        list.push_back({{"time_s", review.tick * tick_period},
+                        {"kind", event_name(review.kind)},
+                        {"hand", review.hand == 0   ? "left"
+                                 : review.hand == 1 ? "right"
+                                                    : ""},
+                        {"tissue", known ? tissues[static_cast<std::size_t>(review.tissue)] : ""},
+                        {"detail", review.detail},
+                        {"verdict", row_of(database::error_verdicts, review.verdict).name},
+                        {"reason", review.reason},
+                        {"time", review.time}});
+    }
+    return list;
+}
+
 /// An attempt that was recorded elsewhere: its trace as it was measured, and the stored metrics.
 std::vector<std::string> export_external(const database::Store& store, const database::Session& session,
                                          const database::AttemptSummary& summary, const std::string& folder) {
@@ -126,9 +149,12 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     std::vector<Event> events = record.events;
     put_seed(events, summary.meta.seed);
     write_events_csv(events, labels, loaded.scene.tick_period(), table);
-    return write_files(folder, {{"trace.csv", trace.str()},
-                                {"events.csv", table.str()},
-                                {"attempt.json", text_of(attempt_document(summary.meta, attempt, scored))}});
+    nlohmann::json document = attempt_document(summary.meta, attempt, scored);
+    document["error_reviews"] =
+        error_reviews_json(store, session, attempt, labels, loaded.scene.tick_period());
+    return write_files(
+        folder,
+        {{"trace.csv", trace.str()}, {"events.csv", table.str()}, {"attempt.json", text_of(document)}});
 }
 
 nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,

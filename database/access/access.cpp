@@ -65,6 +65,7 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::import_attempt,          "import_attempt",             none,      cohort,    none,      none,      synthetic, true},
     {Operation::rotate_key,              "rotate_key",                 none,      none,      none,      programme, none,      false},
     {Operation::erase_person,            "erase_person",               none,      none,      programme, none,      none,      true},
+    {Operation::review_error,            "review_error",               none,      cohort,    none,      none,      none,      true},
 }};
 // clang-format on
 

@@ -69,8 +69,9 @@ enum class Operation : std::uint8_t {
     import_attempt,  ///< store a trace that was recorded elsewhere; never one's own
     rotate_key,      ///< the station signs with a new key from then on
     erase_person,    ///< delete all that is stored of a person; never oneself
+    review_error,    ///< confirm or strike an error that the program recorded; never one of one's own
 };
-inline constexpr int operation_count = 41;
+inline constexpr int operation_count = 42;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

@@ -27,6 +27,8 @@ constexpr Following following[] = {
     {QT_TRANSLATE_NOOP("errors", "comments on them"),
      "SELECT COUNT(*) FROM comment c JOIN attempt a ON a.id = c.attempt_id WHERE c.sent > 0 AND a.person_id "
      "= ?"},
+    {QT_TRANSLATE_NOOP("errors", "errors of theirs that were confirmed or struck"),
+     "SELECT COUNT(*) FROM error_review e JOIN attempt a ON a.id = e.attempt_id WHERE a.person_id = ?"},
     {QT_TRANSLATE_NOOP("errors", "personal goals"), "SELECT COUNT(*) FROM personal_goal WHERE person_id = ?"},
     {QT_TRANSLATE_NOOP("errors", "decisions on standings"),
      "SELECT COUNT(*) FROM standing_override WHERE person_id = ?"},
@@ -34,6 +36,8 @@ constexpr Following following[] = {
      "SELECT COUNT(*) FROM curriculum_move WHERE person_id = ?"},
     {QT_TRANSLATE_NOOP("errors", "comments written, drafts included"),
      "SELECT COUNT(*) FROM comment WHERE author_id = ?"},
+    {QT_TRANSLATE_NOOP("errors", "errors that they confirmed or struck"),
+     "SELECT COUNT(*) FROM error_review WHERE author_id = ?"},
     {QT_TRANSLATE_NOOP("errors", "forms filled in, drafts included"),
      "SELECT COUNT(*) FROM rating WHERE rater_id = ?"},
     {QT_TRANSLATE_NOOP("errors", "people merged earlier"),

@@ -87,7 +87,7 @@ void add_erased(const std::string& payload, std::set<std::int64_t>& erased) {
 }
 
 bool is_about_an_attempt(const std::string& operation) {
-    for (const char* group : {"attempt.", "score.", "comment.", "rating."}) {
+    for (const char* group : {"attempt.", "score.", "comment.", "rating.", "error."}) {
         if (operation.rfind(group, 0) == 0) return true;
     }
     return false;
@@ -306,8 +306,9 @@ std::vector<AuditEntry> Audit::entries(const Session& administrator, const Audit
         "LEFT JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence "
         "LEFT JOIN person a ON a.id = e.actor_id "
         "LEFT JOIN score s ON s.id = e.object_id LEFT JOIN comment c ON c.id = e.object_id "
-        "LEFT JOIN rating r ON r.id = e.object_id "
-        "LEFT JOIN attempt t ON t.id = COALESCE(s.attempt_id, c.attempt_id, r.attempt_id, e.object_id) "
+        "LEFT JOIN rating r ON r.id = e.object_id LEFT JOIN error_review v ON v.id = e.object_id "
+        "LEFT JOIN attempt t ON t.id = COALESCE(s.attempt_id, c.attempt_id, r.attempt_id, v.attempt_id, "
+        "e.object_id) "
         "LEFT JOIN person w ON w.id = COALESCE(t.person_id, e.object_id) WHERE e.station_id = ?";
     if (!filter.person_id.empty()) sql += " AND (e.actor_id = ? OR w.id = ?)";
     // One of them, or all of a group: "attempt" for "attempt.void".

@@ -151,6 +151,11 @@ const std::vector<RecordRow> record_kinds = {
      "end of goal",
      "SELECT goal_id FROM personal_goal_end",
      {"SELECT goal_id, time FROM personal_goal_end WHERE goal_id = ?"}},
+    {RecordKind::error_review,
+     "error review",
+     "SELECT id FROM error_review",
+     {"SELECT id, attempt_id, author_id, tick, kind, hand, tissue, detail, verdict, reason, time FROM "
+      "error_review WHERE id = ?"}},
 };
 
 #undef FULCRUM_ATTEMPT_COLUMNS

@@ -39,6 +39,7 @@ enum class RecordKind : std::uint8_t {
     rating_release,
     goal,  ///< a personal goal
     goal_end,
+    error_review,  ///< an error that was confirmed or struck
 };
 
 struct RecordName {

@@ -32,6 +32,7 @@ bool writes(Operation operation) {
         case Operation::import_attempt:
         case Operation::rotate_key:
         case Operation::erase_person:
+        case Operation::review_error:
             return true;
         default:
             return false;

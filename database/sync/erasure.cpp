@@ -39,6 +39,7 @@ constexpr Deletion deletions[] = {
     {"attempt_void", "attempt_id IN " FULCRUM_THEIR_ATTEMPTS},
     {"attempt_reassignment", "from_id IN " FULCRUM_THEIR_ATTEMPTS " OR to_id IN " FULCRUM_THEIR_ATTEMPTS},
     {"comment", "attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR author_id = ?"},
+    {"error_review", "attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR author_id = ?"},
     {"correction_request", "attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR person_id = ?"},
     {"rating_release", "rating_id IN " FULCRUM_THEIR_RATINGS},
     {"rating_item", "rating_id IN " FULCRUM_THEIR_RATINGS},
@@ -62,6 +63,7 @@ constexpr const char* objects[] = {
     "SELECT id FROM attempt WHERE person_id = ?",
     "SELECT id FROM score WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS,
     "SELECT id FROM comment WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR author_id = ?",
+    "SELECT id FROM error_review WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR author_id = ?",
     "SELECT id FROM rating WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS,
     "SELECT id FROM correction_request WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR person_id = ?",
     "SELECT id FROM standing_override WHERE person_id = ?",
@@ -70,8 +72,8 @@ constexpr const char* objects[] = {
 
 /// Where what was handed in or decided is never deleted, but for an erasure.
 constexpr const char* guarded[] = {
-    "rating",          "rating_item",   "rating_release",   "standing_override",
-    "curriculum_move", "personal_goal", "personal_goal_end"};
+    "rating",          "rating_item",   "rating_release",    "standing_override",
+    "curriculum_move", "personal_goal", "personal_goal_end", "error_review"};
 
 Query with_person(Connection& connection, const std::string& sql, const std::string& person_id) {
     Query query(connection, QString::fromStdString(sql));
@@ -141,6 +143,8 @@ std::set<std::string> their_records(Connection& connection, const std::string& p
         {RecordKind::comment,
          "SELECT id FROM comment WHERE sent <> 0 AND (attempt_id IN " FULCRUM_THEIR_ATTEMPTS
          " OR author_id = ?)"},
+        {RecordKind::error_review,
+         "SELECT id FROM error_review WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR author_id = ?"},
         {RecordKind::correction,
          "SELECT id FROM correction_request WHERE attempt_id IN " FULCRUM_THEIR_ATTEMPTS " OR person_id = ?"},
         {RecordKind::decision, "SELECT id FROM standing_override WHERE person_id = ?"},

@@ -23,10 +23,10 @@ namespace {
 
 /// What is written once: its digest is in the signed log of the station where it was made.
 constexpr RecordKind written_once[] = {
-    RecordKind::attempt,         RecordKind::trace,         RecordKind::score,
-    RecordKind::attempt_void,    RecordKind::comment,       RecordKind::correction,
-    RecordKind::decision,        RecordKind::rating,        RecordKind::reassignment,
-    RecordKind::curriculum_move, RecordKind::rating_release};
+    RecordKind::attempt,         RecordKind::trace,          RecordKind::score,
+    RecordKind::attempt_void,    RecordKind::comment,        RecordKind::correction,
+    RecordKind::decision,        RecordKind::rating,         RecordKind::reassignment,
+    RecordKind::curriculum_move, RecordKind::rating_release, RecordKind::error_review};
 
 /// Compares the rows of attempts, scores and reviews with the digests that the stations signed.
 void check_server_records(Connection& server, ServerCheck& check) {

@@ -62,6 +62,8 @@ CREATE OR REPLACE FUNCTION named_people() RETURNS SETOF text
     LANGUAGE sql STABLE SECURITY DEFINER SET search_path = public, pg_temp AS $$
     WITH seen AS (SELECT own_people() AS id UNION SELECT taught_people())
     SELECT c.author_id FROM comment c JOIN attempt a ON a.id = c.attempt_id WHERE a.person_id IN (SELECT id FROM seen)
+    UNION SELECT e.author_id FROM error_review e JOIN attempt a ON a.id = e.attempt_id
+        WHERE a.person_id IN (SELECT id FROM seen)
     UNION SELECT v.person_id FROM attempt_void v JOIN attempt a ON a.id = v.attempt_id
         WHERE a.person_id IN (SELECT id FROM seen)
     UNION SELECT r.rater_id FROM rating r JOIN attempt a ON a.id = r.attempt_id
@@ -142,6 +144,7 @@ constexpr Policy policies[] = {
     {"critical_error", of_score, of_score, directors_all},
     {"pathology", of_score, of_score, directors_all},
     {"comment", of_attempt, of_attempt, directors_all},
+    {"error_review", of_attempt, of_attempt, directors_all},
     {"correction_request", of_attempt, of_attempt, directors_all},
     {"standing_override", own_person, of_taught, directors_all},
     {"curriculum_move", own_person, of_taught, directors_all},

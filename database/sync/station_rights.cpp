@@ -93,6 +93,7 @@ CREATE OR REPLACE FUNCTION station_people() RETURNS SETOF text
     UNION SELECT r.person_id FROM person_role r WHERE r.role IN ('administrator', 'director')
     UNION SELECT f.person_id FROM asset_acceptance f
     UNION SELECT c.author_id FROM comment c WHERE c.attempt_id IN (SELECT t.id FROM theirs t)
+    UNION SELECT e.author_id FROM error_review e WHERE e.attempt_id IN (SELECT t.id FROM theirs t)
     UNION SELECT v.person_id FROM attempt_void v WHERE v.attempt_id IN (SELECT t.id FROM theirs t)
     UNION SELECT q.person_id FROM correction_request q WHERE q.attempt_id IN (SELECT t.id FROM theirs t)
     UNION SELECT r.rater_id FROM rating r WHERE r.attempt_id IN (SELECT t.id FROM theirs t)
@@ -349,6 +350,7 @@ constexpr StationPolicy station_policies[] = {
     {"critical_error", FULCRUM_OF_SCORE, FULCRUM_BEFORE_SCORE},
     {"pathology", FULCRUM_OF_SCORE, FULCRUM_BEFORE_SCORE},
     {"comment", FULCRUM_OF_ATTEMPT, FULCRUM_OF_ATTEMPT_BY("author_id")},
+    {"error_review", FULCRUM_OF_ATTEMPT, FULCRUM_OF_ATTEMPT_BY("author_id")},
     {"correction_request", FULCRUM_OF_ATTEMPT, FULCRUM_OF_ATTEMPT_BY("person_id")},
     {"standing_override", FULCRUM_OF_TRAINEES, FULCRUM_DECIDED},
     {"curriculum_move", FULCRUM_OF_TRAINEES, FULCRUM_DECIDED},

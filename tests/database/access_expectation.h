@@ -58,6 +58,7 @@ inline const Expected expected_table[] = {
     {Operation::import_attempt, "-c--s"},
     {Operation::rotate_key, "---p-"},
     {Operation::erase_person, "--p--"},
+    {Operation::review_error, "-c---"},
 };
 
 inline Scope scope_of_letter(char letter) {
@@ -94,7 +95,7 @@ inline bool expected_never_own(Operation operation) {
     return operation == Operation::void_attempt || operation == Operation::reassign_attempt ||
            operation == Operation::decide_standing || operation == Operation::rate ||
            operation == Operation::release_ratings || operation == Operation::import_attempt ||
-           operation == Operation::erase_person;
+           operation == Operation::erase_person || operation == Operation::review_error;
 }
 
 /// The whole rule: the scope covers the relation, and nobody voids, reassigns or rates their own attempt.

@@ -29,6 +29,7 @@ enum class DeedKind : std::uint32_t {
     score_added,
     decided,  ///< a decision on a standing
     comment_read,
+    error_reviewed,    ///< number: of its reason
     correction_asked,  ///< object: the attempt; number: of its text
     sent,       ///< units of the table `object` that are on the server: the first `number` of those lacking
     received,   ///< the same at the station

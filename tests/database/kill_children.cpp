@@ -4,6 +4,7 @@
 #include <random>
 
 #include "assessment/assets/assets.h"
+#include "database/records/error_reviews.h"
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
 #include "database/sync/sync.h"
@@ -29,9 +30,10 @@ class Reviewer {
     }
     void run() {
         journal_.ready.fetch_add(1);
-        void (Reviewer::*const deeds[])() = {&Reviewer::mark,   &Reviewer::draft,    &Reviewer::rate,
-                                             &Reviewer::rate,   &Reviewer::void_one, &Reviewer::add_score,
-                                             &Reviewer::decide, &Reviewer::ask,      &Reviewer::move};
+        void (Reviewer::*const deeds[])() = {
+            &Reviewer::mark,     &Reviewer::draft,       &Reviewer::rate,   &Reviewer::rate,
+            &Reviewer::void_one, &Reviewer::add_score,   &Reviewer::decide, &Reviewer::ask,
+            &Reviewer::move,     &Reviewer::review_error};
         for (;;) (this->*deeds[random_() % (sizeof deeds / sizeof deeds[0])])();
     }
 
@@ -53,6 +55,13 @@ class Reviewer {
         journal_.acknowledge(DeedKind::mark, id, number_);
         for (const Comment& unread : reviews_.unread(trainee_))
             if (unread.id == id) done(DeedKind::comment_read, id, [&] { reviews_.mark_read(trainee_, id); });
+    }
+    void review_error() {
+        const std::string reason = words("the trocar had slipped");
+        const ErrorVerdict verdict = number_ % 2 == 0 ? ErrorVerdict::struck : ErrorVerdict::confirmed;
+        journal_.begin();
+        const std::string id = ErrorReviews(store_).add(educator_, one(), Programme::slip(), verdict, reason);
+        journal_.acknowledge(DeedKind::error_reviewed, id, number_);
     }
     void draft() {
         const std::string text = words("draft");

@@ -114,11 +114,14 @@ class Programme {
     People people() const { return People(*store); }
     Attempts attempts() const { return Attempts(*store); }
 
+    /// An error that a program records at the end of that second.
+    static Event slip() { return {999, EventKind::slip, 1, 2, 7, 0.5F}; }
     /// A finished attempt of a second's trace, by its own person.
     std::string record(const std::string& login, bool passed = true, double points = 70,
-                       const std::string& task = "A2") const {
+                       const std::string& task = "A2", const std::vector<Event>& errors = {}) const {
         Recorder recorder(path, session(login), example_meta(id(login), task), clock.options());
         append_second(recorder);
+        for (const Event& error : errors) recorder.append(error);
         recorder.finish(example_result(passed, points));
         return recorder.attempt_id();
     }

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must be known about an attempt to read its result: voided, taken over, simulated, without force.
+// What must be known about an attempt to read its result: voided, taken over, simulated, without force, with
+// errors that an educator struck.
+#include <QLabel>
+#include <algorithm>
+
+#include "database/records/error_reviews.h"
 #include "ui/review/debrief_page.h"
+#include "ui/review/trace_panel.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -44,6 +50,11 @@ QStringList DebriefPage::notes() const {
             "The limits are provisional: they come from simulated experts, not from surgeons. With them a "
             "task can be passed, but nobody becomes proficient.");
     }
+    if (struck_ > 0)
+        notes << tr(
+            "An educator struck %n errors that the program had recorded. The score stays as it is: "
+            "scores are never edited. An educator can void the attempt, or decide on the standing.",
+            "", struck_);
     if (model_->recomputed) {
         const database::ScoreRow& recomputed = *model_->recomputed;
         QString result = verdict(recomputed.passed, false);
@@ -63,6 +74,31 @@ QStringList DebriefPage::notes() const {
     if (attempt.meta.rig_use) notes << rig_text(attempt.meta.device, *attempt.meta.rig_use);
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
     return notes;
+}
+
+/// While the person rates blind, what others said of the errors stays hidden, as their ratings do.
+void DebriefPage::read_reviews() {
+    std::vector<database::ErrorReview> reviews;
+    context().guarded([&] {
+        reviews = database::ErrorReviews(context().store()).in_force(context().session(), attempt_id_);
+    });
+    if (blind_)
+        reviews.erase(std::remove_if(reviews.begin(), reviews.end(),
+                                     [&](const database::ErrorReview& review) {
+                                         return review.author_id != context().session().person_id();
+                                     }),
+                      reviews.end());
+    struck_ = static_cast<int>(
+        std::count_if(reviews.begin(), reviews.end(), [](const database::ErrorReview& review) {
+            return review.verdict == database::ErrorVerdict::struck;
+        }));
+    traces_->show_reviews(std::move(reviews));
+}
+
+void DebriefPage::show_notes() {
+    const QStringList shown = notes();
+    notes_->setText(shown.join(QLatin1Char('\n')));
+    notes_->setVisible(!shown.isEmpty());
 }
 
 }  // namespace fulcrum::ui

@@ -11,6 +11,7 @@
 #include "ui/reports/report_export.h"
 #include "ui/review/actions_card.h"
 #include "ui/review/comments_card.h"
+#include "ui/review/error_review_bar.h"
 #include "ui/review/gates_card.h"
 #include "ui/review/metrics_table.h"
 #include "ui/review/path_view.h"
@@ -102,6 +103,8 @@ QWidget* DebriefPage::build_replay() {
     middle->addWidget(replay_card, 1);
     QFrame* traces_card = make_card(4);
     traces_ = new TracePanel;
+    error_bar_ = new ErrorReviewBar(context());
+    traces_->set_foot(error_bar_);
     card_layout(traces_card)->addWidget(traces_);
     middle->addWidget(traces_card, 1);
     return block;
@@ -137,6 +140,14 @@ void DebriefPage::connect_parts() {
     connect(pathology_, &PathologyCard::time_chosen, this, &DebriefPage::show_moment);
     connect(pathology_, &PathologyCard::save_wanted, this, &DebriefPage::save_report);
     connect(traces_, &TracePanel::time_chosen, this, &DebriefPage::go_to);
+    connect(traces_, &TracePanel::event_chosen, this, [this](int index) {
+        if (model_ && index >= 0 && static_cast<std::size_t>(index) < model_->events.size())
+            error_bar_->choose(model_->events[static_cast<std::size_t>(index)]);
+    });
+    connect(error_bar_, &ErrorReviewBar::reviewed, this, [this] {
+        read_reviews();
+        show_notes();
+    });
     connect(path_, &PathView::time_chosen, this, &DebriefPage::show_moment);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::show_moment);
     connect(ratings_, &RatingsCard::handed_in, this, &DebriefPage::lift_blinding);
@@ -251,6 +262,8 @@ void DebriefPage::lift_blinding() {
     context().guarded(
         [&] { database::Ratings(context().store()).note_seen(context().session(), attempt_id_); });
     show_parts();
+    read_reviews();
+    show_notes();
     ratings_->open(model_->summary);
 }
 
@@ -327,12 +340,14 @@ void DebriefPage::show_model() {
                              : database::is_external_task(model_->summary.meta.task_id)
                                  ? external_trace_text(model_->summary.meta.device)
                                  : trace_not_kept_text());
+    traces_->open(model_);
+    error_bar_->open(attempt_id_, model_->summary.meta.person_id);
+    read_reviews();
     fit_replay();
     fill_head();
     gates_->open(*model_);
     show_pathology();
     metrics_->open(*model_);
-    traces_->open(model_);
     path_->set_attempt(*model_);
     actions_->open(model_->summary);
     comments_->open(attempt_id_, model_->summary.meta.person_id);
@@ -410,9 +425,7 @@ void DebriefPage::fill_head() {
                         mode_text(attempt.meta.mode), device_class_text(attempt.meta.device_class),
                         attempt_state(voided ? attempt.recorded_state : attempt.state),
                         points && passed ? points_text(*points) : QString()}));
-    const QStringList shown = notes();
-    notes_->setText(shown.join(QLatin1Char('\n')));
-    notes_->setVisible(!shown.isEmpty());
+    show_notes();
     fill_numbers();
     const Statement advice = model_->score ? model_->score->advice : Statement();
     advice_->setText(statement_text(advice));

@@ -23,6 +23,7 @@ namespace fulcrum::ui {
 class ActionsCard;
 class BackgroundJob;
 class CommentsCard;
+class ErrorReviewBar;
 class GatesCard;
 class JobBar;
 class MetricsTable;
@@ -72,6 +73,8 @@ class DebriefPage : public Page {
     void explain(const QString& metric_id);
     void fill_numbers();
     QStringList notes() const;
+    void show_notes();
+    void read_reviews();
     void connect_parts();
     void show_model();
     void read_record();
@@ -106,6 +109,8 @@ class DebriefPage : public Page {
     TracePanel* traces_;
     PathView* path_;
     CommentsCard* comments_;
+    ErrorReviewBar* error_bar_;
+    int struck_ = 0;  ///< errors that an educator struck
     RatingsCard* ratings_;
     ActionsCard* actions_;
 };

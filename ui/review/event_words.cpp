@@ -4,13 +4,15 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "sim_core/telemetry/event_errors.h"
 #include "sim_core/telemetry/event_names.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
 
-enum class Weight { ordinary, penalty, critical };
+/// Errors have their weight from the table of errors (sim_core/telemetry/event_errors.h).
+enum class Weight { ordinary, fault };
 
 /// What a line says of its event's numbers. %1 is the value times `scale`, or the detail counted from 1; a
 /// line without words says what the event is called.
@@ -36,27 +38,27 @@ constexpr EventLineRow event_lines[] = {
      Number::count},
     {EventKind::grasp},
     {EventKind::release},
-    {EventKind::slip, Weight::penalty},
-    {EventKind::drop, Weight::penalty},
+    {EventKind::slip},
+    {EventKind::drop},
     {EventKind::regrasp},
-    {EventKind::over_force_begin, Weight::penalty,
+    {EventKind::over_force_begin, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Too much force: %1 N"), Number::value},
-    {EventKind::perforation, Weight::critical,
+    {EventKind::perforation, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Perforation at %1 N"), Number::value},
-    {EventKind::tool_collision, Weight::penalty},
+    {EventKind::tool_collision},
     {EventKind::pause},
     {EventKind::resume},
-    {EventKind::device_lost, Weight::penalty},
+    {EventKind::device_lost, Weight::fault},
     {EventKind::device_back},
-    {EventKind::device_fault, Weight::penalty},
-    {EventKind::simulator_fault, Weight::penalty},
+    {EventKind::device_fault, Weight::fault},
+    {EventKind::simulator_fault, Weight::fault},
     {EventKind::completed},
     {EventKind::abandoned},
     {EventKind::timed_out},
     {EventKind::interrupted},
     {EventKind::samples_lost},
-    {EventKind::tear, Weight::penalty},
-    {EventKind::jaw_pressure, Weight::penalty,
+    {EventKind::tear},
+    {EventKind::jaw_pressure, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Jaw pressure %1 kPa"), Number::value},
     {EventKind::cut_begin},
     {EventKind::cut_end},
@@ -66,16 +68,16 @@ constexpr EventLineRow event_lines[] = {
     {EventKind::activation_end},
     {EventKind::band_divided, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Band %1 divided at %2 N"), Number::number_and_value},
-    {EventKind::bleed_begin, Weight::penalty,
+    {EventKind::bleed_begin, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Bleeding, %1 mL/min"), Number::value},
     {EventKind::bleed_end, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Bleeding stopped after %1 mL"), Number::value},
     {EventKind::clip_applied},
-    {EventKind::vessel_injury, Weight::critical},
-    {EventKind::nerve_injury, Weight::critical},
+    {EventKind::vessel_injury},
+    {EventKind::nerve_injury},
     {EventKind::tool_exchanged},
-    {EventKind::fibres_parted, Weight::penalty},
-    {EventKind::lens_contact, Weight::penalty},
+    {EventKind::fibres_parted},
+    {EventKind::lens_contact},
     {EventKind::target_lost, Weight::ordinary,
      QT_TRANSLATE_NOOP("fulcrum::event_lines", "Tip framed after %1 s without it"), Number::value},
 };
@@ -142,13 +144,12 @@ QString words_of_line(const EventLineRow& row, const Event& event) {
 }  // namespace
 
 bool is_critical(EventKind kind) {
-    const EventLineRow* row = line_of(kind);
-    return row != nullptr && row->weight == Weight::critical;
+    return error_weight(kind) == ErrorWeight::critical;
 }
 
 bool is_penalty(EventKind kind) {
     const EventLineRow* row = line_of(kind);
-    return row != nullptr && row->weight != Weight::ordinary;
+    return is_error(kind) || (row != nullptr && row->weight == Weight::fault);
 }
 
 QString event_words(const Event& event, const std::vector<std::string>& tissues) {

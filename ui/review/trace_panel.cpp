@@ -8,11 +8,14 @@
 
 #include "ui/charts/time_chart.h"
 #include "ui/review/attempt_model.h"
+#include "ui/review/error_review_bar.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
 namespace {
+
+constexpr int index_role = Qt::UserRole + 1;  ///< of a line: in the model's events
 
 /// The lines of the two hands and their names; follows the theme.
 class HandsLegend : public QWidget {
@@ -85,6 +88,9 @@ void TracePanel::connect_parts() {
     };
     connect(events_, &QListWidget::itemActivated, this, jump);
     connect(events_, &QListWidget::itemClicked, this, jump);
+    connect(events_, &QListWidget::itemActivated, this, &TracePanel::choose);
+    connect(events_, &QListWidget::itemClicked, this, &TracePanel::choose);
+    connect(events_, &QListWidget::currentItemChanged, this, &TracePanel::choose);
     for (TimeChart* chart : {force_, speed_})
         connect(chart, &TimeChart::time_chosen, this, &TracePanel::time_chosen);
     connect(force_, &TimeChart::range_changed, speed_, &TimeChart::show_range);
@@ -93,6 +99,7 @@ void TracePanel::connect_parts() {
 
 void TracePanel::open(std::shared_ptr<const AttemptModel> model) {
     model_ = std::move(model);
+    reviews_.clear();
     time_ = 0;
     charts_->setVisible(!model_->scope_alone);  // they are of the hands
     fill_charts();
@@ -122,10 +129,58 @@ void TracePanel::mark_event(double time) {
     if (latest >= 0) events_->scrollToItem(events_->item(latest));
 }
 
+void TracePanel::set_foot(QWidget* foot) {
+    layout()->addWidget(foot);
+}
+
+void TracePanel::show_reviews(std::vector<database::ErrorReview> reviews) {
+    reviews_ = std::move(reviews);
+    const int row = events_->currentRow();
+    const QVariant chosen = row < 0 ? QVariant() : events_->item(row)->data(index_role);
+    fill_events();
+    // The line that was chosen stays chosen, wherever it is now.
+    const QSignalBlocker quiet(events_);
+    for (int i = 0; chosen.isValid() && i < events_->count(); ++i)
+        if (events_->item(i)->data(index_role) == chosen) events_->setCurrentRow(i);
+}
+
+const database::ErrorReview* TracePanel::review_of(const Event& event) const {
+    for (const database::ErrorReview& review : reviews_)
+        if (review.is_of(event)) return &review;
+    return nullptr;
+}
+
+void TracePanel::choose(QListWidgetItem* item) {
+    const QVariant index = item == nullptr ? QVariant() : item->data(index_role);
+    if (index.isValid()) emit event_chosen(index.toInt());
+}
+
+/// A line of its own below the struck or confirmed one, which says the same to a screen reader.
+void TracePanel::add_note(const database::ErrorReview& review, QListWidgetItem* line) {
+    const QString words = review_words(review);
+    if (review.verdict == database::ErrorVerdict::struck) {
+        QFont font = line->font();
+        font.setStrikeOut(true);
+        line->setFont(font);
+        set_tint(line, Tint::muted);
+    }
+    line->setData(Qt::AccessibleTextRole, line->text() + QStringLiteral(". ") + words);
+    auto* note =
+        new QListWidgetItem((review.verdict == database::ErrorVerdict::struck ? QStringLiteral("      ✕ ")
+                                                                              : QStringLiteral("      ✓ ")) +
+                                words,
+                            events_);
+    note->setFlags(Qt::NoItemFlags);  // the keyboard steps over it
+    set_tint(note, Tint::muted);
+}
+
 void TracePanel::fill_events() {
+    const QSignalBlocker quiet(events_);
     events_->clear();
     if (!model_) return;
+    int index = -1;
     for (const EventLine& line : model_->events) {
+        ++index;
         if (penalties_only_->isChecked() && !line.severe) continue;
         QString words = QStringLiteral("%1   %2%3")
                             .arg(clock_text(line.time),
@@ -135,7 +190,9 @@ void TracePanel::fill_events() {
                                  line.words);
         auto* item = new QListWidgetItem(words, events_);
         item->setData(Qt::UserRole, line.time);
+        item->setData(index_role, index);
         if (line.severe) set_tint(item, Tint::bad);
+        if (const database::ErrorReview* review = review_of(line.event)) add_note(*review, item);
     }
     if (events_->count() == 0) {
         auto* none = new QListWidgetItem(tr("nothing"), events_);

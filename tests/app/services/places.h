@@ -51,6 +51,8 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"recompute_scores"};
         case Operation::comment:
             return {"comment_text"};
+        case Operation::review_error:
+            return {"review_error_reason"};
         case Operation::read_comment:
             return {"comment_words"};
         case Operation::mark_comment_read:
@@ -169,6 +171,7 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::read_progress:
         case Operation::read_cohort_table:
         case Operation::comment:
+        case Operation::review_error:
         case Operation::read_comment:
         case Operation::mark_comment_read:
         case Operation::void_attempt:

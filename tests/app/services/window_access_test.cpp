@@ -38,6 +38,7 @@ void WindowAccess::expect_debrief(const Target& target, const std::string& cell)
               allowed(Operation::read_comment, target) && !target.comment.empty())
         << cell;
     EXPECT_EQ(sees(*window, "comment_text"), allowed(Operation::comment, target)) << cell;
+    EXPECT_EQ(sees(*window, "review_error_reason"), allowed(Operation::review_error, target)) << cell;
     const bool rated = target.attempt == programme.ann.attempt;
     EXPECT_EQ(sees(*window, "rating_shown"), rated && allowed(Operation::read_ratings, target)) << cell;
     EXPECT_EQ(sees(*window, "rating_begin"), allowed(Operation::rate, target)) << cell;

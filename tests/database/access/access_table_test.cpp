@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "assessment/assets/assets.h"
+#include "database/records/error_reviews.h"
 #include "database/records/external_attempts.h"
 #include "database/records/goals.h"
 #include "database/records/ratings.h"
@@ -111,6 +112,7 @@ class EveryCell : public ::testing::Test {
         {
             Recorder recorder(programme.path, performer, meta, programme.clock.options());
             Programme::append_second(recorder);
+            recorder.append(Programme::slip());
             recorder.finish(example_result(true, 60));
             target.attempt = recorder.attempt_id();
         }
@@ -191,6 +193,11 @@ class EveryCell : public ::testing::Test {
                 return [=] { attempts.add_score(session, target.attempt, example_score(false, 0)); };
             case Operation::comment:
                 return [=] { reviews.write(session, target.attempt, 2.0, "And here.", true); };
+            case Operation::review_error:
+                return [=] {
+                    ErrorReviews(*asked()).add(session, target.attempt, Programme::slip(),
+                                               ErrorVerdict::struck, "the camera was in the way");
+                };
             case Operation::read_comment:
                 return [=] { reviews.comments(session, target.attempt); };
             case Operation::mark_comment_read:
@@ -410,8 +417,8 @@ TEST_F(EveryCell, AProgrammeServerAnswersAsTheTableSaysAndWritesNothing) {
     const auto rows = [&] {
         Connection connection(server);
         std::string all;
-        for (const char* table : {"attempt", "score", "comment", "attempt_void", "rating", "person", "cohort",
-                                  "standing_override", "audit_entry"}) {
+        for (const char* table : {"attempt", "score", "comment", "error_review", "attempt_void", "rating",
+                                  "person", "cohort", "standing_override", "audit_entry"}) {
             Query count(connection, QString("SELECT COUNT(*) FROM %1").arg(table));
             all += count.next() ? count.text(0) + " " : "";
         }

@@ -89,6 +89,8 @@ class ReviewKills : public ::testing::Test {
                                     DeedKind::correction_asked);
         if (expected.has(DeedKind::decided))
             good = has_text("SELECT reason FROM standing_override WHERE id = ?", DeedKind::decided);
+        if (expected.has(DeedKind::error_reviewed))
+            good = has_text("SELECT reason FROM error_review WHERE id = ?", DeedKind::error_reviewed);
         if (expected.has(DeedKind::score_added))
             good = count(store, "SELECT COUNT(*) FROM score WHERE id = ?", id) == 1;
         if (const auto moved = expected.newest.find(DeedKind::attempt_moved); moved != expected.newest.end())
@@ -123,7 +125,7 @@ class ReviewKills : public ::testing::Test {
         const TemporaryFoldersInMemory in_memory;
         Programme programme;
         for (int i = 0; i < 8 + 2 * kills; ++i)
-            programme.record(i % 2 == 0 ? "ann" : "ben", i % 3 != 0, 60 + i);
+            programme.record(i % 2 == 0 ? "ann" : "ben", i % 3 != 0, 60 + i, "A2", {Programme::slip()});
         programme.store.reset();
         const std::string folder = programme.folder.path().toStdString();
         DeedsJournal& journal = DeedsJournal::in(folder);
@@ -171,6 +173,7 @@ void write_review_page(const std::string& folder, const ReviewToll& toll) {
          deeds({DeedKind::attempt_voided, DeedKind::attempt_moved})},
         {"scores put next to the one in force", deeds({DeedKind::score_added})},
         {"decisions on a standing", deeds({DeedKind::decided})},
+        {"errors confirmed or struck", deeds({DeedKind::error_reviewed})},
         {"corrections that a trainee asked for", deeds({DeedKind::correction_asked})},
         {"objects that were not as acknowledged", std::to_string(toll.lost)},
         {"stores with a problem that db check names", "0"},

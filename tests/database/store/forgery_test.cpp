@@ -4,6 +4,7 @@
 #include <zstd.h>
 
 #include "assessment/assets/assets.h"
+#include "database/records/error_reviews.h"
 #include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
@@ -25,7 +26,7 @@ class Forgery : public ::testing::Test {
         const Programme& p = *made;
         for (const char* login : {"administrator", "educator", "other_educator", "ann", "ben", "eve"})
             ids["{" + std::string(login) + "}"] = p.id(login);
-        ids["{passed}"] = p.record("ann");
+        ids["{passed}"] = p.record("ann", true, 70, "A2", {Programme::slip()});
         ids["{failed}"] = p.record("ann", false, 20);
         ids["{voided}"] = p.record("ann");
         ids["{moved}"] = p.record("ben");
@@ -36,6 +37,8 @@ class Forgery : public ::testing::Test {
         p.attempts().void_attempt(educator, ids["{voided}"], "the wrong scene was loaded");
         ids["{copy}"] = p.attempts().reassign(educator, ids["{moved}"], p.id("ann"), "it was Ann");
         ids["{comment}"] = Reviews(*p.store).write(educator, ids["{passed}"], 1, "Look here.", true);
+        ids["{error review}"] = ErrorReviews(*p.store).add(educator, ids["{passed}"], Programme::slip(),
+                                                           ErrorVerdict::confirmed, "seen");
         p.attempts().request_correction(p.session("ann"), ids["{failed}"], "this was not me");
         Tissues(*p.store).set(educator, "B2", 0, {{"flap", {{"cut_energy", 400.0}}}}, "softer");
         ids["{decision}"] = Standings(*p.store).decide(educator, p.id("ann"), "A2",
@@ -227,6 +230,14 @@ const std::vector<Edit> edits = {
     {"DELETE FROM comment", "comment {comment} of attempt {passed}: gone"},
     {"INSERT INTO comment VALUES ('forged', '{passed}', '{educator}', 1, 'Excellent.', 1, 1, 0)",
      "comment forged: the audit log has no row for it"},
+    {"UPDATE error_review SET verdict = 'struck'",
+     "error review {error review} of attempt {passed}: changed"},
+    {"UPDATE error_review SET reason = 'no'", "error review {error review} of attempt {passed}: changed"},
+    {"UPDATE error_review SET tick = 250", "error review {error review} of attempt {passed}: changed"},
+    {"DELETE FROM error_review", "error review {error review} of attempt {passed}: gone"},
+    {"INSERT INTO error_review VALUES ('forged', '{passed}', '{educator}', 999, 'slip', 1, 2, 7, 'struck', "
+     "'no', 1)",
+     "error review forged: the audit log has no row for it"},
     {"DELETE FROM correction_request", "correction request {request}: gone"},
     {"UPDATE rating_item SET value = 5 WHERE number = 2", "rating {rating} of attempt {passed}: changed"},
     {"DELETE FROM rating_item WHERE number = 4", "rating {rating} of attempt {passed}: changed"},

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "assessment/assets/assets.h"
+#include "database/records/error_reviews.h"
 #include "database/records/goals.h"
 #include "database/records/ratings.h"
 #include "database/rows/connection.h"
@@ -102,15 +103,17 @@ class Sync : public ::testing::Test {
                                 first ? station.store->station_session() : station.sign_in("administrator"),
                                 server);
     }
-    /// Everything that can be exchanged: a void, a comment, a rating that was released, a decision, a
-    /// request.
+    /// Everything that can be exchanged: a void, a comment, an error that was struck, a rating that was
+    /// released, a decision, a request.
     std::string fill(const Programme& programme) const {
-        const std::string attempt = programme.record("ann", true, 81);
+        const std::string attempt = programme.record("ann", true, 81, "A2", {Programme::slip()});
         const std::string wrong = programme.record("ben", false, 12);
         programme.record_broken("ann");
         const Session& educator = programme.session("educator");
         const Reviews reviews(*programme.store);
         reviews.write(educator, attempt, 0.5, "Watch the left hand.", true);
+        ErrorReviews(*programme.store)
+            .add(educator, attempt, Programme::slip(), ErrorVerdict::struck, "the tissue was torn before");
         programme.attempts().void_attempt(educator, wrong, "the camera was off");
         const ObserverForm form = load_forms(asset_path("forms")).front();
         const Ratings ratings(*programme.store);

@@ -7968,6 +7968,42 @@
         <source>station %1: was enrolled before stations proved that they hold their key (%2); enrol it again with a new token</source>
         <translation>Station %1: wurde aufgenommen, bevor Stationen nachwiesen, dass sie ihren Schlüssel haben (%2); nehmen Sie sie mit einem neuen Token noch einmal auf</translation>
     </message>
+    <message>
+        <source>the reason for confirming or striking an error has 1 to 1,000 characters</source>
+        <translation>Der Grund, einen Fehler zu bestätigen oder zu streichen, hat 1 bis 1.000 Zeichen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no error that the program records of whoever performs</source>
+        <translation>„%1“ ist kein Fehler, den das Programm bei der durchführenden Person aufzeichnet</translation>
+    </message>
+    <message>
+        <source>choose an error in the list of events</source>
+        <translation>wählen Sie einen Fehler in der Liste der Ereignisse</translation>
+    </message>
+    <message>
+        <source>attempt %1 is still being recorded</source>
+        <translation>Der Versuch %1 wird noch aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>the record of attempt %1 has no &apos;%2&apos; at tick %3 with this hand, tissue and detail</source>
+        <translation>Die Aufzeichnung des Versuchs %1 hat bei Tick %3 kein „%2“ mit dieser Hand, diesem Gewebe und diesem Detail</translation>
+    </message>
+    <message>
+        <source>open the attempt again and choose an error in the list of events</source>
+        <translation>öffnen Sie den Versuch noch einmal und wählen Sie einen Fehler in der Liste der Ereignisse</translation>
+    </message>
+    <message>
+        <source>errors of theirs that were confirmed or struck</source>
+        <translation>ihre Fehler, die bestätigt oder gestrichen wurden</translation>
+    </message>
+    <message>
+        <source>errors that they confirmed or struck</source>
+        <translation>Fehler, die sie bestätigt oder gestrichen haben</translation>
+    </message>
+    <message>
+        <source>errors confirmed or struck</source>
+        <translation>bestätigte oder gestrichene Fehler</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -12467,6 +12503,13 @@ Kennzahlen: %2</translation>
         <source>Fetch the recording</source>
         <translation>Aufzeichnung holen</translation>
     </message>
+    <message numerus="yes">
+        <source>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</source>
+        <translation>
+            <numerusform>%n Fehler, den das Programm aufgezeichnet hatte, wurde gestrichen. Die Punktzahl bleibt, wie sie ist: Bewertungen werden nie bearbeitet. Ein Ausbilder kann den Versuch für ungültig erklären oder über den Stand entscheiden.</numerusform>
+            <numerusform>%n Fehler, die das Programm aufgezeichnet hatte, wurden gestrichen. Die Punktzahl bleibt, wie sie ist: Bewertungen werden nie bearbeitet. Ein Ausbilder kann den Versuch für ungültig erklären oder über den Stand entscheiden.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DeviceTest</name>
@@ -12744,6 +12787,53 @@ Kennzahlen: %2</translation>
     <message>
         <source>Versions: %1</source>
         <translation>Versionen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ErrorReviewBar</name>
+    <message>
+        <source>struck by %1: %2</source>
+        <translation>gestrichen von %1: %2</translation>
+    </message>
+    <message>
+        <source>confirmed by %1: %2</source>
+        <translation>bestätigt von %1: %2</translation>
+    </message>
+    <message>
+        <source>Reason for confirming or striking the error</source>
+        <translation>Grund, den Fehler zu bestätigen oder zu streichen</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Bestätigen</translation>
+    </message>
+    <message>
+        <source>Confirm the chosen error</source>
+        <translation>Den gewählten Fehler bestätigen</translation>
+    </message>
+    <message>
+        <source>Strike</source>
+        <translation>Streichen</translation>
+    </message>
+    <message>
+        <source>Strike the chosen error</source>
+        <translation>Den gewählten Fehler streichen</translation>
+    </message>
+    <message>
+        <source>Choose an error in the list to confirm or strike it.</source>
+        <translation>Wählen Sie einen Fehler in der Liste, um ihn zu bestätigen oder zu streichen.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1, %2</source>
+        <translation>Gewählt: %1, %2</translation>
+    </message>
+    <message>
+        <source>Give a reason first: the trainee reads it.</source>
+        <translation>Geben Sie zuerst einen Grund an: Wer trainiert, liest ihn.</translation>
     </message>
 </context>
 <context>
@@ -17436,6 +17526,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Station: all</source>
         <translation>Station: alle</translation>
+    </message>
+    <message>
+        <source>Error confirmed or struck</source>
+        <translation>Fehler bestätigt oder gestrichen</translation>
+    </message>
+    <message>
+        <source>Reviews of errors: all</source>
+        <translation>Durchsicht von Fehlern: alle</translation>
     </message>
 </context>
 <context>

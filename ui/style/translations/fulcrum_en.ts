@@ -47,6 +47,16 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::DebriefPage</name>
+    <message numerus="yes">
+        <source>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</source>
+        <translation>
+            <numerusform>An educator struck %n error that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</numerusform>
+            <numerusform>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::ComparisonTexts</name>
     <message numerus="yes">
         <source>Aligned by the %n steps that were completed in both.</source>
