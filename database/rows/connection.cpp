@@ -2,6 +2,7 @@
 #include "database/rows/connection.h"
 
 #include <sqlite3.h>
+#include <sys/statvfs.h>
 
 #include <QSqlDriver>
 #include <QSqlError>
@@ -37,6 +38,16 @@ int wait_for_others(void* connection, int tries) {
     return 1;
 }
 
+/// Nobody writes in the folder: it has no permission for it, or its file system is mounted read-only (which
+/// permissions do not show).
+bool is_fixed(const std::filesystem::path& folder) {
+    std::error_code error;
+    const auto permissions = std::filesystem::status(folder, error).permissions();
+    if ((permissions & std::filesystem::perms::owner_write) == std::filesystem::perms::none) return true;
+    struct statvfs system {};
+    return ::statvfs(folder.c_str(), &system) == 0 && (system.f_flag & ST_RDONLY) != 0;
+}
+
 }  // namespace
 
 Connection::Connection(const std::string& path, bool read_only, bool create, int busy_timeout_ms)
@@ -55,12 +66,8 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
         // next to it, it can be read as it is.
         const std::filesystem::path file(path);
         std::error_code error;
-        const auto folder_permissions =
-            std::filesystem::status(file.parent_path().empty() ? "." : file.parent_path(), error)
-                .permissions();
-        const bool folder_fixed =
-            (folder_permissions & std::filesystem::perms::owner_write) == std::filesystem::perms::none;
-        if (folder_fixed && !std::filesystem::exists(path + "-wal", error)) {
+        if (is_fixed(file.parent_path().empty() ? "." : file.parent_path()) &&
+            !std::filesystem::exists(path + "-wal", error)) {
             options += ";QSQLITE_OPEN_URI";
             name = "file:" + QString::fromUtf8(QByteArray::fromStdString(path).toPercentEncoding("/")) +
                    "?immutable=1";
@@ -201,7 +208,8 @@ void Connection::fail(const QString& text, int code) {
                                   "free some space and try again; what was stored before is intact"));
         case SQLITE_IOERR:
             throw StoreError(
-                code == SQLITE_IOERR_WRITE ? StoreErrorKind::disk_full : StoreErrorKind::failed,
+                code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE ? StoreErrorKind::disk_full
+                                                                           : StoreErrorKind::failed,
                 {QT_TRANSLATE_NOOP("errors", "%1: the disk reported an error (%2)"), path_, said},
                 QT_TRANSLATE_NOOP(
                     "errors",

@@ -50,6 +50,7 @@ TEST_F(SyncLarge, TwoStationsEndWithTheSame) {
     EXPECT_EQ(rows_at(*a.store), rows_on(server, false));
     Query count(a.store->connection(), "SELECT COUNT(*) FROM attempt");
     EXPECT_TRUE(count.next() && count.integer(0) == 2 * attempts);
+    expect_the_same_standings(b);
     // A station of one cohort, whose rows the server chooses.
     const KeysOfOneTest keys;
     const Station c;

@@ -5,8 +5,10 @@
 #include <QFile>
 #include <QSqlRecord>
 #include <algorithm>
+#include <sstream>
 
 #include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum.h"
 #include "database/records/error_reviews.h"
 #include "database/records/goals.h"
 #include "database/records/ratings.h"
@@ -88,6 +90,46 @@ inline void expect_sound(const ServerAddress& address) {
     for (const Sentence& problem : check.problems) ADD_FAILURE() << problem.words();
 }
 
+/// All that is said of where a person stands: every task with each of its fields, its latest attempts, the
+/// days of practice and the concerns.
+inline std::string words_of(const PersonStandings& person) {
+    std::ostringstream words;
+    words.precision(17);
+    words << person.login << ' ' << person.name << ' ' << person.curriculum << ' ' << person.last_attempt
+          << '\n';
+    for (const PersonTask& task : person.tasks) {
+        const TaskStanding& at = task.standing;
+        words << at.task << ' ' << row_of(standing_names, at.standing).name << at.provisional
+              << at.met_provisionally << at.one_more_day << at.rated_low << at.stalled << at.by_override
+              << at.overdue << ' ' << at.more_variants << ' ' << at.rated_attempt << ' ' << at.rated_time
+              << ' ' << at.raters << '/' << at.raters_needed << ' ' << at.attempts << ' ' << at.passes << ' '
+              << at.progress << ' ' << at.declared_at << ' ' << at.next_check << ' ' << at.last_attempt;
+        for (const std::string& one : at.waits_for) words << " waits for " << one;
+        words << ' ' << (task.device_class ? static_cast<int>(*task.device_class) : -1) << ' '
+              << task.first_attempt << ' ' << task.first_pass;
+        for (const RecentAttempt& one : task.recent)
+            words << " (" << one.attempt_id << ' ' << one.started << one.passed << one.provisional << ' '
+                  << one.points.value_or(-1) << ')';
+        words << '\n';
+    }
+    for (const PracticeDay& day : person.days) words << "day " << day.day << ' ' << day.attempts << '\n';
+    for (const Concern& one : person.concerns)
+        words << "concern " << static_cast<int>(one.kind) << ' ' << one.task << ' ' << one.since << ' '
+              << one.attempts << ' ' << one.plateau << ' ' << one.low << ' ' << one.high << '\n';
+    return words.str();
+}
+
+/// Where each real person stands, by what the store answers to `session`.
+inline std::map<std::string, std::string> standings_in(const Store& store, const Session& session,
+                                                       const Curriculum& curriculum) {
+    std::map<std::string, std::string> all;
+    for (const Person& person : People(store).list(session))
+        if (person.kind == PersonKind::real)
+            all[person.login] =
+                words_of(Reports(store).standings(session, person.id, curriculum, ReportPurpose::screen));
+    return all;
+}
+
 class Sync : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -102,6 +144,17 @@ class Sync : public ::testing::Test {
         return sync_with_server(*station.store,
                                 first ? station.store->station_session() : station.sign_in("administrator"),
                                 server);
+    }
+    /// Everybody stands at both stations where they stand on the server. Returns where.
+    std::map<std::string, std::string> expect_the_same_standings(const Station& b) const {
+        const Curriculum curriculum = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+        const auto here = standings_in(*a.store, a.session("director"), curriculum);
+        EXPECT_EQ(here, standings_in(*b.store, b.sign_in("director"), curriculum));
+        const Store central =
+            Store::open(grant_at_programme_server(server, "director").address, a.clock.options());
+        EXPECT_EQ(here, standings_in(central, People(central).account_session(), curriculum));
+        EXPECT_EQ(here.count("ann") + here.count("ben"), 2U);
+        return here;
     }
     /// Everything that can be exchanged: a void, a comment, an error that was struck, a rating that was
     /// released, a decision, a request.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two stations and a programme server: what each ends with.
+#include "database/records/standings.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -41,6 +42,30 @@ TEST_F(Sync, TwoStationsEndWithTheSameAndEveryCheckHolds) {
     EXPECT_EQ(a.attempts().read_trace(a.session("educator"), by_a).samples.size(), 1000U);
     EXPECT_EQ(a.attempts().interrupted_without_score(a.session("educator")).size(), 1U);
     EXPECT_EQ(Attempts(*b.store).interrupted_without_score(educator).size(), 0U);
+}
+
+TEST_F(Sync, APersonStandsWhereTheyStandAtBothStationsAndOnTheServer) {
+    fill(a);
+    a.open();
+    sync(a);
+    const Station b;
+    sync(b);
+    b.record("ann", 77);
+    b.record("ben", 55);
+    const std::string wrong = b.record("ben", 99);
+    const Session educator = b.sign_in("educator");
+    Attempts(*b.store).void_attempt(educator, wrong, "somebody else's");
+    Standings(*b.store).decide(educator, b.sign_in("ben").person_id(), "B1", StandingOverride::Kind::unlocked,
+                               "did it elsewhere");
+    const Curriculum curriculum = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+    const auto before = standings_in(*a.store, a.session("director"), curriculum);
+    EXPECT_NE(before, standings_in(*b.store, b.sign_in("director"), curriculum)) << "not exchanged yet";
+    sync(b);
+    sync(a);
+    const auto after = expect_the_same_standings(b);
+    EXPECT_NE(after.at("ann"), before.at("ann"));
+    EXPECT_NE(after.at("ben"), before.at("ben"));
+    EXPECT_EQ(after.at("eve"), before.at("eve"));
 }
 
 TEST_F(Sync, SecondRunTransfersNothing) {
