@@ -10,6 +10,7 @@
 #include "database/records/people.h"
 #include "database/scoring/rescoring.h"
 #include "database/store/audit.h"
+#include "database/store/backup_rotation.h"
 #include "database/store/signing_keys.h"
 #include "database/store/store_restore.h"
 #include "database/sync/station_erasure.h"
@@ -130,14 +131,32 @@ int check(const Arguments& arguments) {
     return report.ok ? 0 : 1;
 }
 
+/// A new file in the folder, and at most `keep` of them.
+int rotate_backups(const Arguments& arguments, int keep) {
+    const database::Store store = open_store(arguments, false);
+    const auto done =
+        database::backup_into(store, person_session(arguments, store), arguments.words()[0], keep);
+    if (!done) return 1;
+    if (arguments.has("--json")) {
+        print_json({{"store", store_path(arguments)}, {"backup", done->path}, {"removed", done->removed}});
+    } else {
+        std::cout << "backed up " << store_path(arguments) << " to " << done->path << " (checked)\n";
+        for (const std::string& path : done->removed) std::cout << "removed " << path << '\n';
+    }
+    return 0;
+}
+
 int backup(const Arguments& arguments) {
+    if (arguments.has("--keep"))
+        return rotate_backups(
+            arguments, static_cast<int>(arguments.integer("--keep", 1, 1, database::most_kept_backups)));
     const database::Store store = open_store(arguments, false);
     const std::string& to = arguments.words()[0];
     store.backup(person_session(arguments, store), to);
     if (arguments.has("--json")) {
         print_json({{"store", store_path(arguments)}, {"backup", to}});
     } else {
-        std::cout << "backed up " << store_path(arguments) << " to " << to << '\n';
+        std::cout << "backed up " << store_path(arguments) << " to " << to << " (checked)\n";
     }
     return 0;
 }
@@ -369,8 +388,15 @@ std::vector<Command> store_commands() {
                    "keys lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them.")}},
              session_options()),
          check},
-        {"db backup", "TO", 1, 1, QT_TRANSLATE_NOOP("commands", "Copies the store to a new file."),
-         session_options(), backup},
+        {"db backup", "TO", 1, 1,
+         QT_TRANSLATE_NOOP("commands",
+                           "Copies the store to a new file and checks the copy before it gets its name."),
+         joined({{"--keep", "N",
+                  QT_TRANSLATE_NOOP("commands",
+                                    "TO is a folder: write a file named by the time, and keep the newest N "
+                                    "backups of this station there; older ones are removed.")}},
+                session_options()),
+         backup},
         {"db restore", "FROM", 1, 1,
          QT_TRANSLATE_NOOP("commands",
                            "Puts a backup in the store's place, after checking it; the old store is kept."),

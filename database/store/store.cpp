@@ -314,7 +314,27 @@ CheckReport Store::check(const Session& session, const StoreProgress& progress) 
 
 bool Store::backup(const Session& session, const std::string& to_path, const StoreProgress& progress) const {
     require(session, Operation::backup);
-    if (!copy_database(connection(), to_path, progress)) return false;
+    StoreProgress copying, checking;
+    if (progress) {
+        copying = [&](double done, const std::string& line) { return progress(done * 0.5, line); };
+        checking = [&](double done, const std::string& line) { return progress(0.5 + done * 0.5, line); };
+    }
+    StoreOptions reading = state_->options;
+    reading.read_only = reading.older_schema = true;
+    const auto check = [&](const std::string& path) {
+        const Store copy = Store::open(path, reading);
+        const CheckReport report = copy.check(copy.station_session(), checking);
+        if (const CheckItem* item = first_finding(report))
+            throw StoreError(StoreErrorKind::corrupt,
+                             {QT_TRANSLATE_NOOP("errors", "%1: the copy does not pass the check (%2: %3)"),
+                              to_path, item->name, item->problems.front()},
+                             QT_TRANSLATE_NOOP(
+                                 "errors",
+                                 "no backup was written and older ones are unchanged; run `fulcrum db check` "
+                                 "on the store, and back it up to another disk if it passes there"));
+        return report.complete;
+    };
+    if (!copy_database(connection(), to_path, copying, check)) return false;
     if (!is_read_only()) {
         Transaction transaction(connection());
         Audit(*this).append(session, station_id(), "store.backup",

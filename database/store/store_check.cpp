@@ -8,10 +8,12 @@
 #include <QJsonObject>
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/schema/migration.h"
 #include "database/store/audit.h"
 #include "database/store/override_rows.h"
 #include "database/store/recording_lock.h"
@@ -25,11 +27,82 @@ namespace {
 
 constexpr std::size_t most_problems = 20;
 
-void check_integrity(const Store& store, CheckItem& item) {
-    Query rows(store.connection(), "PRAGMA integrity_check(100)");
-    while (rows.next()) {
-        if (rows.text(0) != "ok") item.problems.push_back(rows.text(0));
+/// Where SQLite says no more than that the file is damaged: which tables cannot be read.
+void name_damaged_tables(Connection& connection, CheckItem& item) {
+    std::vector<std::string> tables;
+    try {
+        Query names(connection, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
+        while (names.next()) tables.push_back(names.text(0));
+    } catch (const StoreError&) {
+        item.problems.push_back(
+            {QT_TRANSLATE_NOOP("errors", "table %1: it or an index of it is damaged"), "sqlite_schema"});
+        return;
     }
+    for (const std::string& table : tables) {
+        bool sound = true;
+        try {
+            Query rows(connection,
+                       QString("PRAGMA integrity_check('%1')").arg(QString::fromStdString(table)));
+            while (rows.next()) sound = sound && rows.text(0) == "ok";
+        } catch (const StoreError&) {
+            sound = false;
+        }
+        if (!sound)
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "table %1: it or an index of it is damaged"), table});
+    }
+}
+
+/// Tables, indexes and triggers, and the statements that made them.
+std::map<std::string, std::string> definitions(Connection& connection) {
+    std::map<std::string, std::string> all;
+    // Statistics of the query planner are made where SQLite likes to.
+    Query rows(connection,
+               "SELECT type || ' ' || name, quote(type) || quote(name) || quote(tbl_name) || quote(sql) FROM "
+               "sqlite_master WHERE name NOT LIKE 'sqlite@_stat%' ESCAPE '@'");
+    while (rows.next()) all[rows.text(0)] = rows.text(1);
+    return all;
+}
+
+/// The schema is what the steps of this program make of an empty file: a trigger that was removed, or one
+/// that was added, would let later changes pass.
+void check_definitions(const Store& store, CheckItem& item) {
+    constexpr int patience_ms = 100;
+    Connection empty(":memory:", false, true, patience_ms);
+    migrate(empty, store.found_schema());
+    const auto wanted = definitions(empty), found = definitions(store.connection());
+    for (const auto& [name, sql] : wanted) {
+        const auto here = found.find(name);
+        if (here == found.end())
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: it is missing"), name});
+        else if (here->second != sql)
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its definition was changed"), name});
+    }
+    for (const auto& [name, sql] : found)
+        if (wanted.count(name) == 0)
+            item.problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "%1: this is not a part of a Fulcrum store"), name});
+}
+
+void check_integrity(const Store& store, CheckItem& item, const CheckWatch& watch) {
+    const auto name_tables = [&] {
+        const std::size_t before = item.problems.size();
+        if (!watch.stopped()) name_damaged_tables(store.connection(), item);
+        return item.problems.size() > before;
+    };
+    bool named = true;
+    try {
+        Query rows(store.connection(), "PRAGMA integrity_check(100)");
+        while (rows.next()) {
+            if (rows.text(0) == "ok") continue;
+            item.problems.push_back(rows.text(0));
+            named = named && rows.text(0) != sqlite3_errstr(SQLITE_CORRUPT);
+        }
+    } catch (const StoreError&) {
+        if (!name_tables()) throw;
+    }
+    if (!named) name_tables();
+    if (item.problems.empty()) check_definitions(store, item);
     Query pages(store.connection(), "PRAGMA page_count");
     if (pages.next()) item.count = pages.integer(0);
 }
@@ -191,7 +264,7 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
         report.ok = report.ok && item.ok;
         report.items.push_back(std::move(item));
     };
-    look(0, 0.25, CheckId::integrity, [&](CheckItem& item) { check_integrity(store, item); });
+    look(0, 0.25, CheckId::integrity, [&](CheckItem& item) { check_integrity(store, item, watch); });
     look(0.25, 0.3, CheckId::foreign_keys, [&](CheckItem& item) { check_foreign_keys(store, item); });
     look(0.3, 0.4, CheckId::audit_chain, [&](CheckItem& item) {
         const Audit audit(store);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
@@ -70,15 +72,38 @@ int error_of_target(int code) {
     }
 }
 
+/// Two bytes of SQLite's header say that a file has a log next to it (2) or none (1). By SQLite itself it
+/// would need a log to say so. The error of the system, 0: none.
+int mark_as_without_log(const std::string& path) {
+    constexpr off_t write_version = 18;
+    constexpr char without_log[] = {1, 1};
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) return errno;
+    const bool written = ::pwrite(file, without_log, sizeof without_log, write_version) ==
+                         static_cast<ssize_t>(sizeof without_log);
+    const int error = written ? 0 : errno != 0 ? errno : EIO;
+    ::close(file);
+    return error;
+}
+
 }  // namespace
 
-bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress) {
+const CheckItem* first_finding(const CheckReport& report) {
+    for (const CheckItem& item : report.items)
+        if (!item.ok && item.id != CheckId::permissions) return &item;
+    return nullptr;
+}
+
+bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress,
+                   const CopyCheck& check) {
     try {
         OutputFile file(to_path, OutputFile::Existing::keep, OutputFile::Access::owner_only);
         const int code = copy_into(file.temporary_path(), connection.handle(), progress);
         if (code == SQLITE_INTERRUPT) return false;
         if (const int error = error_of_target(code)) fail_file(to_path, error);
         if (code != SQLITE_OK) connection.fail(QString::fromUtf8(sqlite3_errstr(code)), code);
+        if (const int error = mark_as_without_log(file.temporary_path())) fail_file(to_path, error);
+        if (check && !check(file.temporary_path())) return false;
         file.commit();
     } catch (const std::system_error& error) {
         fail_file(to_path, error.code().value());

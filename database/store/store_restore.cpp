@@ -134,14 +134,12 @@ void require_known_schema(Connection& connection) {
 /// Throws StoreError corrupt with the first finding.
 void require_sound(const Store& store, const std::string& what) {
     const CheckReport report = store.check(store.station_session());
-    for (const CheckItem& item : report.items) {
-        if (item.ok || item.id == CheckId::permissions) continue;
+    if (const CheckItem* item = first_finding(report))
         throw StoreError(
-            StoreErrorKind::corrupt, {"%1: %2: %3", what, item.name, item.problems.front()},
+            StoreErrorKind::corrupt, {"%1: %2: %3", what, item->name, item->problems.front()},
             QT_TRANSLATE_NOOP(
                 "errors",
                 "use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)"));
-    }
 }
 
 /// Copies `source` to a new file, checks it as it is, brings it up to this program's schema, and checks it

@@ -2,6 +2,7 @@
 // What a Store holds; internal to this floor.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,9 +30,15 @@ struct Store::State {
 std::string read_setting(Connection& connection, const std::string& key);
 void write_setting(Connection& connection, const std::string& key, const std::string& value);
 
-/// Copies the open database to a new file by SQLite's backup interface, 0600. Throws StoreError exists,
+/// Looks at a copy before it gets its name; false: stopped. What it throws leaves no file.
+using CopyCheck = std::function<bool(const std::string& copy)>;
+/// Copies the open database to a new file by SQLite's backup interface, 0600. It has no log of its own: it is
+/// read without a file next to it, and whoever opens it for writing starts one. Throws StoreError exists,
 /// disk_full, read_only. False if it was stopped, leaving no file.
-bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress = {});
+bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress = {},
+                   const CopyCheck& check = {});
+/// The first check, but for the permissions of the file, that found something; null: none.
+const CheckItem* first_finding(const CheckReport& report);
 
 /// Closes attempts that were running without their program; audited. Within a transaction of its own.
 std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store);

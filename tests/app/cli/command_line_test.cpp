@@ -4,6 +4,7 @@
 // makes.
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <algorithm>
 #include <iostream>
@@ -142,6 +143,12 @@ TEST_F(CommandLine, ChecksAndBacksUpTheStoreAsTheTableSays) {
         const bool expected = expected_allowed(Operation::backup, role, {});
         EXPECT_EQ(allowed({"db", "backup", path}, role, backup), expected) << backup;
         EXPECT_EQ(QFile::exists(QString::fromStdString(path)), expected) << backup;
+        const QDir folder(QString::fromStdString(file(std::string("backups-") + role_name(role))));
+        ASSERT_TRUE(folder.mkpath("."));
+        EXPECT_EQ(allowed({"db", "backup", folder.path().toStdString(), "--keep", "3"}, role, backup),
+                  expected)
+            << backup;
+        EXPECT_EQ(folder.entryList({"fulcrum-*.db"}, QDir::Files).size(), expected ? 1 : 0) << backup;
     }
 }
 
@@ -261,6 +268,9 @@ TEST_F(CommandLine, WrongInputNamesThePlaceAndTheHint) {
         {"db", "check", "--kind", "attempt"},
         {"db", "backup"},
         {"db", "backup", programme.path},
+        {"db", "backup", programme.path, "--keep", "2"},
+        {"db", "backup", "--keep", "0", "folder"},
+        {"db", "backup", "--keep", "all", "folder"},
     };
     for (const std::vector<std::string>& words : wrong) {
         std::vector<std::string> all = words;

@@ -8,6 +8,7 @@
 
 #include "database/rows/connection.h"
 #include "database/schema/migration.h"
+#include "database/store/backup_rotation.h"
 #include "database/store/store_restore.h"
 #include "tests/database/cut_off_process.h"
 #include "tests/database/programme_fixture.h"
@@ -169,6 +170,61 @@ TEST_F(KilledCare, OfABackupLeavesAWholeCopyOrNoneAndTheStoreAsItWas) {
     EXPECT_GT(kills, 0);
     std::printf("backup killed at %d of %d changes to files: %d whole copies, no half one\n", kills,
                 whole.changes, copies);
+}
+
+TEST_F(KilledCare, OfARotationLeavesTheOlderBackupsUntilTheNewOneIsWhole) {
+    if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
+    const std::string folder = in("backups");
+    const auto rotate = [&](int seconds) {
+        programme.clock.set_forward_s(seconds);
+        const Store store = Store::open(programme.path, programme.clock.options());
+        return backup_into(store, programme.session("administrator"), folder, 2)->path;
+    };
+    const auto backups = [&] {
+        std::vector<std::string> whole;
+        for (const auto& entry : files::directory_iterator(folder))
+            if (entry.path().extension() == ".db") whole.push_back(entry.path().string());
+        std::sort(whole.begin(), whole.end());
+        return whole;
+    };
+    const auto begin = [&] {
+        put_back();
+        files::remove_all(folder);
+        files::create_directory(folder);
+        rotate(60);
+        rotate(60);
+    };
+    begin();
+    const auto deed = [&] { rotate(60); };
+    const CutOff whole = cut_off(0, deed);
+    ASSERT_EQ(whole.status, 0);
+    int kills = 0, unfinished = 0;
+    for (const int point : cut_off_points(whole.changes, 6)) {
+        begin();
+        const std::vector<std::string> before = backups();
+        ASSERT_EQ(before.size(), 2U);
+        const CutOff cut = cut_off(point, deed);
+        if (!cut.killed) continue;
+        ++kills;
+        const std::string when = at(point, cut);
+        const std::vector<std::string> after = backups();
+        EXPECT_GE(after.size(), 2U) << when;
+        if (after.back() == before.back()) {
+            EXPECT_EQ(after, before) << "an old one goes when the new one is there";
+            ++unfinished;
+        }
+        for (const std::string& file : after)
+            EXPECT_EQ(attempts_in_sound(file, when), (std::set<std::string>{attempt, later})) << when;
+        rotate(120);
+        EXPECT_EQ(backups().size(), 2U) << when;
+        for (const auto& entry : files::directory_iterator(folder))
+            EXPECT_EQ(entry.path().string().find(".part-"), std::string::npos)
+                << entry.path() << " was left, killed " << when;
+        if (HasFailure()) break;
+    }
+    EXPECT_GT(kills, 0);
+    EXPECT_GT(unfinished, 0);
+    std::printf("rotation killed at %d of %d changes to files\n", kills, whole.changes);
 }
 
 }  // namespace

@@ -242,10 +242,6 @@
         <translation>Auch prüfen, ob das Protokoll diesen Kopf enthält, den ein Bericht oder `db audit` früher genannt hat: 16 bis 64 Hexadezimalziffern.</translation>
     </message>
     <message>
-        <source>Copies the store to a new file.</source>
-        <translation>Kopiert den Datenbestand in eine neue Datei.</translation>
-    </message>
-    <message>
         <source>Puts a backup in the store&apos;s place, after checking it; the old store is kept.</source>
         <translation>Setzt eine Sicherung nach einer Prüfung an die Stelle des Datenbestands; der alte bleibt erhalten.</translation>
     </message>
@@ -1308,6 +1304,14 @@
     <message>
         <source>Every other fidelity gives the same score as the finest one.</source>
         <translation>Jede andere Genauigkeit ergibt dieselbe Bewertung wie die feinste.</translation>
+    </message>
+    <message>
+        <source>Copies the store to a new file and checks the copy before it gets its name.</source>
+        <translation>Kopiert den Datenspeicher in eine neue Datei und prüft die Kopie, bevor sie ihren Namen bekommt.</translation>
+    </message>
+    <message>
+        <source>TO is a folder: write a file named by the time, and keep the newest N backups of this station there; older ones are removed.</source>
+        <translation>TO ist ein Ordner: schreibt dort eine nach der Zeit benannte Datei und behält die neuesten N Sicherungen dieser Station; ältere werden entfernt.</translation>
     </message>
 </context>
 <context>
@@ -8003,6 +8007,46 @@
     <message>
         <source>errors confirmed or struck</source>
         <translation>bestätigte oder gestrichene Fehler</translation>
+    </message>
+    <message>
+        <source>%1 backups cannot be kept</source>
+        <translation>%1 Sicherungen können nicht behalten werden</translation>
+    </message>
+    <message>
+        <source>give a number from 1 to %1</source>
+        <translation>geben Sie eine Zahl von 1 bis %1 an</translation>
+    </message>
+    <message>
+        <source>%1: this is not a folder</source>
+        <translation>%1: das ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>backups that replace one another need a folder: make it, or name another one</source>
+        <translation>Sicherungen, die einander ersetzen, brauchen einen Ordner: legen Sie ihn an, oder nennen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>%1: the copy does not pass the check (%2: %3)</source>
+        <translation>%1: die Kopie besteht die Prüfung nicht (%2: %3)</translation>
+    </message>
+    <message>
+        <source>no backup was written and older ones are unchanged; run `fulcrum db check` on the store, and back it up to another disk if it passes there</source>
+        <translation>es wurde keine Sicherung geschrieben, und ältere sind unverändert; prüfen Sie den Datenspeicher mit `fulcrum db check`, und sichern Sie ihn auf einen anderen Datenträger, wenn er dort besteht</translation>
+    </message>
+    <message>
+        <source>table %1: it or an index of it is damaged</source>
+        <translation>Tabelle %1: sie oder einer ihrer Indizes ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: it is missing</source>
+        <translation>%1: fehlt</translation>
+    </message>
+    <message>
+        <source>%1: its definition was changed</source>
+        <translation>%1: die Definition wurde geändert</translation>
+    </message>
+    <message>
+        <source>%1: this is not a part of a Fulcrum store</source>
+        <translation>%1: das gehört nicht zu einem Fulcrum-Datenspeicher</translation>
     </message>
 </context>
 <context>

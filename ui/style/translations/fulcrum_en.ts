@@ -47,16 +47,6 @@
     </message>
 </context>
 <context>
-    <name>fulcrum::ui::DebriefPage</name>
-    <message numerus="yes">
-        <source>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</source>
-        <translation>
-            <numerusform>An educator struck %n error that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</numerusform>
-            <numerusform>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>fulcrum::ui::ComparisonTexts</name>
     <message numerus="yes">
         <source>Aligned by the %n steps that were completed in both.</source>
@@ -108,6 +98,16 @@
         <translation>
             <numerusform>✕ %n problem</numerusform>
             <numerusform>✕ %n problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DebriefPage</name>
+    <message numerus="yes">
+        <source>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</source>
+        <translation>
+            <numerusform>An educator struck %n error that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</numerusform>
+            <numerusform>An educator struck %n errors that the program had recorded. The score stays as it is: scores are never edited. An educator can void the attempt, or decide on the standing.</numerusform>
         </translation>
     </message>
 </context>
@@ -186,6 +186,16 @@
         <translation>
             <numerusform>%n file written.</numerusform>
             <numerusform>%n files written.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ServerCard</name>
+    <message numerus="yes">
+        <source>%n person(s) were erased here, as on the server.</source>
+        <translation>
+            <numerusform>%n person was erased here, as on the server.</numerusform>
+            <numerusform>%n people were erased here, as on the server.</numerusform>
         </translation>
     </message>
 </context>
@@ -278,16 +288,6 @@
         <translation>
             <numerusform>%n attempt a week</numerusform>
             <numerusform>%n attempts a week</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fulcrum::ui::ServerCard</name>
-    <message numerus="yes">
-        <source>%n person(s) were erased here, as on the server.</source>
-        <translation>
-            <numerusform>%n person was erased here, as on the server.</numerusform>
-            <numerusform>%n people were erased here, as on the server.</numerusform>
         </translation>
     </message>
 </context>
