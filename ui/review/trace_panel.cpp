@@ -130,11 +130,15 @@ void TracePanel::mark_event(double time) {
 }
 
 void TracePanel::set_foot(QWidget* foot) {
+    foot_ = foot;
     layout()->addWidget(foot);
 }
 
 void TracePanel::show_reviews(std::vector<database::ErrorReview> reviews) {
     reviews_ = std::move(reviews);
+    // The foot takes its room from the list: the charts need theirs for the numbers of their axes.
+    const bool crowded = foot_ != nullptr && !foot_->isHidden();
+    static_cast<QBoxLayout*>(layout())->setStretchFactor(charts_, crowded ? 6 : 3);
     const int row = events_->currentRow();
     const QVariant chosen = row < 0 ? QVariant() : events_->item(row)->data(index_role);
     fill_events();

@@ -51,6 +51,7 @@ class TracePanel : public QWidget {
     TimeChart *force_, *speed_;
     QCheckBox* penalties_only_;
     QListWidget* events_;
+    QWidget* foot_ = nullptr;
 };
 
 }  // namespace fulcrum::ui
