@@ -85,6 +85,7 @@ void ErrorReviewBar::add(database::ErrorVerdict verdict) {
         }))
         return;  // the words stay
     reason_->clear();
+    reason_->setFocus();  // a button that is disabled would hand it on to another card
     clear();
     emit reviewed();
 }

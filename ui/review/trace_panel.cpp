@@ -170,7 +170,7 @@ void TracePanel::add_note(const database::ErrorReview& review, QListWidgetItem* 
     }
     line->setData(Qt::AccessibleTextRole, line->text() + QStringLiteral(". ") + words);
     auto* note =
-        new QListWidgetItem((review.verdict == database::ErrorVerdict::struck ? QStringLiteral("      ✕ ")
+        new QListWidgetItem((review.verdict == database::ErrorVerdict::struck ? QStringLiteral("      – ")
                                                                               : QStringLiteral("      ✓ ")) +
                                 words,
                             events_);

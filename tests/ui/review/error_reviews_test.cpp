@@ -177,6 +177,7 @@ TEST_F(ErrorReviewPages, AnEducatorStrikesAndConfirmsAndTheTraineeReadsIt) {
     ASSERT_EQ(QApplication::focusWidget()->objectName(), "review_error_confirm");
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
     ASSERT_EQ(reviews().size(), 2U);
+    EXPECT_EQ(QApplication::focusWidget()->objectName(), "review_error_reason");
     EXPECT_EQ(reviews()[1].verdict, ErrorVerdict::confirmed);
     keep("done-dark");
     emit window->context().theme_wanted(Theme::light);

@@ -17904,6 +17904,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>erase this person</source>
         <translation>diese Person löschen</translation>
     </message>
+    <message>
+        <source>confirm or strike this error</source>
+        <translation>diesen Fehler bestätigen oder streichen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::goals</name>
