@@ -212,10 +212,20 @@ TEST(Curricula, CheckFindsAMoveThatNobodyMade) {
     EXPECT_THROW(connection.execute("DELETE FROM curriculum_move"), StoreError);
     const Session& administrator = one.programme.session("administrator");
     EXPECT_TRUE(one.programme.store->check(administrator).ok);
+    QString trigger;
+    {
+        Query made(connection, "SELECT sql FROM sqlite_master WHERE name = 'curriculum_move_is_fixed'");
+        ASSERT_TRUE(made.next());
+        trigger = QString::fromStdString(made.text(0));
+    }
     connection.execute("DROP TRIGGER curriculum_move_is_fixed");
+    EXPECT_FALSE(one.programme.store->check(administrator).ok) << "a trigger is missing";
     connection.execute("UPDATE curriculum_move SET curriculum = 'rectal@2'");
+    connection.execute(trigger);
     EXPECT_FALSE(one.programme.store->check(administrator).ok);
+    connection.execute("DROP TRIGGER curriculum_move_is_fixed");
     connection.execute("UPDATE curriculum_move SET curriculum = 'rectal@1'");
+    connection.execute(trigger);
     EXPECT_TRUE(one.programme.store->check(administrator).ok);
     connection.execute(
         "INSERT INTO curriculum_move SELECT 'forged', person_id, curriculum, author_id, time, reason FROM "
