@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -219,7 +220,8 @@ TEST_F(HapticdKills, ForceIsZeroWithin50MillisecondsWhenGarbageIsWrittenOverTheS
         EXPECT_LE(program.until_zero(begin), limit) << static_cast<int>(garbage);
         double most = 0;
         while (monotonic_ns() < begin + 400'000'000) {  // longer than good commands need to bring force back
-            most = std::max(most, program.force());
+            const double now = program.force();         // infinite: the device process waits inside a report
+            if (std::isfinite(now)) most = std::max(most, now);
             pause_ns(200'000);
         }
         EXPECT_EQ(most, 0) << static_cast<int>(garbage);
