@@ -194,7 +194,8 @@ TEST(PreparedReplays, AreReadyWhenTheyAreOpened) {
     }, after{};
     ASSERT_EQ(::stat(file.c_str(), &made), 0);
     const auto replay = open();
-    EXPECT_TRUE(becomes_true([&] { return replay->update() && replay->ready() == 1; }));
+    EXPECT_TRUE(becomes_true([&] { return replay->update(); })) << "its beginning";
+    EXPECT_TRUE(becomes_true([&] { return replay->ready() == 1; }));
     EXPECT_FALSE(replay->differs_from_s());
     ASSERT_EQ(::stat(file.c_str(), &after), 0);
     EXPECT_EQ(made.st_ino, after.st_ino) << "not made again";
