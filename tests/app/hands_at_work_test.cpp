@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// B1, B2 and C4 completed through the window by mouse and keyboard, after the first steps, by two mice of the
-// X server and by a virtual game controller of SDL 2: minutes, because the window's clock is real.
-// FULCRUM_HANDS_PAGE=docs/results does it and writes the page; the small forms are in newcomer_test.cpp and
-// controller_window_test.cpp.
+// A1 and A3 (by mouse only), B1, B2 and C4 completed through the window by mouse and keyboard, after the
+// first steps, by two mice of the X server and by a virtual game controller of SDL 2: minutes, because the
+// window's clock is real. FULCRUM_HANDS_PAGE=docs/results does it and writes the page; the small forms are in
+// newcomer_test.cpp and controller_window_test.cpp.
 #include <gtest/gtest.h>
 
 #include <QApplication>

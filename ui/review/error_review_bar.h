@@ -40,7 +40,6 @@ class ErrorReviewBar : public QWidget {
     Context& context_;
     std::string attempt_id_;
     std::optional<Event> event_;
-    QString words_;
     QLabel* chosen_;
     QLineEdit* reason_;
     QPushButton *confirm_, *strike_;

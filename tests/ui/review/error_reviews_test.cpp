@@ -203,7 +203,8 @@ TEST_F(ErrorReviewPages, TheReplayMovesTheCursorAndNotTheChoice) {
     say("The flap was torn before.", "review_error_strike");
     ASSERT_EQ(reviews().size(), 1U);
     EXPECT_EQ(reviews()[0].kind, EventKind::slip);
-    EXPECT_FALSE(find<QAbstractButton>(*window, "review_error_strike")->isEnabled()) << "chosen anew";
+    EXPECT_FALSE(find<QAbstractButton>(*window, "review_error_strike")->isEnabled())
+        << "another one has to be chosen";
     // The newest counts.
     choose("slipped");
     say("I looked again.", "review_error_confirm");
