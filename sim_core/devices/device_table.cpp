@@ -31,6 +31,8 @@ std::vector<std::string> serial_ports_of(const DeviceRow& row, const std::vector
         for (const std::string& node : device.nodes)
             if (node.find("/tty") != std::string::npos) ports.push_back(node);
     }
+    // The order in which a folder is read depends on its file system.
+    std::sort(ports.begin(), ports.end());
     return ports;
 }
 
