@@ -21,6 +21,8 @@
 
 namespace fulcrum::test {
 
+inline constexpr double trainer_length = 0.34;  ///< m from handle to tip
+
 class FakeTrainer {
   public:
     enum class Mode {
@@ -80,7 +82,7 @@ class FakeTrainer {
         unlink(port().c_str());
     }
     /// The part of this letter; handle in the device frame, its pivot at the origin.
-    void move(char letter, const Vector3& handle, double length = 0.34) {
+    void move(char letter, const Vector3& handle, double length = trainer_length) {
         const std::lock_guard<std::mutex> lock(mutex_);
         Place& place = place_[letter == 'L' ? 0 : letter == 'R' ? 1 : 2];
         const Vector3 to_the_tip = -handle.normalized();

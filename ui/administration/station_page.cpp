@@ -3,12 +3,11 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHeaderView>
 #include <QLineEdit>
-#include <algorithm>
 
 #include "database/store/signing_keys.h"
 #include "ui/administration/server_card.h"
+#include "ui/administration/stations_card.h"
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
@@ -36,6 +35,8 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     connect(server_, &ServerCard::started, this, &StationPage::start);
     connect(server_, &ServerCard::ended, this, &StationPage::ended);
     layout->addWidget(server_);
+    stations_ = new StationsCard(context);
+    layout->addWidget(stations_);
     layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -126,9 +127,7 @@ void StationPage::show_keys() {
     }
     fit_columns(keys_);
     constexpr int most_rows = 6;
-    int height = keys_->horizontalHeader()->sizeHint().height() + 2 * keys_->frameWidth();
-    for (int row = 0; row < std::min(most_rows, keys_->rowCount()); ++row) height += keys_->rowHeight(row);
-    keys_->setFixedHeight(height);
+    fit_height(keys_, most_rows);
 }
 
 void StationPage::change_key() {
@@ -146,6 +145,7 @@ void StationPage::change_key() {
 void StationPage::enter() {
     show_keys();
     server_->show_link();
+    stations_->look();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     check_->setVisible(context().allowed(database::Operation::check_store));
@@ -170,6 +170,7 @@ void StationPage::ended() {
     check_->setEnabled(true);
     backup_->setEnabled(true);
     server_->set_busy(false);
+    if (isVisible()) stations_->look();
 }
 
 void StationPage::check() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop; the key with which it signs; its programme server.
+// stop; the key with which it signs; its programme server; the other stations.
 #pragma once
 
 #include "database/store/store.h"
@@ -17,6 +17,7 @@ namespace fulcrum::ui {
 class BackgroundJob;
 class JobBar;
 class ServerCard;
+class StationsCard;
 
 class StationPage : public Page {
     Q_OBJECT
@@ -45,6 +46,7 @@ class StationPage : public Page {
     QPushButton *check_, *backup_, *change_key_;
     JobBar* bar_;
     ServerCard* server_;
+    StationsCard* stations_;
     BackgroundJob* job_ = nullptr;
 };
 

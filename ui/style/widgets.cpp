@@ -357,6 +357,12 @@ void fit_rows(QTableWidget* table) {
     }
 }
 
+void fit_height(QTableWidget* table, int most_rows) {
+    int height = table->horizontalHeader()->sizeHint().height() + 2 * table->frameWidth();
+    for (int row = 0; row < std::min(most_rows, table->rowCount()); ++row) height += table->rowHeight(row);
+    table->setFixedHeight(height);
+}
+
 void fit_heads(QTableWidget* table) {
     QFont bold = table->font();
     bold.setBold(true);

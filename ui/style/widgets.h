@@ -69,6 +69,8 @@ void fit_columns(QTableWidget* table, std::vector<int> whole = {});
 /// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
 /// measure takes no account of what the style leaves free next to the words.
 void fit_rows(QTableWidget* table);
+/// The table as high as its heads and rows, of which it shows at most `most_rows` at once.
+void fit_height(QTableWidget* table, int most_rows);
 void fit_heads(QTableWidget* table);
 /// Changes a label's role (and so its look).
 void set_role(QWidget* widget, const char* role);

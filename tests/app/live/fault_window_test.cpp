@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window with Force Dimension, Haply, SpaceMouse and a tracker, each a fake that the test scripts: a
-// fault pauses the attempt with force 0 and says what to do; when it has passed the attempt resumes, and
-// nothing is lost. The first steps are those of the device.
+// The window with Force Dimension, Haply, SpaceMouse, a tracker and a joystick, each a fake that the test
+// scripts: a fault pauses the attempt with force 0 and says what to do; when it has passed the attempt
+// resumes, and nothing is lost. The first steps are those of the device.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "sim_core/controllers/joystick_mapping.h"
+#include "sim_core/numerics/files.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
 #include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_force_dimension.h"
 #include "tests/fakes/fake_page.h"
+#include "tests/fakes/fake_sdl.h"
 #include "tests/support/built.h"
 #include "tests/support/fake_haply.h"
 #include "tests/support/fake_spacenavd.h"
 #include "tests/support/fake_tracker.h"
+#include "tests/support/fake_trainer.h"
 #include "tests/support/own_folder.h"
 
 namespace fulcrum::app::program_test {
@@ -140,10 +144,64 @@ class BreakableSpaceMouse : public Breakable {
     Variable device_{"FULCRUM_DEVICE", "space-mouse:left"};
 };
 
+/// A joystick of SDL 2 whose six axes are the angles and the lengths of two instruments.
+class BreakableJoystick : public Breakable {
+  public:
+    BreakableJoystick() {
+        words = "was unplugged";
+        lines = "Instrument on the joystick";
+        title = name;
+        page_->controller[0].known = 0;
+        std::snprintf(page_->controller[0].name, sizeof page_->controller[0].name, "%s", name);
+        for (int hand = 0; hand < hand_count; ++hand)
+            BreakableJoystick::put(hand, BreakableJoystick::begin());
+        page_->controller[0].plugged = 1;
+        write_whole_file(file_, joystick_mapping_text(mapping()));
+    }
+    void put(int hand, const Vector3& handle) override {
+        const Vector3 to_the_tip = -handle.normalized();
+        const double of_instrument[] = {std::asin(to_the_tip.y()),
+                                        std::atan2(to_the_tip.x(), -to_the_tip.z()),
+                                        fulcrum::test::trainer_length - handle.norm()};
+        for (int i = 0; i < axes_of_hand; ++i) {
+            const double share = (of_instrument[i] - least[i]) / (most[i] - least[i]);
+            page_->controller[0].axis[axes_of_hand * hand + i] =
+                static_cast<std::int32_t>(std::lround(65535 * share)) - 32768;
+        }
+    }
+    Vector3 begin() const override { return {0, 0, 0.24}; }
+    void break_it() override { page_->controller[0].plugged = 0; }
+    void repair() override { page_->controller[0].plugged = 1; }
+
+  private:
+    static constexpr int axes_of_hand = 3;
+    static constexpr double least[axes_of_hand] = {-0.8, -0.8, 0}, most[axes_of_hand] = {0.8, 0.8, 0.3};
+    static constexpr const char* name = "Odd Stick";
+    static JoystickMapping mapping() {
+        JoystickMapping made;
+        made.name = name;
+        for (int hand = 0; hand < hand_count; ++hand)
+            for (int i = 0; i < axes_of_hand; ++i) {
+                JoystickAxis& axis = made.part[hand].motion[i];
+                axis.axis = axes_of_hand * hand + i;
+                axis.at_low = least[i];
+                axis.at_high = most[i];
+                axis.at_rest = 0.5 * (least[i] + most[i]);
+            }
+        return made;
+    }
+    fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page_{"FAKE_SDL_PAGE"};
+    Variable library_{"FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so")};
+    fulcrum::test::OwnFolder folder_;
+    std::string file_ = (folder_.path() / "joystick.json").string();
+    Variable device_{"FULCRUM_DEVICE", "joystick:" + file_};
+};
+
 std::unique_ptr<Breakable> breakable(const std::string& kind) {
     if (kind == "ForceDimension") return std::make_unique<BreakableForceDimension>();
     if (kind == "Haply") return std::make_unique<BreakableHaply>();
     if (kind == "OpenIGTLink") return std::make_unique<BreakableTracker>();
+    if (kind == "Joystick") return std::make_unique<BreakableJoystick>();
     return std::make_unique<BreakableSpaceMouse>();
 }
 
@@ -223,7 +281,8 @@ TEST_P(FaultWindow, PausesTheAttemptWithForceZeroSaysWhatToDoAndLosesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, FaultWindow,
-                         ::testing::Values("ForceDimension", "Haply", "SpaceMouse", "OpenIGTLink"),
+                         ::testing::Values("ForceDimension", "Haply", "SpaceMouse", "OpenIGTLink",
+                                           "Joystick"),
                          [](const auto& of) { return of.param; });
 
 }  // namespace

@@ -6,12 +6,14 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QTableWidget>
 
 #include "app/services/application.h"
 #include "database/sync/programme_server.h"
 #include "database/sync/sync.h"
 #include "tests/app/access_programme.h"
 #include "tests/database/postgresql_server.h"
+#include "tests/database/sync/stations.h"
 #include "tests/ui/hands.h"
 #include "ui/dashboards/attempts_page.h"
 #include "ui/shell/main_window.h"
@@ -112,6 +114,26 @@ TEST_F(ServerWindow, LooksRightInBothThemes) {
         const auto* banner = find<QLabel>(*window, "banner_text");
         EXPECT_TRUE(window->rect().contains(banner->mapTo(window.get(), banner->rect().center())));
     }
+}
+
+TEST_F(ServerWindow, AStationListsTheOthersWhoseAttemptsItHas) {
+    open(programme.store->path());
+    window->context().set_session(programme.session("administrator"));
+    click(*window, "rail_station");
+    EXPECT_FALSE(sees(*window, "stations")) << "it is the only one";
+    const database::test::Station other;
+    sync_with_server(*other.store, other.store->station_session(), address);
+    other.record("ann", 77);
+    sync_with_server(*other.store, other.sign_in("administrator"), address);
+    sync_with_server(*programme.store, programme.session("administrator"), address);
+    click(*window, "rail_people");
+    click(*window, "rail_station");
+    const auto* table = find<QTableWidget>(*window, "stations");
+    ASSERT_TRUE(table->isVisible());
+    ASSERT_EQ(table->rowCount(), 2);
+    EXPECT_TRUE(table->item(0, 0)->text().contains("this one")) << table->item(0, 0)->text().toStdString();
+    EXPECT_EQ(table->item(1, 1)->text(), "1");
+    keep("server-stations");
 }
 
 TEST_F(ServerWindow, LocksWithThePasswordOfTheAccountAndSaysWhyItCannotOpen) {

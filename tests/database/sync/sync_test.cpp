@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two stations and a programme server: what each ends with.
 #include "database/records/standings.h"
+#include "database/records/stations.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -42,6 +43,36 @@ TEST_F(Sync, TwoStationsEndWithTheSameAndEveryCheckHolds) {
     EXPECT_EQ(a.attempts().read_trace(a.session("educator"), by_a).samples.size(), 1000U);
     EXPECT_EQ(a.attempts().interrupted_without_score(a.session("educator")).size(), 1U);
     EXPECT_EQ(Attempts(*b.store).interrupted_without_score(educator).size(), 0U);
+}
+
+TEST_F(Sync, AStationKnowsThoseWhoseAttemptsItHas) {
+    const Session administrator = a.session("administrator");
+    const std::vector<KnownStation> alone = known_stations(*a.store, administrator);
+    ASSERT_EQ(alone.size(), 1U);
+    EXPECT_TRUE(alone[0].own);
+    EXPECT_EQ(alone[0].id, a.store->station_id());
+    EXPECT_EQ(alone[0].attempts, 0);
+    EXPECT_FALSE(alone[0].key.empty());
+
+    a.record("ann", true, 81);
+    sync(a);
+    const Station b;
+    sync(b);
+    b.clock.pass_s(3600);
+    b.record("ann", 77);
+    b.record("ann", 78);
+    sync(b);
+    sync(a);
+    const std::vector<KnownStation> both = known_stations(*a.store, administrator);
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_TRUE(both[0].own) << "this station comes first";
+    EXPECT_EQ(both[0].attempts, 1);
+    EXPECT_EQ(both[1].id, b.store->station_id());
+    EXPECT_EQ(both[1].attempts, 2);
+    EXPECT_GE(both[1].newest, *b.clock.time - 60'000);
+    EXPECT_GT(both[1].created, 0);
+    for (const char* login : {"ann", "educator", "director"})
+        EXPECT_THROW(known_stations(*a.store, a.session(login)), AccessDenied) << login;
 }
 
 TEST_F(Sync, APersonStandsWhereTheyStandAtBothStationsAndOnTheServer) {

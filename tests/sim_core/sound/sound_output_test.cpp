@@ -86,6 +86,42 @@ TEST_F(SoundOutputs, ContactIsHeardInTheNextBlockThatTheDeviceAsksFor) {
     EXPECT_EQ(sound().frames, static_cast<std::uint32_t>(sound_block_frames));
 }
 
+TEST_F(SoundOutputs, TooMuchForceEnergyAndBleedingAreHeardInTheNextBlockToo) {
+    const struct {
+        const char* what;
+        void (*begin)(SoundState& state);
+    } sounds[] = {{"too much force", [](SoundState& now) { now.excess[0] = 0.2; }},
+                  {"energy", [](SoundState& now) { now.energy[1] = 1; }},
+                  {"bleeding", [](SoundState& now) { now.bleeding = 1; }}};
+    SoundOutput output;
+    ASSERT_TRUE(begin(output));
+    for (const auto& one : sounds) {
+        std::int64_t worst = 0;
+        for (int time = 0; time < 6; ++time) {
+            const SoundState quiet = state;
+            ASSERT_TRUE(play_until(output, [&, before = sound().played.load()]() mutable {
+                const bool same = before == sound().played;
+                before = sound().played;
+                usleep(8000);
+                return same;
+            })) << one.what;
+            sound().heard_at = 0;
+            one.begin(state);
+            const std::uint64_t blocks = sound().blocks;
+            const std::int64_t sent = monotonic_ns();
+            output.play(state);
+            ASSERT_TRUE(until([&] { return sound().heard_at != 0; })) << one.what;
+            EXPECT_LE(sound().heard_in, 1) << one.what << ": a wave begins with a sample that is 0";
+            EXPECT_LE(sound().blocks, blocks + 3) << one.what;
+            worst = std::max(worst, sound().heard_at - sent);
+            state = quiet;
+            output.play(state);
+        }
+        std::cout << one.what << ": from the state to the block with its first sample: at most "
+                  << 1e-6 * static_cast<double>(worst) << " ms\n";
+    }
+}
+
 TEST_F(SoundOutputs, WhatLastsEndsByItselfWhenNobodySaysMore) {
     SoundOutput output;
     ASSERT_TRUE(begin(output));

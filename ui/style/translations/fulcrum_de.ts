@@ -16537,6 +16537,45 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::StationsCard</name>
+    <message>
+        <source>Stations of the programme</source>
+        <translation>Arbeitsplätze des Programms</translation>
+    </message>
+    <message>
+        <source>Those whose attempts this station has. What another one did since its last exchange with the server is not known here.</source>
+        <translation>Diejenigen, deren Versuche dieser Arbeitsplatz hat. Was ein anderer seit seinem letzten Austausch mit dem Server getan hat, ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>Neuestes</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>%1 (this one)</source>
+        <translation>%1 (dieser)</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>noch nichts</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::TaskHeader</name>
     <message>
         <source>%1: not practised yet</source>
