@@ -125,17 +125,22 @@ class BreakableSpaceMouse : public Breakable {
         lines = "Cap to the side";
         title = "SpaceMouse";
     }
-    void put(int, const Vector3&) override { push(true); }
-    void go_back(double distance) override { push(distance > 2e-3); }
+    void put(int, const Vector3&) override { push(full); }
+    /// The nearer, the slower: a window that looks seldom must not let it run past its instrument and away.
+    void go_back(double distance) override {
+        constexpr double near = 4e-3, counts_a_metre = 15000;
+        push(distance > near ? static_cast<int>(std::min<double>(full, counts_a_metre * distance)) : 0);
+    }
     /// Ends, and is started again.
     void break_it() override {
-        push(false);
+        push(0);
         cap_.reset();
     }
     void repair() override { cap_ = std::make_unique<fulcrum::test::FakeSpacenavd>(path_, 1); }
 
   private:
-    void push(bool on) const { cap_->send_event(0, {on ? 350 : 0, 0, 0, 0, 0, 0, 16}); }
+    static constexpr int full = 350;
+    void push(int counts) const { cap_->send_event(0, {counts, 0, 0, 0, 0, 0, 16}); }
     fulcrum::test::OwnFolder folder_;
     std::string path_ = (folder_.path() / "spnav.sock").string();
     Variable socket_{"SPNAV_SOCKET", path_};
