@@ -29,10 +29,9 @@ int rotate_backups(const Arguments& arguments, int keep) {
 /// A copy of a store that does not pass its check.
 int copy_damaged(const Arguments& arguments) {
     const std::string path = store_path(arguments);
-    const database::DamagedCopy copy =
-        database::copy_damaged(path, arguments.words()[0], [&](const database::Store& store) {
-            return person_session(arguments, store);
-        });
+    const database::DamagedCopy copy = database::copy_damaged(
+        path, arguments.words()[0],
+        [&](const database::Store& store) { return person_session(arguments, store); });
     if (arguments.has("--json")) {
         print_json({{"store", path},
                     {"copy", copy.path},

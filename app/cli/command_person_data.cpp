@@ -60,8 +60,9 @@ int erase_people_due(const Arguments& arguments, const database::Store& store,
     const std::vector<database::DuePerson> due = database::people_due(store, session);
     const std::int64_t expected = arguments.integer("--erase", 1, 1, 1000000);
     if (static_cast<std::int64_t>(due.size()) != expected)
-        throw UsageError("--erase", {QT_TRANSLATE_NOOP("errors", "%1 people are due, not %2"), due.size(), expected},
-                         QT_TRANSLATE_NOOP("errors", "look at the list again (without --erase), then give its number"));
+        throw UsageError(
+            "--erase", {QT_TRANSLATE_NOOP("errors", "%1 people are due, not %2"), due.size(), expected},
+            QT_TRANSLATE_NOOP("errors", "look at the list again (without --erase), then give its number"));
     std::vector<std::string> ids;
     for (const database::DuePerson& one : due) ids.push_back(one.id);
     const std::vector<std::string> erased = database::erase_due(store, session, ids);
@@ -84,7 +85,8 @@ int retention(const Arguments& arguments) {
     if (arguments.has("--off")) database::set_retention_months(store, session, std::nullopt);
     if (arguments.has("--months"))
         database::set_retention_months(
-            store, session, static_cast<int>(arguments.integer("--months", 1, 1, database::longest_retention)));
+            store, session,
+            static_cast<int>(arguments.integer("--months", 1, 1, database::longest_retention)));
     const std::optional<int> months = database::retention_months(store);
     const std::vector<database::DuePerson> due = database::people_due(store, session);
     if (arguments.has("--json")) {
@@ -97,8 +99,8 @@ int retention(const Arguments& arguments) {
         std::cout << "data are kept without an end\n";
         return 0;
     }
-    std::cout << "data are kept for " << *months << " months after the last practice; due to be erased: "
-              << due.size() << '\n';
+    std::cout << "data are kept for " << *months
+              << " months after the last practice; due to be erased: " << due.size() << '\n';
     for (const database::DuePerson& one : due)
         std::cout << one.login << "  " << one.display_name << "  last " << database::iso_utc(one.last) << "  "
                   << one.attempts << " attempts\n";
@@ -116,15 +118,21 @@ std::vector<Command> person_data_commands() {
         1,
         QT_TRANSLATE_NOOP("commands",
                           "Writes all that is stored about a person to a folder; needs --as, a director."),
-        joined({{"--output", "FOLDER",
-                 QT_TRANSLATE_NOOP("commands", "A new folder; index.html says what is in it."), "", {}, "-o"},
+        joined({{"--output",
+                 "FOLDER",
+                 QT_TRANSLATE_NOOP("commands", "A new folder; index.html says what is in it."),
+                 "",
+                 {},
+                 "-o"},
                 {"--dry-run", "", QT_TRANSLATE_NOOP("commands", "Only count what would be written.")}},
                session_options()),
         export_person};
     exporting.details = QT_TRANSLATE_NOOP(
         "commands",
-        "LOGIN is a login or an id. Attempts with scores and recordings, comments, observer forms, decisions, "
-        "goals and what the audit log has of the person are written as tables (CSV) and recordings (CSV, gzip), "
+        "LOGIN is a login or an id. Attempts with scores and recordings, comments, observer forms, "
+        "decisions, "
+        "goals and what the audit log has of the person are written as tables (CSV) and recordings (CSV, "
+        "gzip), "
         "with those of accounts that were merged into the person. The audit log says that it was done.");
     Command keeping{
         "people retention",
@@ -134,7 +142,8 @@ std::vector<Command> person_data_commands() {
         QT_TRANSLATE_NOOP("commands",
                           "Shows or sets how long data of trainees are kept, and who is due to be erased."),
         joined({{"--months", "N",
-                 QT_TRANSLATE_NOOP("commands", "Keep data for so many months after the last practice or sign-in.")},
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Keep data for so many months after the last practice or sign-in.")},
                 {"--off", "", QT_TRANSLATE_NOOP("commands", "Set no end.")},
                 {"--erase", "N",
                  QT_TRANSLATE_NOOP("commands", "Erase the N people who are due; N as the list has it.")}},
@@ -143,7 +152,8 @@ std::vector<Command> person_data_commands() {
     keeping.details = QT_TRANSLATE_NOOP(
         "commands",
         "Needs --as, a director. Trainees with no other role are due, nobody else. Nobody is erased without "
-        "--erase; it does what `people erase` does. A programme with a server erases there (`server erase`).");
+        "--erase; it does what `people erase` does. A programme with a server erases there (`server "
+        "erase`).");
     return {exporting, keeping};
 }
 

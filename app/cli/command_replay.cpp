@@ -39,8 +39,8 @@ int run_replay(const Arguments& arguments) {
                 QT_TRANSLATE_NOOP("errors", "replay it with that version of the program"));
         start = attempts.start_state(session, id);
     }
-    const ReplayVerdict verdict = verify_replay(loaded, summary, attempts.read_trace(session, id), start,
-                                                attempts.score(session, id));
+    const ReplayVerdict verdict =
+        verify_replay(loaded, summary, attempts.read_trace(session, id), start, attempts.score(session, id));
     const ReplayOutcome& outcome = verdict.outcome;
 
     const nlohmann::json document = {

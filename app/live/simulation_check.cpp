@@ -110,7 +110,8 @@ void describe(const std::string& id, const ReplayVerdict& verdict, database::Che
     if (!verdict.complete) return;
     if (!verdict.hash_identical)
         item.problems.push_back(
-            {QT_TRANSLATE_NOOP("errors", "attempt %1: it ends in another state than the store has of it"), id});
+            {QT_TRANSLATE_NOOP("errors", "attempt %1: it ends in another state than the store has of it"),
+             id});
     if (!verdict.events_identical)
         item.problems.push_back(
             {QT_TRANSLATE_NOOP("errors", "attempt %1: its events are not those that its inputs give"), id});
@@ -170,15 +171,17 @@ database::CheckItem check_by_simulation(const database::Store& store, const data
     bool stopped = false;
     const auto keep_going = [&] {
         const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
-        stopped = progress && !progress(sample.most_s > 0 ? std::min(1.0, spent / sample.most_s) : 0, item.name);
+        stopped =
+            progress && !progress(sample.most_s > 0 ? std::min(1.0, spent / sample.most_s) : 0, item.name);
         return !stopped && (sample.most_s <= 0 || spent < sample.most_s);
     };
     item.notes.push_back({QT_TRANSLATE_NOOP("errors", "%1 attempts drawn of %2 with the seed %3"),
                           std::min<std::size_t>(all.ids.size(), static_cast<std::size_t>(sample.attempts)),
                           all.ids.size(), sample.seed});
     if (all.others > 0)
-        item.notes.push_back({QT_TRANSLATE_NOOP("errors", "%1 attempts of other versions of the program, or "
-                                                          "taken over from a moment, cannot be simulated here"),
+        item.notes.push_back({QT_TRANSLATE_NOOP("errors",
+                                                "%1 attempts of other versions of the program, or "
+                                                "taken over from a moment, cannot be simulated here"),
                               all.others});
     for (const std::string& id : chosen(all.ids, sample)) {
         if (!keep_going()) {
@@ -191,7 +194,8 @@ database::CheckItem check_by_simulation(const database::Store& store, const data
             const LoadedTask loaded = load_recorded(attempt.scene_text, attempt.summary);
             if (!same_files(attempt.assets, loaded.assets)) {
                 item.notes.push_back(
-                    {QT_TRANSLATE_NOOP("errors", "attempt %1: not simulated, its task's file was changed since"),
+                    {QT_TRANSLATE_NOOP("errors",
+                                       "attempt %1: not simulated, its task's file was changed since"),
                      id});
                 continue;
             }
@@ -203,13 +207,14 @@ database::CheckItem check_by_simulation(const database::Store& store, const data
                 verdict.complete
                     ? Sentence(QT_TRANSLATE_NOOP("errors", "attempt %1: simulated, %2 samples compared"), id,
                                verdict.samples)
-                    : Sentence(QT_TRANSLATE_NOOP("errors", "attempt %1: simulated until the time was over"), id));
+                    : Sentence(QT_TRANSLATE_NOOP("errors", "attempt %1: simulated until the time was over"),
+                               id));
         } catch (const InputError& error) {
             item.notes.push_back({QT_TRANSLATE_NOOP("errors", "attempt %1: not simulated (%2)"), id,
                                   error.problem_sentence()});
         } catch (const database::StoreError& error) {
-            item.problems.push_back(
-                {QT_TRANSLATE_NOOP("errors", "attempt %1: cannot be read (%2)"), id, error.problem_sentence()});
+            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "attempt %1: cannot be read (%2)"), id,
+                                     error.problem_sentence()});
         }
     }
     item.ok = item.problems.empty();

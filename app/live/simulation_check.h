@@ -15,10 +15,11 @@ namespace fulcrum::app {
 
 struct ReplayVerdict {
     ReplayOutcome outcome;
-    std::size_t samples = 0;         ///< of the record
-    bool complete = true;            ///< false: stopped; what was simulated until then was compared
-    bool hash_identical = true;      ///< of the end; true where the record has none
-    bool events_identical = true;    ///< but those that the simulation does not make: pauses, lost devices, the end
+    std::size_t samples = 0;     ///< of the record
+    bool complete = true;        ///< false: stopped; what was simulated until then was compared
+    bool hash_identical = true;  ///< of the end; true where the record has none
+    bool events_identical =
+        true;  ///< but those that the simulation does not make: pauses, lost devices, the end
     bool metrics_identical = false;  ///< of the score that was given, and there is one
     bool score_differs = false;      ///< it has other values, though it is of this version of the metrics
     bool same() const { return outcome.identical && hash_identical && events_identical; }

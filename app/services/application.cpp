@@ -67,7 +67,8 @@ class Services : public ui::ApplicationServices {
     void open_store(bool demo) override {
         const std::string path = store_path(demo);
         close_store();
-        if (!demo && !database::ServerAddress::is_address(path) && database::Store::exists(path)) database::require_quick_check(path);
+        if (!demo && !database::ServerAddress::is_address(path) && database::Store::exists(path))
+            database::require_quick_check(path);
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
         database::Curricula(*opened).check(curriculum());
         if (!demo && !opened->is_read_only()) database::erase_listed(*opened);

@@ -105,10 +105,10 @@ std::string stored_scene_text(const Store& store, const std::string& attempt_id)
     row.bind(attempt_id);
     if (!row.next() || row.text(0).empty()) return {};
     if (row.is_null(1) || text_digest(row.text(1)) != row.text(0))
-        throw StoreError(StoreErrorKind::corrupt,
-                         {QT_TRANSLATE_NOOP("errors", "%1: the scene of attempt %2 is damaged"),
-                          store.path(), attempt_id},
-                         QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
+        throw StoreError(
+            StoreErrorKind::corrupt,
+            {QT_TRANSLATE_NOOP("errors", "%1: the scene of attempt %2 is damaged"), store.path(), attempt_id},
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
     return row.text(1);
 }
 

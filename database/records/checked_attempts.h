@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "database/rows/trace_codec.h"
 #include "database/records/attempts.h"
+#include "database/rows/trace_codec.h"
 
 namespace fulcrum::database {
 

@@ -140,7 +140,8 @@ std::vector<FoundBackup> find_backups(const std::string& store_path, const std::
         found.insert(found.end(), here.begin(), here.end());
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(found.size()), found[i].path)) {
+        if (progress &&
+            !progress(static_cast<double>(i) / static_cast<double>(found.size()), found[i].path)) {
             found.resize(i);
             break;
         }

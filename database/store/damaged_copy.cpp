@@ -27,12 +27,12 @@ namespace files = std::filesystem;
 std::string unverified_name(const std::string& to) {
     std::error_code ignored;
     if (files::is_directory(to, ignored)) {
-        const QString time =
-            QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
+        const QString time = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
         return (files::path(to) / ("fulcrum-" + time.toStdString() + unverified_ending)).string();
     }
     const std::string ending = unverified_ending;
-    if (to.size() > ending.size() && to.compare(to.size() - ending.size(), ending.size(), ending) == 0) return to;
+    if (to.size() > ending.size() && to.compare(to.size() - ending.size(), ending.size(), ending) == 0)
+        return to;
     files::path name(to);
     if (name.extension() == ".db") name.replace_extension();
     return name.string() + ending;

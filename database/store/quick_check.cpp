@@ -34,7 +34,8 @@ std::vector<std::string> tables_of(Connection& connection) {
     std::vector<std::string> tables;
     Query names(connection, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
     while (names.next()) tables.push_back(names.text(0));
-    std::stable_partition(tables.begin(), tables.end(), [](const std::string& one) { return !is_large(one); });
+    std::stable_partition(tables.begin(), tables.end(),
+                          [](const std::string& one) { return !is_large(one); });
     return tables;
 }
 
@@ -72,7 +73,8 @@ QuickCheck quick_check(const Store& store, int most_ms) {
         if (store.found_schema() >= schema_with_signatures)
             for (Sentence& problem : verify_audit_end(connection, store.station_id(), newest_audit_rows))
                 found.problems.push_back(std::move(problem));
-        const std::int64_t bytes = pragma_number(connection, "PRAGMA page_count") * pragma_number(connection, "PRAGMA page_size");
+        const std::int64_t bytes =
+            pragma_number(connection, "PRAGMA page_count") * pragma_number(connection, "PRAGMA page_size");
         const std::vector<std::string> tables = tables_of(connection);
         found.tables = static_cast<int>(tables.size());
         for (const std::string& table : tables) {
@@ -94,8 +96,11 @@ void require_quick_check(const std::string& path, int most_ms) {
     const QuickCheck found = quick_check(Store::open(path, options), most_ms);
     if (found.problems.empty()) return;
     throw StoreError(
-        StoreErrorKind::corrupt, {QT_TRANSLATE_NOOP("errors", "%1: the store is damaged (%2)"), path, found.problems.front()},
-        QT_TRANSLATE_NOOP("errors", "restore the newest backup; nothing was changed (`fulcrum db check` lists all damage)"));
+        StoreErrorKind::corrupt,
+        {QT_TRANSLATE_NOOP("errors", "%1: the store is damaged (%2)"), path, found.problems.front()},
+        QT_TRANSLATE_NOOP(
+            "errors",
+            "restore the newest backup; nothing was changed (`fulcrum db check` lists all damage)"));
 }
 
 }  // namespace fulcrum::database

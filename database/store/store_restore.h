@@ -21,8 +21,8 @@ struct Replaced {
 /// Signs in to the copy before it becomes the store, and throws if that fails.
 using SignInToCopy = std::function<Session(const Store& copy)>;
 
-/// What may be at the store's place: a file that is no store may be somebody's letter under a wrong name, or a
-/// store whose first page was overwritten, which the window knows from where it is.
+/// What may be at the store's place: a file that is no store may be somebody's letter under a wrong name, or
+/// a store whose first page was overwritten, which the window knows from where it is.
 enum class ReplacedFile { store, any };
 
 /// The store at `path` becomes what the backup at `from` holds, brought up to this schema; an audit row says

@@ -73,12 +73,14 @@ class NewFolder {
         if (lock_ < 0) fail_file(path, errno);
         if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
             ::close(lock_);
-            throw StoreError(StoreErrorKind::locked,
-                             {QT_TRANSLATE_NOOP("errors", "%1: another export is being written there"), path},
-                             QT_TRANSLATE_NOOP("errors", "wait until it is complete, or choose another name"));
+            throw StoreError(
+                StoreErrorKind::locked,
+                {QT_TRANSLATE_NOOP("errors", "%1: another export is being written there"), path},
+                QT_TRANSLATE_NOOP("errors", "wait until it is complete, or choose another name"));
         }
         // What a killed export left.
-        for (const char* inside : {"index.html", "tables", "traces"}) files::remove_all(files::path(part_) / inside, ignored);
+        for (const char* inside : {"index.html", "tables", "traces"})
+            files::remove_all(files::path(part_) / inside, ignored);
         for (const char* inside : {"tables", "traces"})
             if (::mkdir((part_ + "/" + inside).c_str(), 0700) != 0) fail_file(path, errno);
     }
@@ -157,8 +159,8 @@ std::string table_text(Connection& connection, const RowsAbout& rows_about,
     text += '\n';
     std::set<std::string> seen;
     for (const std::string& person : people) {
-        Query rows = about_person(connection, "SELECT " + selected + " FROM " + table + " WHERE " + rows_about.where,
-                                  person);
+        Query rows = about_person(
+            connection, "SELECT " + selected + " FROM " + table + " WHERE " + rows_about.where, person);
         while (rows.next()) {
             std::string line;
             for (std::size_t i = 0; i < columns.size(); ++i)
@@ -171,12 +173,12 @@ std::string table_text(Connection& connection, const RowsAbout& rows_about,
     return seen.empty() ? std::string() : text;
 }
 
-/// What was done to the person, and what the person did; payloads as they are. Reasons that others gave belong
-/// to it: they were said about this person.
+/// What was done to the person, and what the person did; payloads as they are. Reasons that others gave
+/// belong to it: they were said about this person.
 std::string audit_text(Connection& connection, const std::vector<std::string>& people, std::int64_t& count) {
-    std::set<std::string> objects, actors(people.begin(), people.end());
+    std::set<std::string> about_ids, actors(people.begin(), people.end());
     for (const std::string& person : people)
-        for (const std::string& id : audit_objects_of(connection, person)) objects.insert(id);
+        for (const std::string& id : audit_objects_of(connection, person)) about_ids.insert(id);
     std::string text = "station,sequence,time,operation,object,actor,about,payload\n";
     Query rows(connection,
                "SELECT e.station_id, e.sequence, e.time, e.operation, e.object_id, e.actor_id, "
@@ -184,7 +186,7 @@ std::string audit_text(Connection& connection, const std::vector<std::string>& p
                "e.station_id AND p.sequence = e.sequence ORDER BY e.station_id, e.sequence");
     count = 0;
     while (rows.next()) {
-        const bool about = objects.count(rows.text(4)) != 0, by = actors.count(rows.text(5)) != 0;
+        const bool about = about_ids.count(rows.text(4)) != 0, by = actors.count(rows.text(5)) != 0;
         if (!about && !by) continue;
         ++count;
         // What somebody did to others is theirs: of it the deed alone.
@@ -267,8 +269,11 @@ void write_trace(const NewFolder& folder, const std::string& id, const Trace& tr
     std::string events = "time_s,event,hand,value,detail\n";
     for (const Event& event : trace.events)
         events += csv_number(event.tick / per_second) + "," + event_name(event.kind) + "," +
-                  (event.hand == 0 ? "left" : event.hand == 1 ? "right" : "") + "," +
-                  csv_number(static_cast<double>(event.value)) + "," + std::to_string(event.detail) + "\n";
+                  (event.hand == 0   ? "left"
+                   : event.hand == 1 ? "right"
+                                     : "") +
+                  "," + csv_number(static_cast<double>(event.value)) + "," + std::to_string(event.detail) +
+                  "\n";
     folder.write("traces/" + id + "-events.csv", events);
 }
 
@@ -287,18 +292,22 @@ std::string index_text(const Store& store, const std::vector<std::string>& peopl
             accounts += "<li>" + escaped(row.text(0)) + " (" + escaped(row.text(1)) + "), " +
                         iso_utc(row.integer(2)) + "</li>\n";
     }
-    return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>Fulcrum</title><style>body{font-family:"
+    return "<!DOCTYPE html>\n<html><head><meta "
+           "charset=\"utf-8\"><title>Fulcrum</title><style>body{font-family:"
            "sans-serif;max-width:60em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}td,th{"
-           "border-bottom:1px solid #bbb;padding:.25em .8em .25em 0;text-align:left}</style></head><body>\n<h1>" +
+           "border-bottom:1px solid #bbb;padding:.25em .8em .25em "
+           "0;text-align:left}</style></head><body>\n<h1>" +
            say({QT_TRANSLATE_NOOP("errors", "What %1 has stored about a person"),
                 store.programme_name().empty() ? std::string("Fulcrum") : store.programme_name()}) +
            "</h1>\n<ul>\n" + accounts + "</ul>\n<p>" + iso_utc(store.now()) + "</p>\n<h2>" +
-           say(QT_TRANSLATE_NOOP("errors", "attempts")) + "</h2>\n<table>\n" + index.attempts + "</table>\n<h2>" +
-           say(QT_TRANSLATE_NOOP("errors", "all files")) + "</h2>\n<table>\n" + index.files + "</table>\n<p>" +
-           say(QT_TRANSLATE_NOOP("errors",
-                                 "Files of tables open in a spreadsheet; times are UTC. Recordings are packed "
-                                 "with gzip. The password is not stored, only a verifier of it, which is not "
-                                 "in these files.")) +
+           say(QT_TRANSLATE_NOOP("errors", "attempts")) + "</h2>\n<table>\n" + index.attempts +
+           "</table>\n<h2>" + say(QT_TRANSLATE_NOOP("errors", "all files")) + "</h2>\n<table>\n" +
+           index.files + "</table>\n<p>" +
+           say(QT_TRANSLATE_NOOP(
+               "errors",
+               "Files of tables open in a spreadsheet; times are UTC. Recordings are packed "
+               "with gzip. The password is not stored, only a verifier of it, which is not "
+               "in these files.")) +
            "</p>\n</body></html>\n";
 }
 
@@ -384,10 +393,11 @@ PersonDataExport export_person_data(const Store& store, const Session& director,
         if (has_trace(store, meta.id)) {
             write_trace(made, meta.id, stored_trace(store, meta.id));
             ++done.traces;
-            link = "<a href=\"traces/" + meta.id + "-samples.csv.gz\">traces/" + meta.id.substr(0, 8) + "…</a>";
+            link =
+                "<a href=\"traces/" + meta.id + "-samples.csv.gz\">traces/" + meta.id.substr(0, 8) + "…</a>";
         }
-        index.attempts += "<tr><td>" + iso_utc(meta.started) + "</td><td>" + escaped(meta.task_id) + "</td><td>" +
-                          row_of(attempt_modes, meta.mode).name + "</td><td>" +
+        index.attempts += "<tr><td>" + iso_utc(meta.started) + "</td><td>" + escaped(meta.task_id) +
+                          "</td><td>" + row_of(attempt_modes, meta.mode).name + "</td><td>" +
                           row_of(attempt_states, attempts[i].state).name + "</td><td>" +
                           csv_number(attempts[i].points) + "</td><td>" + link + "</td></tr>\n";
     }

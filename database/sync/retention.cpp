@@ -41,7 +41,8 @@ void set_retention_months(const Store& store, const Session& director, const std
     if (before == after) return;
     write_setting(store.connection(), setting, after);
     Audit(store).append(director, store.station_id(), "setting.retention_months",
-                        json_object({{"before", before}, {"after", after}}), {{RecordKind::setting, setting}});
+                        json_object({{"before", before}, {"after", after}}),
+                        {{RecordKind::setting, setting}});
     transaction.commit();
 }
 
@@ -50,15 +51,16 @@ std::vector<DuePerson> people_due(const Store& store, const Session& director) {
     const std::optional<int> months = retention_months(store);
     if (!months) return {};
     // An account that was merged belongs to the one that it was merged into.
-    Query rows(store.connection(),
-               "SELECT o.id, o.login, o.display_name, MAX(p.created), MAX(COALESCE((SELECT MAX(a.started) FROM "
-               "attempt a WHERE a.person_id = p.id), 0)), MAX(COALESCE((SELECT MAX(s.last) FROM sign_in s WHERE "
-               "s.person_id = p.id), 0)), SUM((SELECT COUNT(*) FROM attempt a WHERE a.person_id = p.id)) FROM "
-               "person o JOIN person p ON p.id = o.id OR p.merged_into = o.id WHERE o.kind = 'real' AND "
-               "o.merged_into = '' AND o.login <> 'erased-' || o.id AND EXISTS (SELECT 1 FROM person_role r "
-               "WHERE r.person_id = o.id AND r.role = 'trainee') AND NOT EXISTS (SELECT 1 FROM person_role r "
-               "WHERE (r.person_id = o.id OR r.person_id = p.id) AND r.role <> 'trainee') GROUP BY o.id, "
-               "o.login, o.display_name");
+    Query rows(
+        store.connection(),
+        "SELECT o.id, o.login, o.display_name, MAX(p.created), MAX(COALESCE((SELECT MAX(a.started) FROM "
+        "attempt a WHERE a.person_id = p.id), 0)), MAX(COALESCE((SELECT MAX(s.last) FROM sign_in s WHERE "
+        "s.person_id = p.id), 0)), SUM((SELECT COUNT(*) FROM attempt a WHERE a.person_id = p.id)) FROM "
+        "person o JOIN person p ON p.id = o.id OR p.merged_into = o.id WHERE o.kind = 'real' AND "
+        "o.merged_into = '' AND o.login <> 'erased-' || o.id AND EXISTS (SELECT 1 FROM person_role r "
+        "WHERE r.person_id = o.id AND r.role = 'trainee') AND NOT EXISTS (SELECT 1 FROM person_role r "
+        "WHERE (r.person_id = o.id OR r.person_id = p.id) AND r.role <> 'trainee') GROUP BY o.id, "
+        "o.login, o.display_name");
     const UtcMilliseconds end = end_of_keeping(store, *months);
     std::vector<DuePerson> due;
     while (rows.next()) {
@@ -73,7 +75,8 @@ std::vector<DuePerson> people_due(const Store& store, const Session& director) {
 }
 
 std::vector<std::string> erase_due(const Store& store, const Session& director,
-                                   const std::vector<std::string>& person_ids, const StoreProgress& progress) {
+                                   const std::vector<std::string>& person_ids,
+                                   const StoreProgress& progress) {
     const std::vector<DuePerson> due = people_due(store, director);
     for (const std::string& id : person_ids) {
         if (std::none_of(due.begin(), due.end(), [&](const DuePerson& one) { return one.id == id; }))

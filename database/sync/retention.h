@@ -28,8 +28,8 @@ struct DuePerson {
 /// ago first; with what was merged into them. Empty where no end is set. Operation::erase_person.
 std::vector<DuePerson> people_due(const Store& store, const Session& director);
 
-/// Erases these people, each as erase_person() does, with the reason that their time is over; only those who are
-/// still due. Cut off, those who are left are due as before. Returns whom it erased. Throws StoreError
+/// Erases these people, each as erase_person() does, with the reason that their time is over; only those who
+/// are still due. Cut off, those who are left are due as before. Returns whom it erased. Throws StoreError
 /// conflict where one of them is not due any more, before anybody is erased; as erase_person().
 std::vector<std::string> erase_due(const Store& store, const Session& director,
                                    const std::vector<std::string>& person_ids,

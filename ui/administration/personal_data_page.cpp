@@ -26,8 +26,10 @@ PersonalDataPage::PersonalDataPage(Context& context) : Page(context, "personal_d
     bar_ = new JobBar;
     connect(bar_, &JobBar::cancelled, this, &PersonalDataPage::ended);
     layout->addWidget(bar_);
-    layout->addWidget(build_person());
-    layout->addWidget(build_retention());
+    closed_ = make_label(tr("The demonstration holds simulated people only."), "muted");
+    layout->addWidget(closed_);
+    layout->addWidget(person_card_ = build_person());
+    layout->addWidget(retention_card_ = build_retention());
     layout->addStretch(1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -52,8 +54,8 @@ QFrame* PersonalDataPage::build_person() {
     card_layout(card)->addWidget(rows_);
     export_ = make_button(tr("Write to a folder …"), "export_all", "primary");
     connect(export_, &QPushButton::clicked, this, [this] {
-        const QString folder = QFileDialog::getSaveFileName(this, tr("New folder for the data"), {}, {}, nullptr,
-                                                            QFileDialog::DontConfirmOverwrite);
+        const QString folder = QFileDialog::getSaveFileName(this, tr("New folder for the data"), {}, {},
+                                                            nullptr, QFileDialog::DontConfirmOverwrite);
         if (!folder.isEmpty()) export_to(folder);
     });
     card_layout(card)->addWidget(export_, 0, Qt::AlignLeft);
@@ -81,10 +83,10 @@ QFrame* PersonalDataPage::build_person() {
 QFrame* PersonalDataPage::build_retention() {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(tr("How long data are kept"), "heading"));
-    card_layout(card)->addWidget(
-        make_label(tr("Trainees whose last practice or sign-in is longer ago are listed here. Nobody is erased "
-                      "until you do it."),
-                   "muted"));
+    card_layout(card)->addWidget(make_label(
+        tr("Trainees whose last practice or sign-in is longer ago are listed here. Nobody is erased "
+           "until you do it."),
+        "muted"));
     auto* holder = new QWidget;
     auto* row = new FlowRow(holder);
     limited_ = new QCheckBox(tr("Keep data of trainees for"));
@@ -130,6 +132,11 @@ std::string PersonalDataPage::chosen() const {
 }
 
 void PersonalDataPage::enter() {
+    const bool open = context().allowed(database::Operation::export_all);
+    closed_->setVisible(!open);
+    person_card_->setVisible(open);
+    retention_card_->setVisible(open);
+    if (!open) return;
     fill_people();
     show_retention();
     person_->setFocus();
@@ -137,7 +144,7 @@ void PersonalDataPage::enter() {
 
 void PersonalDataPage::leave() {
     if (job_ != nullptr) job_->cancel();
-    ended();
+    job_ = nullptr;
 }
 
 void PersonalDataPage::fill_people() {
@@ -170,8 +177,10 @@ void PersonalDataPage::look() {
             for (const database::ErasedRows& one : found.rows) {
                 const int row = rows_->rowCount();
                 rows_->insertRow(row);
-                rows_->setItem(row, 0, make_cell(capital(sentence_text(database::title_of_table(one.table)))));
-                rows_->setItem(row, 1, make_cell(QString::number(one.rows), Qt::AlignRight | Qt::AlignVCenter));
+                rows_->setItem(row, 0,
+                               make_cell(capital(sentence_text(database::title_of_table(one.table)))));
+                rows_->setItem(row, 1,
+                               make_cell(QString::number(one.rows), Qt::AlignRight | Qt::AlignVCenter));
             }
             what_->setText(tr("Recordings in this store: %1").arg(found.traces));
         });
@@ -213,8 +222,8 @@ void PersonalDataPage::export_to(const QString& folder) {
                path = context().store().path()](const Progress& progress) {
                   database::StoreOptions options;
                   options.close_interrupted = false;
-                  *done = database::export_person_data(database::Store::open(path, options), session, person, to,
-                                                       progress, words_in_use);
+                  *done = database::export_person_data(database::Store::open(path, options), session, person,
+                                                       to, progress, words_in_use);
               },
               [this, done, folder] {
                   ended();
@@ -236,7 +245,8 @@ void PersonalDataPage::erase() {
             database::erase_person(context().store(), context().session(), person,
                                    plain(reason_->text().trimmed()), false);
         }))
-        context().say(tr("Erased. A backup from before still has the person; restoring it erases them again."));
+        context().say(
+            tr("Erased. A backup from before still has the person; restoring it erases them again."));
     fill_people();
     show_retention();
 }
@@ -259,10 +269,11 @@ void PersonalDataPage::show_retention() {
         due_table_->setItem(row, 0, make_cell(text(one.display_name)));
         due_table_->setItem(row, 1, make_cell(text(one.login)));
         due_table_->setItem(row, 2, make_cell(local_time(one.last)));
-        due_table_->setItem(row, 3, make_cell(QString::number(one.attempts), Qt::AlignRight | Qt::AlignVCenter));
+        due_table_->setItem(row, 3,
+                            make_cell(QString::number(one.attempts), Qt::AlignRight | Qt::AlignVCenter));
     }
     fit_columns(due_table_, {2});
-    due_text_->setText(!months       ? tr("No end is set: nobody is due.")
+    due_text_->setText(!months        ? tr("No end is set: nobody is due.")
                        : due_.empty() ? tr("Nobody is due.")
                                       : tr("%n people are due.", nullptr, static_cast<int>(due_.size())));
     due_table_->setVisible(!due_.empty());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For directors: what is stored about one person, a copy of it for that person, and its erasure; how long data
-// of trainees are kept, and who is due. Nothing is erased without a look at what it is and a second click.
+// For directors: what is stored about one person, a copy of it for that person, and its erasure; how long
+// data of trainees are kept, and who is due. Nothing is erased without a look at what it is and a second
+// click.
 #pragma once
 
 #include <vector>
@@ -47,6 +48,8 @@ class PersonalDataPage : public Page {
     void ended();
 
     std::vector<database::DuePerson> due_;
+    QFrame *person_card_, *retention_card_;
+    QLabel* closed_;
     QComboBox* person_;
     QLabel *what_, *due_text_;
     QTableWidget *rows_, *due_table_;

@@ -207,9 +207,10 @@ void StationPage::check() {
 }
 
 void StationPage::show_report(const database::CheckReport& report) {
-    verdict_->setText(report.ok ? tr("✓ The store is intact.")
-                                : tr("✕ The store is damaged. Restore the newest backup: what is in the store "
-                                     "now is kept under another name."));
+    verdict_->setText(report.ok
+                          ? tr("✓ The store is intact.")
+                          : tr("✕ The store is damaged. Restore the newest backup: what is in the store "
+                               "now is kept under another name."));
     set_tint(verdict_, report.ok ? Tint::good : Tint::bad);
     verdict_->show();
     items_->setRowCount(0);

@@ -93,7 +93,8 @@ QFrame* FirstStartPage::build_join() {
     auto* restore_holder = new QWidget;
     auto* restore_row = new FlowRow(restore_holder);
     restore_row->add(
-        make_label(tr("Is there a backup of a programme, from this machine or another one?"), "muted"), 1, 300);
+        make_label(tr("Is there a backup of a programme, from this machine or another one?"), "muted"), 1,
+        300);
     QPushButton* restore = make_button(tr("Restore a backup"), "first_restore");
     connect(restore, &QPushButton::clicked, this, &FirstStartPage::restore_wanted);
     restore_row->add(restore);

@@ -333,7 +333,8 @@ void MainWindow::session_changed() {
     if (!context_.signed_in()) {
         // Nothing of one person's screens stays for the next.
         for (auto& [type, old] : pages_) {
-            if (old == page<FirstStartPage>() || old == page<SignInPage>() || old == page<RepairPage>()) continue;
+            if (old == page<FirstStartPage>() || old == page<SignInPage>() || old == page<RepairPage>())
+                continue;
             old->leave();
             stack_->removeWidget(old);
             old->deleteLater();

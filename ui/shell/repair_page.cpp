@@ -117,8 +117,9 @@ QFrame* RepairPage::build_other_ways() {
     card_layout(card)->addWidget(holder);
     aside_confirm_ = make_card(8);
     card_layout(aside_confirm_)
-        ->addWidget(make_label(tr("The file stays in its folder, with \".damaged\" and the time behind its name. "
-                                  "Fulcrum then begins with an empty store; a backup can be restored later.")));
+        ->addWidget(
+            make_label(tr("The file stays in its folder, with \".damaged\" and the time behind its name. "
+                          "Fulcrum then begins with an empty store; a backup can be restored later.")));
     auto* sure = new QWidget;
     auto* sure_row = new FlowRow(sure);
     QPushButton* confirm = make_button(tr("Give it another name"), "put_aside_confirm", "primary");
@@ -210,8 +211,9 @@ void RepairPage::look() {
 void RepairPage::show_backups() {
     QStringList folders;
     for (const std::string& folder : folders_) folders << text(folder);
-    searched_->setText(backups_.empty() ? tr("No backup was found in %1.").arg(folders.join(QStringLiteral(", ")))
-                                        : tr("Found in %1.").arg(folders.join(QStringLiteral(", "))));
+    searched_->setText(backups_.empty()
+                           ? tr("No backup was found in %1.").arg(folders.join(QStringLiteral(", ")))
+                           : tr("Found in %1.").arg(folders.join(QStringLiteral(", "))));
     searched_->setVisible(!folders.isEmpty());
     const QSignalBlocker quiet(table_);
     table_->setRowCount(0);
@@ -226,12 +228,12 @@ void RepairPage::show_backups() {
         for (const Sentence& problem : one.problems) problems << sentence_text(problem);
         table_->setItem(row, 0, make_cell(local_time(one.newest > 0 ? one.newest : one.written)));
         table_->setItem(row, 1, make_cell(text(one.programme)));
-        table_->setItem(row, 2,
-                        make_cell(tr("%n people", nullptr, static_cast<int>(one.people)) +
-                                  QStringLiteral(", ") +
-                                  tr("%n attempts", nullptr, static_cast<int>(one.attempts))));
-        table_->setItem(row, 3,
-                        make_cell(QLocale().formattedDataSize(one.bytes, 1, QLocale::DataSizeTraditionalFormat)));
+        table_->setItem(
+            row, 2,
+            make_cell(tr("%n people", nullptr, static_cast<int>(one.people)) + QStringLiteral(", ") +
+                      tr("%n attempts", nullptr, static_cast<int>(one.attempts))));
+        table_->setItem(
+            row, 3, make_cell(QLocale().formattedDataSize(one.bytes, 1, QLocale::DataSizeTraditionalFormat)));
         table_->setItem(row, 4, make_cell(sound ? tr("✓ no damage found") : tr("✕ cannot be used")));
         set_tint(table_->item(row, 4), sound ? Tint::good : Tint::bad);
         table_->item(row, 4)->setToolTip(problems.join(QLatin1Char('\n')));

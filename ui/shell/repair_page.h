@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shown where the store cannot be used, with what is wrong and what can be done; and where an administrator, or
-// whoever sets up a new machine, wants to put a backup in its place. No store is open while it is shown.
+// Shown where the store cannot be used, with what is wrong and what can be done; and where an administrator,
+// or whoever sets up a new machine, wants to put a backup in its place. No store is open while it is shown.
 #pragma once
 
 #include "database/store/backup_list.h"

@@ -169,9 +169,11 @@ TEST_F(CommandLine, ExportsAllOfAPersonAndSetsTheTimeForKeepingDataAsTheTableSay
             const std::string name = cell(Operation::export_all, role, *target);
             const bool expected =
                 expected_allowed(Operation::export_all, role, programme.relation(role, *target));
-            EXPECT_EQ(allowed({"people", "export", target->login, "--dry-run"}, role, name), expected) << name;
+            EXPECT_EQ(allowed({"people", "export", target->login, "--dry-run"}, role, name), expected)
+                << name;
             const std::string folder = file("export-" + std::to_string(++number));
-            EXPECT_EQ(allowed({"people", "export", target->login, "-o", folder}, role, name), expected) << name;
+            EXPECT_EQ(allowed({"people", "export", target->login, "-o", folder}, role, name), expected)
+                << name;
             EXPECT_EQ(QFile::exists(QString::fromStdString(folder + "/index.html")), expected) << name;
         }
         const std::string name = std::string("retention as ") + role_name(role);

@@ -56,9 +56,10 @@ class SimulationCheck : public ::testing::Test {
             trigger = row.text(0);
         }
         execute("DROP TRIGGER trace_chunk_is_fixed");
-        database::Query(station.store.connection(),
-                        "UPDATE trace_chunk SET data = ?, checksum = ? WHERE attempt_id = ? AND stream = ? AND "
-                        "number = ?")
+        database::Query(
+            station.store.connection(),
+            "UPDATE trace_chunk SET data = ?, checksum = ? WHERE attempt_id = ? AND stream = ? AND "
+            "number = ?")
             .bind(chunk.data)
             .bind(chunk.checksum)
             .bind(id)
@@ -70,7 +71,8 @@ class SimulationCheck : public ::testing::Test {
     /// What the station's key signs says that the records are as they are now.
     void sign_again(const std::string& id) const {
         database::Audit(station.store)
-            .append(station.session, id, "score.add", "{}", {{RecordKind::attempt, id}, {RecordKind::trace, id}});
+            .append(station.session, id, "score.add", "{}",
+                    {{RecordKind::attempt, id}, {RecordKind::trace, id}});
     }
     /// The forces of a second, all gone.
     void take_forces_away(const std::string& id) const {
@@ -78,9 +80,10 @@ class SimulationCheck : public ::testing::Test {
         const database::Trace trace = database::Attempts(station.store).read_trace(station.session, id);
         database::TraceChunk stored;
         {
-            database::Query row(station.store.connection(),
-                                "SELECT first_tick, last_tick FROM trace_chunk WHERE attempt_id = ? AND stream = "
-                                "0 AND number = 2");
+            database::Query row(
+                station.store.connection(),
+                "SELECT first_tick, last_tick FROM trace_chunk WHERE attempt_id = ? AND stream = "
+                "0 AND number = 2");
             row.bind(id);
             ASSERT_TRUE(row.next());
             stored.first_tick = static_cast<std::uint32_t>(row.integer(0));
@@ -89,7 +92,8 @@ class SimulationCheck : public ::testing::Test {
         std::vector<TickSample> samples;
         std::vector<RigSample> inputs;
         for (std::size_t i = 0; i < trace.samples.size(); ++i) {
-            if (trace.samples[i].tick < stored.first_tick || trace.samples[i].tick > stored.last_tick) continue;
+            if (trace.samples[i].tick < stored.first_tick || trace.samples[i].tick > stored.last_tick)
+                continue;
             samples.push_back(trace.samples[i]);
             inputs.push_back(trace.inputs[i]);
         }
@@ -136,9 +140,10 @@ TEST_F(SimulationCheck, FindsAnErrorEventThatWasTakenAway) {
     std::vector<Event> events;
     std::int64_t number = -1;
     {
-        database::Query row(station.store.connection(),
-                            "SELECT number, first_tick, last_tick, records FROM trace_chunk WHERE attempt_id = ? "
-                            "AND stream = 3 AND records > 1 ORDER BY number LIMIT 1");
+        database::Query row(
+            station.store.connection(),
+            "SELECT number, first_tick, last_tick, records FROM trace_chunk WHERE attempt_id = ? "
+            "AND stream = 3 AND records > 1 ORDER BY number LIMIT 1");
         row.bind(ids[1]);
         ASSERT_TRUE(row.next());
         number = row.integer(0);
@@ -176,7 +181,9 @@ TEST_F(SimulationCheck, SaysWhatItLeftOut) {
     EXPECT_TRUE(late.ok);
     EXPECT_EQ(late.count, 0);
     EXPECT_NE(words(late.notes).find("the time was over"), std::string::npos);
-    execute("PRAGMA foreign_keys = OFF; DROP TRIGGER attempt_is_fixed; UPDATE attempt SET program_version = '0.0.1'");
+    execute(
+        "PRAGMA foreign_keys = OFF; DROP TRIGGER attempt_is_fixed; UPDATE attempt SET program_version = "
+        "'0.0.1'");
     const database::CheckItem old = check(2);
     EXPECT_TRUE(old.ok);
     EXPECT_NE(words(old.notes).find("2 attempts of other versions"), std::string::npos) << words(old.notes);

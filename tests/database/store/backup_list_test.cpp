@@ -66,9 +66,8 @@ TEST_F(BackupList, LeavesOutWhatIsNoVerifiedCopy) {
     files::create_symlink(good, folder + "/link.db");
     files::copy_file(good, folder + "/fulcrum.db.before-restore-20260101T000000Z");
     files::copy_file(good, folder + "/fulcrum.db.damaged-20260101T000000Z");
-    const DamagedCopy copy = copy_damaged(programme.path, folder, [&](const Store&) {
-        return programme.session("administrator");
-    });
+    const DamagedCopy copy = copy_damaged(programme.path, folder,
+                                          [&](const Store&) { return programme.session("administrator"); });
     EXPECT_TRUE(files::exists(copy.path));
     EXPECT_EQ(names(), std::vector<std::string>{files::path(good).filename().string()});
 }

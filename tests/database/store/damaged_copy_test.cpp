@@ -27,12 +27,13 @@ class DamagedStore : public ::testing::Test {
         file.write(std::string(bytes, '\x5a').data(), static_cast<std::streamsize>(bytes));
     }
     /// A page in the middle, which no row of the accounts is on.
-    void damage_a_page() const { write_at(static_cast<std::streamoff>(files::file_size(programme.path)) - 4096, 4000); }
+    void damage_a_page() const {
+        write_at(static_cast<std::streamoff>(files::file_size(programme.path)) - 4096, 4000);
+    }
     void damage_the_header() const { write_at(0, 100); }
     DamagedCopy copy(const std::string& to, const std::string& login = "administrator") const {
-        return copy_damaged(programme.path, to, [&](const Store& store) {
-            return People(store).sign_in(login, password);
-        });
+        return copy_damaged(programme.path, to,
+                            [&](const Store& store) { return People(store).sign_in(login, password); });
     }
     static std::string bytes_of(const std::string& path) {
         std::ifstream file(path, std::ios::binary);
@@ -45,10 +46,9 @@ class DamagedStore : public ::testing::Test {
 TEST_F(DamagedStore, IsRefusedAsABackupAndCopiedUnderANameThatSaysSo) {
     damage_a_page();
     programme.open();
-    EXPECT_EQ(error_kind([&] {
-                  programme.store->backup(programme.session("administrator"), folder + "/good.db");
-              }),
-              StoreErrorKind::corrupt);
+    EXPECT_EQ(
+        error_kind([&] { programme.store->backup(programme.session("administrator"), folder + "/good.db"); }),
+        StoreErrorKind::corrupt);
     programme.store.reset();
     const DamagedCopy done = copy(folder + "/as-it-is.db");
     EXPECT_EQ(done.path, folder + "/as-it-is-unverified.db");
@@ -100,7 +100,8 @@ TEST_F(DamagedStore, CopyThatIsStoppedLeavesNothing) {
     EXPECT_TRUE(done.stopped);
     damage_the_header();
     EXPECT_TRUE(copy_damaged(
-                    programme.path, folder + "/y.db", [](const Store& store) { return store.station_session(); },
+                    programme.path, folder + "/y.db",
+                    [](const Store& store) { return store.station_session(); },
                     [](double, const std::string&) { return false; })
                     .stopped);
     EXPECT_TRUE(files::is_empty(folder));

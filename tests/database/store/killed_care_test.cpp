@@ -271,7 +271,8 @@ TEST_F(KilledCare, OfACopyOfADamagedStoreLeavesAWholeCopyOrNone) {
         const std::string when = at(point, cut);
         EXPECT_EQ(attempts_in_sound(programme.path, when), (std::set<std::string>{attempt, later})) << when;
         if (files::exists(in("copy-unverified.db"))) {
-            EXPECT_EQ(attempts_in_sound(in("copy-unverified.db"), when), (std::set<std::string>{attempt, later}))
+            EXPECT_EQ(attempts_in_sound(in("copy-unverified.db"), when),
+                      (std::set<std::string>{attempt, later}))
                 << when;
         }
         if (HasFailure()) break;

@@ -89,7 +89,8 @@ TEST_F(QuickLook, FindsATriggerThatIsMissingAndATableThatIsNotOurs) {
 
 TEST_F(QuickLook, FindsANewestAuditRowThatWasChanged) {
     run_sql(
-        "DROP TRIGGER audit_entry_is_fixed; UPDATE audit_entry SET actor_id = 'somebody' WHERE sequence = (SELECT MAX(sequence) FROM "
+        "DROP TRIGGER audit_entry_is_fixed; UPDATE audit_entry SET actor_id = 'somebody' WHERE sequence = "
+        "(SELECT MAX(sequence) FROM "
         "audit_entry)");
     EXPECT_NE(words(look()).find("changed after it was written"), std::string::npos) << words(look());
 }

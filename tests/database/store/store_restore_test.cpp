@@ -255,16 +255,17 @@ TEST_F(Restore, SaysHowFarItIsAndCanBeStoppedUntilTheEnd) {
     for (const int after : {1, 3, 8}) {
         seen.clear();
         stop_after = after;
-        const Replaced done = restore_store(backup, programme.path, sign_in, programme.clock.options(), progress);
+        const Replaced done =
+            restore_store(backup, programme.path, sign_in, programme.clock.options(), progress);
         EXPECT_TRUE(done.stopped) << after;
         EXPECT_TRUE(done.kept.empty());
         EXPECT_TRUE(has(later)) << "nothing was changed";
-        for (const std::string& name : names()) EXPECT_EQ(name.find(".restoring-"), std::string::npos) << name;
+        for (const std::string& name : names())
+            EXPECT_EQ(name.find(".restoring-"), std::string::npos) << name;
     }
     seen.clear();
     stop_after = 1000000;
-    EXPECT_FALSE(
-        restore_store(backup, programme.path, sign_in, programme.clock.options(), progress).stopped);
+    EXPECT_FALSE(restore_store(backup, programme.path, sign_in, programme.clock.options(), progress).stopped);
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
     EXPECT_GT(seen.size(), 10U);
     EXPECT_GT(seen.back(), 0.95);
@@ -274,9 +275,11 @@ TEST_F(Restore, SaysHowFarItIsAndCanBeStoppedUntilTheEnd) {
 TEST_F(Restore, ReplacesAStoreWhoseFirstPageIsGarbageWhereItIsKnownToBeTheStore) {
     for (const char* ending : {"-wal", "-shm"}) files::remove(programme.path + ending);
     std::fstream(programme.path, std::ios::in | std::ios::out | std::ios::binary) << std::string(200, 'x');
-    EXPECT_EQ(error_kind([&] { restore(backup); }), StoreErrorKind::not_a_store) << "it may be the wrong file";
+    EXPECT_EQ(error_kind([&] { restore(backup); }), StoreErrorKind::not_a_store)
+        << "it may be the wrong file";
     const Replaced done = restore_store(
-        backup, programme.path, [](const Store& copy) { return People(copy).sign_in("administrator", password); },
+        backup, programme.path,
+        [](const Store& copy) { return People(copy).sign_in("administrator", password); },
         programme.clock.options(), {}, ReplacedFile::any);
     EXPECT_TRUE(has(attempt));
     std::ifstream kept(done.kept, std::ios::binary);

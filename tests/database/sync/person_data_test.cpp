@@ -2,9 +2,9 @@
 // All that is stored about a person, as a folder for that person.
 #include "database/sync/person_data.h"
 
+#include <zlib.h>
 #include <QDir>
 #include <fstream>
-#include <zlib.h>
 
 #include "database/records/person_merge.h"
 #include "database/sync/erasure.h"
@@ -22,7 +22,8 @@ class PersonData : public ::testing::Test {
     PersonData() {
         attempt = programme.record("ann", true, 70, "A2", {Programme::slip()});
         programme.record("ben");
-        Reviews(*programme.store).write(programme.session("educator"), attempt, 1, "Mind the <left> hand", true);
+        Reviews(*programme.store)
+            .write(programme.session("educator"), attempt, 1, "Mind the <left> hand", true);
     }
     PersonDataExport write(const std::string& folder, const std::string& login = "director",
                            const std::string& person = "ann", const StoreProgress& progress = {}) const {
@@ -138,7 +139,8 @@ TEST_F(PersonData, KilledItLeavesNoFolderThatLooksCompleteAndTheNextTryWorks) {
     const CutOff whole = cut_off(0, deed);
     ASSERT_EQ(whole.status, 0);
     const auto count = [&] {
-        return std::distance(files::recursive_directory_iterator(in("x")), files::recursive_directory_iterator());
+        return std::distance(files::recursive_directory_iterator(in("x")),
+                             files::recursive_directory_iterator());
     };
     const auto complete = count();
     int kills = 0;

@@ -50,7 +50,8 @@ TEST_F(Retention, CountsWhatBelongsToAMergedAccount) {
         .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "one person");
     programme.clock.pass_s(80 * day);
     set_retention_months(*programme.store, director(), 2);
-    EXPECT_EQ(due(), (std::vector<std::string>{"ann", "ben"})) << "the merged account is not listed by itself";
+    EXPECT_EQ(due(), (std::vector<std::string>{"ann", "ben"}))
+        << "the merged account is not listed by itself";
     set_retention_months(*programme.store, director(), 1);
     erase_due(*programme.store, director(), {programme.id("ann")});
     EXPECT_EQ(due(), std::vector<std::string>{"ben"});

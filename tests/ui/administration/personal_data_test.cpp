@@ -99,8 +99,7 @@ TEST_F(PersonalData, SetsHowLongDataAreKeptAndErasesWhoIsDueOnlyWhenItIsSaidTwic
     EXPECT_FALSE(sees(*window, "erase_due"));
     // Tara's last sign-in was two years ago.
     services.store()->connection().execute("UPDATE sign_in SET last = last - 63072000000");
-    services.store()->connection().execute(
-        "UPDATE person SET created = created - 63072000000");
+    services.store()->connection().execute("UPDATE person SET created = created - 63072000000");
     go_to("rail_cohort");
     go_to("rail_data");
     ASSERT_TRUE(sees(*window, "due_people"));

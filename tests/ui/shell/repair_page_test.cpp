@@ -18,7 +18,8 @@ namespace files = std::filesystem;
 
 class Repair : public Screens {
   protected:
-    Repair() : path(services.store_path(false)), folder(files::path(path).parent_path().string() + "/backups") {
+    Repair()
+        : path(services.store_path(false)), folder(files::path(path).parent_path().string() + "/backups") {
         files::create_directory(folder);
         backup = folder + "/monday.db";
         services.store()->backup(sessions.at(Role::administrator), backup);
@@ -145,7 +146,8 @@ TEST_F(Repair, ADamagedBackupIsMarkedAndCannotBeChosenAndAnotherFolderIsSearched
     files::copy_file(backup, elsewhere + "/tuesday.db");
     {
         std::fstream file(backup, std::ios::in | std::ios::out | std::ios::binary);
-        for (std::streamoff at = 8192; at < static_cast<std::streamoff>(files::file_size(backup)); at += 4096) {
+        for (std::streamoff at = 8192; at < static_cast<std::streamoff>(files::file_size(backup));
+             at += 4096) {
             file.seekp(at);
             file.write(std::string(200, '\x5a').data(), 200);
         }
@@ -164,7 +166,7 @@ TEST_F(Repair, ADamagedBackupIsMarkedAndCannotBeChosenAndAnotherFolderIsSearched
     EXPECT_TRUE(find<QPushButton>(*window, "restore_backup")->isEnabled()) << "the sound one is chosen";
 }
 
-TEST_F(Repair, AStoreThatIsOnlyInUseIsNotCalledDamaged) {
+TEST_F(Repair, AStoreThatCannotBeWrittenIsNotCalledDamaged) {
     services.close_store();
     files::permissions(path, files::perms::owner_read);
     open(QSize(1024, 768));
