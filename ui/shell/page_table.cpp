@@ -7,6 +7,7 @@
 #include "ui/administration/audit_page.h"
 #include "ui/administration/cohorts_page.h"
 #include "ui/administration/people_page.h"
+#include "ui/administration/personal_data_page.h"
 #include "ui/administration/station_page.h"
 #include "ui/administration/tissues_page.h"
 #include "ui/dashboards/attempts_page.h"
@@ -58,6 +59,7 @@ const std::vector<PageEntry>& page_table() {
         entry<StationPage> ("rail_station",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Station"),        {administrator}, station_only),
         entry<AuditPage>   ("rail_audit",    QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Audit log"),      {administrator}, station_only),
         entry<CohortsPage> ("rail_assign",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Assign cohorts"), {director}, station_only),
+        entry<PersonalDataPage>("rail_data", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Personal data"), {director}, station_only),
         entry<SchedulesPage>("rail_schedules", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Reports"),      {director}, station_only),
         entry<TissuesPage> ("rail_tissues",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Tissue"),         {educator, director}, station_only),
         entry<SettingsPage>("rail_settings", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Settings"),       {trainee, educator, director, administrator}),

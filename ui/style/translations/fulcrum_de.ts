@@ -1313,6 +1313,58 @@
         <source>TO is a folder: write a file named by the time, and keep the newest N backups of this station there; older ones are removed.</source>
         <translation>TO ist ein Ordner: schreibt dort eine nach der Zeit benannte Datei und behält die neuesten N Sicherungen dieser Station; ältere werden entfernt.</translation>
     </message>
+    <message>
+        <source>Copy a store that does not pass the check, as it is. The name of the copy ends in -unverified.db; it replaces no backup.</source>
+        <translation>Einen Datenbestand, der die Prüfung nicht besteht, so kopieren, wie er ist. Der Name der Kopie endet auf -unverified.db; sie ersetzt keine Sicherung.</translation>
+    </message>
+    <message>
+        <source>Only what the window looks at when it starts, within a second.</source>
+        <translation>Nur das, was das Fenster beim Start ansieht, innerhalb einer Sekunde.</translation>
+    </message>
+    <message>
+        <source>Writes all that is stored about a person to a folder; needs --as, a director.</source>
+        <translation>Schreibt alles, was über eine Person gespeichert ist, in einen Ordner; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>A new folder; index.html says what is in it.</source>
+        <translation>Ein neuer Ordner; index.html sagt, was darin ist.</translation>
+    </message>
+    <message>
+        <source>Only count what would be written.</source>
+        <translation>Nur zählen, was geschrieben würde.</translation>
+    </message>
+    <message>
+        <source>LOGIN is a login or an id. Attempts with scores and recordings, comments, observer forms, decisions, goals and what the audit log has of the person are written as tables (CSV) and recordings (CSV, gzip), with those of accounts that were merged into the person. The audit log says that it was done.</source>
+        <translation>ANMELDENAME ist ein Anmeldename oder eine Kennung. Versuche mit Bewertungen und Aufzeichnungen, Kommentare, Beurteilungsbögen, Entscheidungen, Ziele und was das Protokoll über die Person enthält, werden als Tabellen (CSV) und Aufzeichnungen (CSV, gzip) geschrieben, auch die der Konten, die mit dem der Person zusammengeführt wurden. Das Protokoll vermerkt es.</translation>
+    </message>
+    <message>
+        <source>Shows or sets how long data of trainees are kept, and who is due to be erased.</source>
+        <translation>Zeigt oder legt fest, wie lange Daten von Lernenden aufbewahrt werden und wer zu löschen ist.</translation>
+    </message>
+    <message>
+        <source>Keep data for so many months after the last practice or sign-in.</source>
+        <translation>Daten so viele Monate nach der letzten Übung oder Anmeldung aufbewahren.</translation>
+    </message>
+    <message>
+        <source>Set no end.</source>
+        <translation>Kein Ende festlegen.</translation>
+    </message>
+    <message>
+        <source>Erase the N people who are due; N as the list has it.</source>
+        <translation>Die N Personen löschen, deren Zeit abgelaufen ist; N wie in der Liste.</translation>
+    </message>
+    <message>
+        <source>Needs --as, a director. Trainees with no other role are due, nobody else. Nobody is erased without --erase; it does what `people erase` does. A programme with a server erases there (`server erase`).</source>
+        <translation>Braucht --as, eine Programmleitung. Nur Lernende ohne andere Rolle werden aufgeführt, niemand sonst. Ohne --erase wird niemand gelöscht; es tut dasselbe wie `people erase`. Ein Programm mit einem Server löscht dort (`server erase`).</translation>
+    </message>
+    <message>
+        <source>Simulate so many attempts again from their inputs, drawn by chance, however long it takes; 0: none. Without it: 3, in 20 seconds.</source>
+        <translation>So viele zufällig gezogene Versuche aus ihren Eingaben noch einmal simulieren, wie lange es auch dauert; 0: keinen. Ohne diese Angabe: 3, in 20 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Draw the attempts that a check with this seed has drawn.</source>
+        <translation>Die Versuche ziehen, die eine Prüfung mit diesem Startwert gezogen hat.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -8048,6 +8100,246 @@
         <source>%1: this is not a part of a Fulcrum store</source>
         <translation>%1: das gehört nicht zu einem Fulcrum-Datenspeicher</translation>
     </message>
+    <message>
+        <source>restore the newest backup; nothing was changed (`fulcrum db check` lists all damage)</source>
+        <translation>stellen Sie die neueste Sicherung wieder her; nichts wurde geändert (`fulcrum db check` führt alle Schäden auf)</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>accounts</source>
+        <translation>Konten</translation>
+    </message>
+    <message>
+        <source>criteria of the scores</source>
+        <translation>Kriterien der Bewertungen</translation>
+    </message>
+    <message>
+        <source>measured values</source>
+        <translation>gemessene Werte</translation>
+    </message>
+    <message>
+        <source>critical errors</source>
+        <translation>kritische Fehler</translation>
+    </message>
+    <message>
+        <source>reports on specimens</source>
+        <translation>Befunde zu Präparaten</translation>
+    </message>
+    <message>
+        <source>parts of recordings</source>
+        <translation>Teile von Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>results of attempts, such as specimens</source>
+        <translation>Ergebnisse von Versuchen, etwa Präparate</translation>
+    </message>
+    <message>
+        <source>files that attempts were performed with</source>
+        <translation>Dateien, mit denen Versuche durchgeführt wurden</translation>
+    </message>
+    <message>
+        <source>states that practice began with</source>
+        <translation>Zustände, mit denen Übungen begannen</translation>
+    </message>
+    <message>
+        <source>recordings that are being made</source>
+        <translation>laufende Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>voided attempts</source>
+        <translation>für ungültig erklärte Versuche</translation>
+    </message>
+    <message>
+        <source>attempts that were assigned to another person</source>
+        <translation>Versuche, die einer anderen Person zugeordnet wurden</translation>
+    </message>
+    <message>
+        <source>comments by and about the person</source>
+        <translation>Kommentare der Person und über sie</translation>
+    </message>
+    <message>
+        <source>confirmed and struck errors</source>
+        <translation>bestätigte und gestrichene Fehler</translation>
+    </message>
+    <message>
+        <source>requests for a correction</source>
+        <translation>Bitten um Berichtigung</translation>
+    </message>
+    <message>
+        <source>observer forms</source>
+        <translation>Beurteilungsbögen</translation>
+    </message>
+    <message>
+        <source>items of observer forms</source>
+        <translation>Punkte der Beurteilungsbögen</translation>
+    </message>
+    <message>
+        <source>released observer forms</source>
+        <translation>freigegebene Beurteilungsbögen</translation>
+    </message>
+    <message>
+        <source>reviews that were seen before a rating</source>
+        <translation>Auswertungen, die vor einer Beurteilung angesehen wurden</translation>
+    </message>
+    <message>
+        <source>decisions on the standing</source>
+        <translation>Entscheidungen über den Stand</translation>
+    </message>
+    <message>
+        <source>moves to another curriculum</source>
+        <translation>Umstellungen auf ein anderes Curriculum</translation>
+    </message>
+    <message>
+        <source>personal goals that were dropped</source>
+        <translation>aufgegebene persönliche Ziele</translation>
+    </message>
+    <message>
+        <source>statements for a learning record store</source>
+        <translation>Aussagen für einen Learning Record Store</translation>
+    </message>
+    <message>
+        <source>passwords (stored as verifiers)</source>
+        <translation>Passwörter (als Prüfwerte gespeichert)</translation>
+    </message>
+    <message>
+        <source>roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>memberships of cohorts</source>
+        <translation>Zugehörigkeiten zu Gruppen</translation>
+    </message>
+    <message>
+        <source>cohorts that the person teaches</source>
+        <translation>Gruppen, die die Person ausbildet</translation>
+    </message>
+    <message>
+        <source>last sign-in at each station</source>
+        <translation>letzte Anmeldung an jedem Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>audit log: what was done to and by the person</source>
+        <translation>Protokoll: was an der Person und von ihr getan wurde</translation>
+    </message>
+    <message>
+        <source>%1: another export is being written there</source>
+        <translation>%1: Dorthin wird gerade ein anderer Export geschrieben</translation>
+    </message>
+    <message>
+        <source>wait until it is complete, or choose another name</source>
+        <translation>warten Sie, bis er vollständig ist, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>What %1 has stored about a person</source>
+        <translation>Was %1 über eine Person gespeichert hat</translation>
+    </message>
+    <message>
+        <source>all files</source>
+        <translation>alle Dateien</translation>
+    </message>
+    <message>
+        <source>Files of tables open in a spreadsheet; times are UTC. Recordings are packed with gzip. The password is not stored, only a verifier of it, which is not in these files.</source>
+        <translation>Die Dateien der Tabellen lassen sich in einer Tabellenkalkulation öffnen; Zeiten sind in UTC. Aufzeichnungen sind mit gzip gepackt. Das Passwort ist nicht gespeichert, nur ein Prüfwert davon, der nicht in diesen Dateien ist.</translation>
+    </message>
+    <message>
+        <source>writing the recordings</source>
+        <translation>Aufzeichnungen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>data cannot be kept for %1 months</source>
+        <translation>Daten können nicht %1 Monate aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>%1: this person is not due to be erased</source>
+        <translation>%1: Die Zeit dieser Person ist nicht abgelaufen</translation>
+    </message>
+    <message>
+        <source>look at the list again; nobody was erased</source>
+        <translation>sehen Sie die Liste noch einmal an; niemand wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>erasing people</source>
+        <translation>Personen werden gelöscht</translation>
+    </message>
+    <message>
+        <source>cannot be used with --keep</source>
+        <translation>lässt sich nicht mit --keep verwenden</translation>
+    </message>
+    <message>
+        <source>a copy that nobody has verified replaces no backup</source>
+        <translation>eine Kopie, die niemand geprüft hat, ersetzt keine Sicherung</translation>
+    </message>
+    <message>
+        <source>name a new folder for the files</source>
+        <translation>nennen Sie einen neuen Ordner für die Dateien</translation>
+    </message>
+    <message>
+        <source>%1 people are due, not %2</source>
+        <translation>die Zeit von %1 Personen ist abgelaufen, nicht von %2</translation>
+    </message>
+    <message>
+        <source>look at the list again (without --erase), then give its number</source>
+        <translation>sehen Sie die Liste noch einmal an (ohne --erase), und nennen Sie dann ihre Anzahl</translation>
+    </message>
+    <message>
+        <source>cannot be used with --months and --off</source>
+        <translation>lässt sich nicht mit --months und --off verwenden</translation>
+    </message>
+    <message>
+        <source>set the time first, then look at the list</source>
+        <translation>legen Sie zuerst die Zeit fest, und sehen Sie dann die Liste an</translation>
+    </message>
+    <message>
+        <source>attempt %1: its record is not what its inputs give, from %2 s on</source>
+        <translation>Versuch %1: Seine Aufzeichnung ist ab %2 s nicht das, was seine Eingaben ergeben</translation>
+    </message>
+    <message>
+        <source>attempt %1: it ends in another state than the store has of it</source>
+        <translation>Versuch %1: Er endet in einem anderen Zustand, als der Datenbestand von ihm hat</translation>
+    </message>
+    <message>
+        <source>attempt %1: its events are not those that its inputs give</source>
+        <translation>Versuch %1: Seine Ereignisse sind nicht die, die seine Eingaben ergeben</translation>
+    </message>
+    <message>
+        <source>attempt %1: its score is not what its record gives</source>
+        <translation>Versuch %1: Seine Bewertung ist nicht das, was seine Aufzeichnung ergibt</translation>
+    </message>
+    <message>
+        <source>%1 attempts drawn of %2 with the seed %3</source>
+        <translation>%1 von %2 Versuchen mit dem Startwert %3 gezogen</translation>
+    </message>
+    <message>
+        <source>%1 attempts of other versions of the program, or taken over from a moment, cannot be simulated here</source>
+        <translation>%1 Versuche anderer Versionen der Software oder solche, die ab einem Moment übernommen wurden, lassen sich hier nicht simulieren</translation>
+    </message>
+    <message>
+        <source>attempt %1: not simulated, the time was over</source>
+        <translation>Versuch %1: nicht simuliert, die Zeit war abgelaufen</translation>
+    </message>
+    <message>
+        <source>attempt %1: not simulated, its task&apos;s file was changed since</source>
+        <translation>Versuch %1: nicht simuliert, die Datei seiner Aufgabe wurde seither geändert</translation>
+    </message>
+    <message>
+        <source>attempt %1: simulated, %2 samples compared</source>
+        <translation>Versuch %1: simuliert, %2 Abtastwerte verglichen</translation>
+    </message>
+    <message>
+        <source>attempt %1: simulated until the time was over</source>
+        <translation>Versuch %1: simuliert, bis die Zeit abgelaufen war</translation>
+    </message>
+    <message>
+        <source>attempt %1: not simulated (%2)</source>
+        <translation>Versuch %1: nicht simuliert (%2)</translation>
+    </message>
+    <message>
+        <source>attempt %1: cannot be read (%2)</source>
+        <translation>Versuch %1: nicht lesbar (%2)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -12918,10 +13210,6 @@ Kennzahlen: %2</translation>
         <translation>Ein Simulator für die laparoskopische Rektumchirurgie mit seinem Ausbildungsprogramm: Aufgaben, Bewertungen mit ihren Belegen, Durchsichten und Berichte.</translation>
     </message>
     <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
-    </message>
-    <message>
         <source>Create programme</source>
         <translation>Programm anlegen</translation>
     </message>
@@ -13016,6 +13304,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Join a programme</source>
         <translation>Einem Programm beitreten</translation>
+    </message>
+    <message>
+        <source>Is there a backup of a programme, from this machine or another one?</source>
+        <translation>Gibt es eine Sicherung eines Programms, von diesem Rechner oder einem anderen?</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -14829,6 +15125,162 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::PersonalDataPage</name>
+    <message>
+        <source>Personal data</source>
+        <translation>Personendaten</translation>
+    </message>
+    <message>
+        <source>One person</source>
+        <translation>Eine Person</translation>
+    </message>
+    <message>
+        <source>All that this store holds about a person: look at it, write it to a folder for the person, or erase it. The audit log says that it was done.</source>
+        <translation>Alles, was dieser Datenbestand über eine Person enthält: ansehen, für die Person in einen Ordner schreiben oder löschen. Das Protokoll vermerkt es.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Stored</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Write to a folder …</source>
+        <translation>In einen Ordner schreiben …</translation>
+    </message>
+    <message>
+        <source>New folder for the data</source>
+        <translation>Neuer Ordner für die Daten</translation>
+    </message>
+    <message>
+        <source>Reason for erasing; it stays, so name nobody in it</source>
+        <translation>Grund für das Löschen; er bleibt erhalten, nennen Sie darin niemanden</translation>
+    </message>
+    <message>
+        <source>Reason for erasing</source>
+        <translation>Grund für das Löschen</translation>
+    </message>
+    <message>
+        <source>Erase this person</source>
+        <translation>Diese Person löschen</translation>
+    </message>
+    <message>
+        <source>Erase for good</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+    <message>
+        <source>How long data are kept</source>
+        <translation>Wie lange Daten aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>Trainees whose last practice or sign-in is longer ago are listed here. Nobody is erased until you do it.</source>
+        <translation>Lernende, deren letzte Übung oder Anmeldung länger zurückliegt, werden hier aufgeführt. Niemand wird gelöscht, bis Sie es tun.</translation>
+    </message>
+    <message>
+        <source>Keep data of trainees for</source>
+        <translation>Daten von Lernenden aufbewahren:</translation>
+    </message>
+    <message>
+        <source>Months after the last practice</source>
+        <translation>Monate nach der letzten Übung</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>months after the last practice</source>
+        <translation>Monate nach der letzten Übung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Last practice</source>
+        <translation>Letzte Übung</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Erase all listed</source>
+        <translation>Alle aufgeführten löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Erase %n people for good</source>
+        <translation>
+            <numerusform>%n Person endgültig löschen</numerusform>
+            <numerusform>%n Personen endgültig löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>nobody chosen</source>
+        <translation>niemand gewählt</translation>
+    </message>
+    <message>
+        <source>Recordings in this store: %1</source>
+        <translation>Aufzeichnungen in diesem Datenbestand: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1. Give it to the person, and delete it.</source>
+        <translation>Geschrieben nach %1. Geben Sie es der Person, und löschen Sie es.</translation>
+    </message>
+    <message>
+        <source>Writing the data …</source>
+        <translation>Die Daten werden geschrieben …</translation>
+    </message>
+    <message>
+        <source>Erased. A backup from before still has the person; restoring it erases them again.</source>
+        <translation>Gelöscht. Eine ältere Sicherung enthält die Person noch; beim Wiederherstellen wird sie wieder gelöscht.</translation>
+    </message>
+    <message>
+        <source>No end is set: nobody is due.</source>
+        <translation>Es ist kein Ende festgelegt: Niemand ist zu löschen.</translation>
+    </message>
+    <message>
+        <source>Nobody is due.</source>
+        <translation>Niemand ist zu löschen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are due.</source>
+        <translation>
+            <numerusform>%n Person ist zu löschen.</numerusform>
+            <numerusform>%n Personen sind zu löschen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>Gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were erased.</source>
+        <translation>
+            <numerusform>%n Person wurde gelöscht.</numerusform>
+            <numerusform>%n Personen wurden gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erasing …</source>
+        <translation>Es wird gelöscht …</translation>
+    </message>
+    <message>
+        <source>The demonstration holds simulated people only.</source>
+        <translation>Die Vorführung enthält nur simulierte Personen.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::PictureCard</name>
     <message>
         <source>Picture</source>
@@ -15190,6 +15642,171 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>any</source>
         <translation>beliebig</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RepairPage</name>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The backup is read from end to end before it takes the store&apos;s place. What is there now is kept under another name. What was done after the backup is not in it.</source>
+        <translation>Die Sicherung wird ganz gelesen, bevor sie an die Stelle des Datenbestands tritt. Was jetzt dort ist, bleibt unter einem anderen Namen erhalten. Was nach der Sicherung getan wurde, ist nicht in ihr.</translation>
+    </message>
+    <message>
+        <source>Last entry</source>
+        <translation>Letzter Eintrag</translation>
+    </message>
+    <message>
+        <source>Programme</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Look in another folder …</source>
+        <translation>In einem anderen Ordner suchen …</translation>
+    </message>
+    <message>
+        <source>Folder with backups</source>
+        <translation>Ordner mit Sicherungen</translation>
+    </message>
+    <message>
+        <source>Administrator of the backup</source>
+        <translation>Administrator der Sicherung</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Restore this backup</source>
+        <translation>Diese Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Other ways</source>
+        <translation>Andere Wege</translation>
+    </message>
+    <message>
+        <source>Keep the file under another name</source>
+        <translation>Datei unter anderem Namen behalten</translation>
+    </message>
+    <message>
+        <source>Open another programme …</source>
+        <translation>Anderes Programm öffnen …</translation>
+    </message>
+    <message>
+        <source>Store of another programme</source>
+        <translation>Datenbestand eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>Store (*.db)</source>
+        <translation>Datenbestand (*.db)</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Umsehen</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The file stays in its folder, with &quot;.damaged&quot; and the time behind its name. Fulcrum then begins with an empty store; a backup can be restored later.</source>
+        <translation>Die Datei bleibt in ihrem Ordner, mit „.damaged“ und der Zeit hinter ihrem Namen. Fulcrum beginnt dann mit einem leeren Datenbestand; eine Sicherung lässt sich später wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Give it another name</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The store is damaged</source>
+        <translation>Der Datenbestand ist beschädigt</translation>
+    </message>
+    <message>
+        <source>The store cannot be opened</source>
+        <translation>Der Datenbestand lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The store: %1</source>
+        <translation>Der Datenbestand: %1</translation>
+    </message>
+    <message>
+        <source>Looking for backups …</source>
+        <translation>Sicherungen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>No backup was found in %1.</source>
+        <translation>In %1 wurde keine Sicherung gefunden.</translation>
+    </message>
+    <message>
+        <source>Found in %1.</source>
+        <translation>Gefunden in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ no damage found</source>
+        <translation>✓ kein Schaden gefunden</translation>
+    </message>
+    <message>
+        <source>✕ cannot be used</source>
+        <translation>✕ nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>The backup was restored.</source>
+        <translation>Die Sicherung wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What was there before is kept in %1</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Was vorher dort war, ist erhalten in %1</translation>
+    </message>
+    <message>
+        <source>Restoring the backup …</source>
+        <translation>Die Sicherung wird wiederhergestellt …</translation>
+    </message>
+    <message>
+        <source>The file is kept in %1</source>
+        <translation>Die Datei ist erhalten in %1</translation>
     </message>
 </context>
 <context>
@@ -16440,10 +17057,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>✓ Der Datenbestand ist unversehrt.</translation>
     </message>
     <message>
-        <source>✕ The store is damaged. Copy the file away before anything else, then restore the newest backup.</source>
-        <translation>✕ Der Datenbestand ist beschädigt. Kopieren Sie zuallererst die Datei an einen anderen Ort, stellen Sie dann die neueste Sicherung wieder her.</translation>
-    </message>
-    <message>
         <source>✓ intact</source>
         <translation>✓ unversehrt</translation>
     </message>
@@ -16534,6 +17147,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>✕ not signed by the previous key</source>
         <translation>✕ vom vorigen Schlüssel nicht unterschrieben</translation>
+    </message>
+    <message>
+        <source>A backup can take the place of the store. You are signed out for that; the backup&apos;s administrator signs in, and what is in the store now is kept under another name.</source>
+        <translation>Eine Sicherung kann an die Stelle des Datenbestands treten. Sie werden dafür abgemeldet; ein Administrator der Sicherung meldet sich an, und was jetzt im Datenbestand ist, bleibt unter einem anderen Namen erhalten.</translation>
+    </message>
+    <message>
+        <source>Restore a backup …</source>
+        <translation>Sicherung wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>✕ The store is damaged. Restore the newest backup: what is in the store now is kept under another name.</source>
+        <translation>✕ Der Datenbestand ist beschädigt. Stellen Sie die neueste Sicherung wieder her: Was jetzt im Datenbestand ist, bleibt unter einem anderen Namen erhalten.</translation>
     </message>
 </context>
 <context>
@@ -17618,6 +18243,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Reviews of errors: all</source>
         <translation>Durchsicht von Fehlern: alle</translation>
     </message>
+    <message>
+        <source>All data of the person exported</source>
+        <translation>Alle Daten der Person exportiert</translation>
+    </message>
+    <message>
+        <source>Time for keeping data set</source>
+        <translation>Aufbewahrungszeit festgelegt</translation>
+    </message>
+    <message>
+        <source>Damaged store copied, unverified</source>
+        <translation>Beschädigter Datenbestand kopiert, ungeprüft</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::certificate</name>
@@ -17947,6 +18584,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>confirm or strike this error</source>
         <translation>diesen Fehler bestätigen oder streichen</translation>
     </message>
+    <message>
+        <source>export all that is stored about this person</source>
+        <translation>alles exportieren, was über diese Person gespeichert ist</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::goals</name>
@@ -18172,6 +18813,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Reports</source>
         <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>Personal data</source>
+        <translation>Personendaten</translation>
     </message>
 </context>
 <context>

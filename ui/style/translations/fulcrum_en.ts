@@ -291,4 +291,45 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>fulcrum::ui::PersonalDataPage</name>
+    <message numerus="yes">
+        <source>Erase %n people for good</source>
+        <translation>
+            <numerusform>Erase %n person for good</numerusform>
+            <numerusform>Erase %n people for good</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are due.</source>
+        <translation>
+            <numerusform>%n person is due.</numerusform>
+            <numerusform>%n people are due.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were erased.</source>
+        <translation>
+            <numerusform>%n person was erased.</numerusform>
+            <numerusform>%n people were erased.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RepairPage</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
