@@ -37,6 +37,16 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ChartFrame</name>
+    <message numerus="yes">
+        <source>%n rows were copied.</source>
+        <translation>
+            <numerusform>%n row was copied.</numerusform>
+            <numerusform>%n rows were copied.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::CohortPage</name>
     <message numerus="yes">
         <source>%n people</source>
@@ -98,6 +108,68 @@
         <translation>
             <numerusform>✕ %n problem</numerusform>
             <numerusform>✕ %n problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardPage</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardTexts</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>plan: all tasks in %n weeks</source>
+        <translation>
+            <numerusform>plan: all tasks in %n week</numerusform>
+            <numerusform>plan: all tasks in %n weeks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n have not begun</source>
+        <translation>
+            <numerusform>%n has not begun</numerusform>
+            <numerusform>%n have not begun</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n people who tried are not there yet</source>
+        <translation>
+            <numerusform>%1: %n person who tried is not there yet</numerusform>
+            <numerusform>%1: %n people who tried are not there yet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>week of %1: %n attempts</source>
+        <translation>
+            <numerusform>week of %1: %n attempt</numerusform>
+            <numerusform>week of %1: %n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n check</numerusform>
+            <numerusform>%n checks</numerusform>
         </translation>
     </message>
 </context>
