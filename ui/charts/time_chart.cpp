@@ -110,7 +110,7 @@ void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::Pen
 void TimeChart::add_band(const QString& name, QColor Palette::*colour, const std::vector<ChartBand>& band) {
     auto* low = new QLineSeries;
     auto* high = new QLineSeries;
-    Band added{new QAreaSeries(high, low), new QLineSeries, colour, 0, 0};
+    Band added{new QAreaSeries(high, low), new QLineSeries, colour, band, 0, 0};
     low->setParent(added.area);
     high->setParent(added.area);
     for (const ChartBand& at : band) {
@@ -226,7 +226,9 @@ void TimeChart::refresh() {
         for (const ChartPoint& point : points) shown.push_back({point.x, point.y});
         series.line->replace(shown);
     }
+    describe();
     viewport()->update();
+    emit points_changed();
 }
 
 double TimeChart::time_at(const QPoint& position) const {
@@ -271,6 +273,7 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
         words.moveTop(y - area.top() < words.height() + 4 ? y + 2 : y - words.height() - 2);
         painter->drawText(words, flags, name);
     }
+    if (peaks_shown_) draw_peaks(*painter, area);
     for (const ChartMark& mark : marks_) {
         if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;
         const double x = x_of(mark.time);

@@ -7,8 +7,10 @@
 
 #include <QChartView>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "ui/charts/chart_table.h"
 #include "ui/charts/decimation.h"
 #include "ui/style/palette.h"
 
@@ -59,6 +61,18 @@ class TimeChart : public QtCharts::QChartView {
     void show_range(double from, double to);
     void clear();
     void set_y_title(const QString& title);
+    /// Of the values, such as "N"; in the names of columns and at peaks.
+    void set_unit(const QString& unit);
+    /// Marks the highest sample of each series in view, with its value and unit.
+    void show_peaks(bool shown) { peaks_shown_ = shown; }
+    /// The highest sample of a series in view; none where it has no sample there or only zeros.
+    std::optional<ChartPoint> peak_of(std::size_t series) const;
+    /// Times of the points that are drawn, rising.
+    std::vector<double> times_drawn() const;
+    /// Of the series and bands, in the order of the cells of add_values().
+    std::vector<ChartColumn> columns() const;
+    /// What the series and bands are at this time.
+    void add_values(double time, std::vector<ChartCell>& cells) const;
     /// The names of the series above the plot; the title of the time axis below it.
     void show_names(bool shown);
     void show_time_title(bool shown);
@@ -72,6 +86,8 @@ class TimeChart : public QtCharts::QChartView {
     void range_changed(double from, double to);
     /// A range was selected here, from < to.
     void range_selected(double from, double to);
+    /// Other points are drawn.
+    void points_changed();
 
   protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
@@ -97,9 +113,12 @@ class TimeChart : public QtCharts::QChartView {
         QtCharts::QAreaSeries* area = nullptr;
         QtCharts::QLineSeries* middle = nullptr;
         QColor Palette::*colour = &Palette::neutral;
+        std::vector<ChartBand> data = {};
         double highest = 0, last = 0;
     };
     void draw_selection(QPainter& painter, const QRectF& area) const;
+    void draw_peaks(QPainter& painter, const QRectF& area) const;
+    void describe();
     /// As many as the plot's width can show, never more than chart_point_limit.
     std::size_t points_wanted() const;
     void refresh();
@@ -119,7 +138,8 @@ class TimeChart : public QtCharts::QChartView {
     QPoint pressed_at_;
     double pressed_from_ = 0, pressed_to_ = 1;
     double selected_from_ = 0, selected_to_ = 0;
-    bool pressed_ = false, dragged_ = false, selects_ = false, selecting_ = false;
+    bool pressed_ = false, dragged_ = false, selects_ = false, selecting_ = false, peaks_shown_ = false;
+    QString unit_;
 };
 
 }  // namespace fulcrum::ui

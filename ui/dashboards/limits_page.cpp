@@ -13,6 +13,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
 #include "sim_core/scene/standard_names.h"
+#include "ui/charts/chart_frame.h"
 #include "ui/dashboards/limits_chart.h"
 #include "ui/page/station_note.h"
 #include "ui/style/flow_row.h"
@@ -77,11 +78,10 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
                                  "muted"));
     layout->addWidget(make_choice());
     QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Limits of each benchmark set"), "heading"));
     count_ = make_label({}, "muted");
     card_layout(card)->addWidget(count_);
     chart_ = new LimitsChart;
-    card_layout(card)->addWidget(chart_);
+    card_layout(card)->addWidget(new ChartFrame(chart_, tr("Limits of each benchmark set"), "set_limits"));
     layout->addWidget(card);
     QFrame* passes = make_card(8);
     card_layout(passes)->addWidget(make_label(tr("Who would pass with each set"), "heading"));
@@ -150,7 +150,8 @@ QFrame* LimitsPage::make_groups() {
     metrics_->setAccessibleName(tr("Metric"));
     card_layout(card)->addWidget(metrics_, 0, Qt::AlignLeft);
     groups_ = new GroupsChart;
-    card_layout(card)->addWidget(groups_);
+    groups_frame_ = new ChartFrame(groups_, tr("Experts and attempts here"), "groups");
+    card_layout(card)->addWidget(groups_frame_);
     mark_ = make_label({});
     mark_->setObjectName(QStringLiteral("limits_mark"));
     card_layout(card)->addWidget(mark_);
@@ -297,6 +298,7 @@ void LimitsPage::fill_table() {
 
 void LimitsPage::show_group() {
     groups_->show_groups(std::nullopt);
+    groups_frame_->hide();
     mark_->clear();
     if (metrics_->currentIndex() < 0 || sets_.empty()) return;
     const GateSpec& gate = task()->gates[static_cast<std::size_t>(metrics_->currentData().toInt())];
@@ -322,6 +324,7 @@ void LimitsPage::show_group() {
     }
     curves.mark = contrasting_groups(curves.experts, curves.others);
     groups_->show_groups(curves);
+    groups_frame_->show();
     if (!curves.mark) {
         mark_->setText(tr("No pass mark: the groups overlap."));
         return;

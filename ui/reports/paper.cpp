@@ -64,6 +64,30 @@ void Sheet::watermark(const QString& shown) {
     painter_.restore();
 }
 
+double bottom_of(const Sheet& sheet) {
+    return sheet.height() - Sheet::mm(24);
+}
+
+void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& kind,
+               const std::string& title, const QString& line, bool synthetic, bool provisional) {
+    sheet.new_page();
+    if (provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
+    sheet.font(9, false, paper_palette().muted);
+    sheet.paragraph(join_with_dots({text(provenance.programme), capital(kind)}));
+    sheet.font(17, true);
+    sheet.paragraph(text(title));
+    sheet.font(9, false, paper_palette().muted);
+    sheet.paragraph(line);
+    sheet.font(9, true, paper_palette().bad);
+    if (synthetic) sheet.paragraph(ReportTexts::tr("Synthetic: the people in this report are not real."));
+    if (provisional) {
+        sheet.paragraph(ReportTexts::tr(
+            "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+            "proficiency or a certificate."));
+    }
+    sheet.skip(2);
+}
+
 void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) {
     const double top = sheet.height() - Sheet::mm(21);
     sheet.to(top);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/report.h"
 
+#include <QDateTime>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -115,7 +116,8 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, PeoplePages people,
-                                          const Progress& progress, const Curriculum* curriculum) {
+                                          const Progress& progress, const Curriculum* curriculum,
+                                          int plan_weeks) {
     CohortReport report;
     report.provenance = provenance_of(store, session, program_version);
     database::CohortTableOptions options;
@@ -129,6 +131,13 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
     report.provenance.metric_versions = report.table.metric_versions;
     report.provenance.benchmark_sets = report.table.benchmark_sets;
     report.provenance.program_versions = report.table.program_versions;
+    report.curriculum = curriculum;
+    if (curriculum != nullptr) {
+        const std::int64_t at = report.table.as_of;
+        const int offset_s = QDateTime::fromMSecsSinceEpoch(at).offsetFromUtc();
+        report.dashboard =
+            database::dashboard_of(report.table.standings, *curriculum, {at, offset_s / 60, plan_weeks});
+    }
     if (people == PeoplePages::none) return report;
     database::PersonDataOptions pages;
     pages.tasks = ids_of(tasks);
@@ -179,7 +188,7 @@ ReportFiles ReportWriter::write_attempt(const AttemptPaper&, const ReportRequest
 std::optional<CohortReport> gather_cohort(const ReportSource& source, const ReportRequest& request,
                                           PeoplePages people, const Progress& progress) {
     return gather_cohort(source.store, source.session, request.cohort_id, source.tasks,
-                         source.program_version, people, progress, request.curriculum);
+                         source.program_version, people, progress, request.curriculum, request.plan_weeks);
 }
 
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "assessment/task/task.h"
+#include "database/records/cohort_dashboard.h"
 #include "database/records/ratings.h"
 #include "database/records/report_data.h"
 #include "database/rows/csv_text.h"
@@ -50,7 +51,9 @@ struct CohortReport {
     ReportProvenance provenance;
     std::vector<ReportTask> tasks;
     database::CohortTable table;
-    std::vector<PersonReport> people;  ///< pages of their own
+    const Curriculum* curriculum = nullptr;  ///< of the standings; outlives the report
+    database::CohortDashboard dashboard;     ///< where there is one
+    std::vector<PersonReport> people;        ///< pages of their own
 };
 
 /// One attempt.
@@ -109,7 +112,8 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, PeoplePages people,
                                           const Progress& progress = {},
-                                          const Curriculum* curriculum = nullptr);
+                                          const Curriculum* curriculum = nullptr,
+                                          int plan_weeks = database::usual_plan_weeks);
 
 std::string person_json(const PersonReport& report);
 std::string cohort_json(const CohortReport& report);
@@ -126,8 +130,9 @@ struct ReportRequest {
     std::string person_id, cohort_id, attempt_id;  ///< exactly one
     ReportFormat format = ReportFormat::pdf;
     std::string path;
-    std::string home_page;                   ///< for xapi: the address that the ids of people belong to
-    const Curriculum* curriculum = nullptr;  ///< null: the report has no standings
+    std::string home_page;                        ///< for xapi: the address that the ids of people belong to
+    const Curriculum* curriculum = nullptr;       ///< null: the report has no standings
+    int plan_weeks = database::usual_plan_weeks;  ///< of the pictures of a cohort
 };
 /// Gathers and writes; a CSV of a person or cohort gets its dictionary next to it
 /// (FILE.dictionary.csv). Returns the files, none

@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/time_chart.h"
+#include "ui/charts/chart_frame.h"
+#include "ui/charts/time_charts.h"
 #include "ui/page/background_job.h"
 #include "ui/review/comparison_table.h"
 #include "ui/review/replay_panel.h"
@@ -161,20 +162,24 @@ QWidget* ComparePage::build_tabs() {
     auto* traces = new QWidget;
     auto* layout = new QVBoxLayout(traces);
     layout->setSpacing(4);
-    auto* row = new FlowRow;
+    auto* tools = new QWidget;
+    auto* row = new FlowRow(tools);
     quantity_ = make_narrow_choice("compare_quantity", tr("What is drawn"), 8);
     quantity_->addItems({tr("Force"), tr("Speed")});
     row->add(quantity_);
     row->add(make_label(tr("Hold Shift and drag to choose a part."), "muted"), 1, with_text(200));
-    layout->addLayout(row);
     for (std::size_t h = 0; h < hand_count; ++h) {
         charts_[h] = new TimeChart(h == 0 ? tr("left hand") : tr("right hand"));
         charts_[h]->setObjectName(h == 0 ? QStringLiteral("compare_left") : QStringLiteral("compare_right"));
         charts_[h]->setMinimumHeight(11 * fontMetrics().height());
         charts_[h]->offer_selection(true);
         charts_[h]->show_time_title(h == 1);
-        layout->addWidget(charts_[h], 1);
     }
+    auto* drawn = new TimeCharts(tr("Force and speed"));
+    drawn->add(charts_[0], tr("left hand"));
+    drawn->add(charts_[1], tr("right hand"));
+    frame_ = new ChartFrame(drawn, tr("Force and speed"), "compared_traces", tools);
+    layout->addWidget(frame_, 1);
     tabs_->addTab(traces, tr("Force and speed"));
     table_ = new ComparisonTable;
     auto* metrics = new QWidget;
@@ -196,9 +201,7 @@ void ComparePage::connect_parts() {
     connect(quantity_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ComparePage::show_charts);
     connect(own_replay_, &ReplayPanel::time_changed, this, &ComparePage::time_changed);
     for (TimeChart* chart : charts_) {
-        TimeChart* twin = chart == charts_[0] ? charts_[1] : charts_[0];
         connect(chart, &TimeChart::time_chosen, this, &ComparePage::seek);
-        connect(chart, &TimeChart::range_changed, twin, &TimeChart::show_range);
         connect(chart, &TimeChart::range_selected, this, &ComparePage::select);
     }
 }
@@ -243,6 +246,7 @@ void ComparePage::leave() {
     own_replay_->close();
     other_replay_->close();
     for (TimeChart* chart : charts_) chart->clear();
+    frame_->show_chart();
     own_.reset();
     other_.reset();
     expert_.reset();
@@ -328,6 +332,8 @@ void ComparePage::show_charts() {
         chart.setAccessibleName(
             h == 0 ? (force ? tr("Force of the left hand (N)") : tr("Speed of the left hand (mm/s)"))
                    : (force ? tr("Force of the right hand (N)") : tr("Speed of the right hand (mm/s)")));
+        chart.set_unit(force ? QStringLiteral("N") : QStringLiteral("mm/s"));
+        chart.show_peaks(force);
         chart.set_y_title(h == 0 ? (force ? tr("left (N)") : tr("left (mm/s)"))
                                  : (force ? tr("right (N)") : tr("right (mm/s)")));
         if (cohort_) {

@@ -23,6 +23,7 @@ class QTabWidget;
 namespace fulcrum::ui {
 
 class BackgroundJob;
+class ChartFrame;
 class ComparisonTable;
 class JobBar;
 class ReplayPanel;
@@ -93,6 +94,7 @@ class ComparePage : public Page {
     QPushButton *play_, *begin_, *end_, *whole_;
     QTabWidget* tabs_;
     TimeChart* charts_[hand_count];
+    ChartFrame* frame_;
     ComparisonTable* table_;
 };
 

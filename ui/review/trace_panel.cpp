@@ -6,7 +6,8 @@
 #include <QPainter>
 #include <map>
 
-#include "ui/charts/time_chart.h"
+#include "ui/charts/chart_frame.h"
+#include "ui/charts/time_charts.h"
 #include "ui/review/attempt_model.h"
 #include "ui/review/error_review_bar.h"
 #include "ui/style/text.h"
@@ -21,6 +22,12 @@ constexpr int index_role = Qt::UserRole + 1;  ///< of a line: in the model's eve
 class HandsLegend : public QWidget {
   public:
     HandsLegend() { setFixedHeight(fontMetrics().height() + 4); }
+    QSize sizeHint() const override { return {minimumSizeHint().width(), height()}; }
+    QSize minimumSizeHint() const override {
+        return {2 * 44 + fontMetrics().horizontalAdvance(TracePanel::tr("left hand") +
+                                                         TracePanel::tr("right hand")),
+                height()};
+    }
 
   protected:
     void paintEvent(QPaintEvent*) override {
@@ -46,24 +53,25 @@ TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    charts_ = new QWidget;
-    auto* charts = new QVBoxLayout(charts_);
-    charts->setContentsMargins(0, 0, 0, 0);
-    charts->setSpacing(2);
     force_ = new TimeChart(tr("force (N)"));
+    force_->set_unit(QStringLiteral("N"));
+    force_->show_peaks(true);
     force_->setObjectName(QStringLiteral("force_chart"));
     speed_ = new TimeChart(tr("mm/s"));
     speed_->setAccessibleName(tr("speed (mm/s)"));
     speed_->setObjectName(QStringLiteral("speed_chart"));
+    speed_->set_unit(QStringLiteral("mm/s"));
     force_->show_time_title(false);
-    charts->addWidget(new HandsLegend);
+    auto* charts = new TimeCharts(tr("Force and speed of both hands"));
+    charts->add(force_, tr("force"));
+    charts->add(speed_, tr("speed"));
     for (TimeChart* chart : {force_, speed_}) {
         chart->show_names(false);
         chart->setMinimumHeight(7 * fontMetrics().height());
         chart->setToolTip(
             tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything."));
-        charts->addWidget(chart, 1);
     }
+    charts_ = new ChartFrame(charts, tr("Force and speed of both hands"), "traces", new HandsLegend);
     layout->addWidget(charts_, 3);
     layout->addWidget(make_label(tr("What happened"), "heading"));
     penalties_only_ = new QCheckBox(tr("Penalties only"));
@@ -93,14 +101,13 @@ void TracePanel::connect_parts() {
     connect(events_, &QListWidget::currentItemChanged, this, &TracePanel::choose);
     for (TimeChart* chart : {force_, speed_})
         connect(chart, &TimeChart::time_chosen, this, &TracePanel::time_chosen);
-    connect(force_, &TimeChart::range_changed, speed_, &TimeChart::show_range);
-    connect(speed_, &TimeChart::range_changed, force_, &TimeChart::show_range);
 }
 
 void TracePanel::open(std::shared_ptr<const AttemptModel> model) {
     model_ = std::move(model);
     reviews_.clear();
     time_ = 0;
+    charts_->show_chart();
     charts_->setVisible(!model_->scope_alone);  // they are of the hands
     fill_charts();
     fill_events();

@@ -15,6 +15,7 @@ class QListWidgetItem;
 
 namespace fulcrum::ui {
 
+class ChartFrame;
 struct AttemptModel;
 class TimeChart;
 
@@ -47,7 +48,7 @@ class TracePanel : public QWidget {
     std::shared_ptr<const AttemptModel> model_;
     std::vector<database::ErrorReview> reviews_;
     double time_ = 0;
-    QWidget* charts_;
+    ChartFrame* charts_;
     TimeChart *force_, *speed_;
     QCheckBox* penalties_only_;
     QListWidget* events_;

@@ -13,6 +13,7 @@
 #include "ui/dashboards/attempts_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
+#include "ui/dashboards/dashboard_page.h"
 #include "ui/dashboards/limits_page.h"
 #include "ui/dashboards/schedules_page.h"
 #include "ui/dashboards/to_rate_page.h"
@@ -48,6 +49,7 @@ const std::vector<PageEntry>& page_table() {
         entry<HomePage>    ("rail_home",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Home"),           {trainee}, station_only),
         entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My progress"),    {trainee}),
         entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My attempts"),    {trainee}),
+        entry<DashboardPage>("rail_dashboard", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Dashboard"),    {director}),
         entry<CohortPage>  ("rail_cohort",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Cohorts"),        {educator, director}),
         entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Attempts"),       {educator, director}),
         entry<ToRatePage>  ("rail_rate",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Rate"),           {educator, director}, station_only),

@@ -1365,6 +1365,10 @@
         <source>Draw the attempts that a check with this seed has drawn.</source>
         <translation>Die Versuche ziehen, die eine Prüfung mit diesem Startwert gezogen hat.</translation>
     </message>
+    <message>
+        <source>Of a cohort as pdf or json: the plan gives so many weeks for all tasks.</source>
+        <translation>Einer Gruppe als pdf oder json: der Plan sieht so viele Wochen für alle Aufgaben vor.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -11331,6 +11335,38 @@
         <source>No attempts yet</source>
         <translation>Noch keine Versuche</translation>
     </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Zählt</translation>
+    </message>
+    <message>
+        <source>Fitted curve</source>
+        <translation>Angepasste Kurve</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::AttemptsPage</name>
@@ -11823,6 +11859,52 @@ und %1 weitere</translation>
     <message>
         <source>Wrote %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ChartFrame</name>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>%1: show the values as a table</source>
+        <translation>%1: Werte als Tabelle zeigen</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>%1: copy as a picture</source>
+        <translation>%1: als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy data</source>
+        <translation>Daten kopieren</translation>
+    </message>
+    <message>
+        <source>%1: copy the values, to be pasted into a spreadsheet</source>
+        <translation>%1: Werte kopieren, zum Einfügen in eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>%1: show the chart</source>
+        <translation>%1: Diagramm zeigen</translation>
+    </message>
+    <message>
+        <source>The picture was copied.</source>
+        <translation>Das Bild wurde kopiert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows were copied.</source>
+        <translation>
+            <numerusform>%n Zeile wurde kopiert.</numerusform>
+            <numerusform>%n Zeilen wurden kopiert.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12719,6 +12801,384 @@ Kennzahlen: %2</translation>
     <message>
         <source>Change the draft first; it is the same as the version in force.</source>
         <translation>Ändern Sie zuerst den Entwurf; er gleicht der geltenden Version.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardPage</name>
+    <message>
+        <source>Dashboard</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Weeks that the plan gives for all tasks</source>
+        <translation>Wochen, die der Plan für alle Aufgaben vorsieht</translation>
+    </message>
+    <message>
+        <source>The plan: all tasks of the curriculum at an even pace, in so many weeks from a person&apos;s first day of practice on.</source>
+        <translation>Der Plan: alle Aufgaben des Curriculums in gleichmäßigem Tempo, in so vielen Wochen ab dem ersten Übungstag der Person.</translation>
+    </message>
+    <message>
+        <source>Plan: </source>
+        <translation>Plan: </translation>
+    </message>
+    <message>
+        <source> weeks</source>
+        <translation> Wochen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>There is no cohort yet. A director creates cohorts on the page &quot;Assign cohorts&quot;.</source>
+        <translation>Es gibt noch keine Gruppe. Die Programmleitung legt Gruppen auf der Seite „Gruppen zuteilen“ an.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> · synthetic left out: %1</source>
+        <translation> · synthetische ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source> · Click on a part of a picture to see who is behind it.</source>
+        <translation> · Klicken Sie auf einen Teil eines Bildes, um zu sehen, wer dahintersteht.</translation>
+    </message>
+    <message>
+        <source>There is nobody to show here.</source>
+        <translation>Hier gibt es niemanden zu zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardTexts</name>
+    <message>
+        <source>d MMM</source>
+        <translation>d. MMM</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>overdue</source>
+        <translation>überfällig</translation>
+    </message>
+    <message>
+        <source>due now</source>
+        <translation>jetzt fällig</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>später</translation>
+    </message>
+    <message>
+        <source>weeks since the first day of practice</source>
+        <translation>Wochen seit dem ersten Übungstag</translation>
+    </message>
+    <message>
+        <source>tasks done</source>
+        <translation>erledigte Aufgaben</translation>
+    </message>
+    <message>
+        <source>on plan</source>
+        <translation>im Plan</translation>
+    </message>
+    <message>
+        <source>behind it</source>
+        <translation>dahinter zurück</translation>
+    </message>
+    <message numerus="yes">
+        <source>plan: all tasks in %n weeks</source>
+        <translation>
+            <numerusform>Plan: alle Aufgaben in %n Woche</numerusform>
+            <numerusform>Plan: alle Aufgaben in %n Wochen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Since the first day of practice</source>
+        <translation>Seit dem ersten Übungstag</translation>
+    </message>
+    <message>
+        <source>weeks</source>
+        <translation>Wochen</translation>
+    </message>
+    <message>
+        <source>Tasks done</source>
+        <translation>Erledigte Aufgaben</translation>
+    </message>
+    <message>
+        <source>Tasks by the plan</source>
+        <translation>Aufgaben nach Plan</translation>
+    </message>
+    <message>
+        <source>Behind by</source>
+        <translation>Rückstand</translation>
+    </message>
+    <message>
+        <source>tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>%1: week %2, %3 of %4 tasks done, %5 by the plan</source>
+        <translation>%1: Woche %2, %3 von %4 Aufgaben erledigt, %5 nach Plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n have not begun</source>
+        <translation>
+            <numerusform>%n hat noch nicht begonnen</numerusform>
+            <numerusform>%n haben noch nicht begonnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on plan, %2 behind it.</source>
+        <translation>%1 im Plan, %2 dahinter zurück.</translation>
+    </message>
+    <message>
+        <source>Nobody has practised yet.</source>
+        <translation>Noch hat niemand geübt.</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Tried</source>
+        <translation>Versucht</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>95 % interval from</source>
+        <translation>95-%-Intervall von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>nicht versucht</translation>
+    </message>
+    <message>
+        <source>People who passed at least once, of those who tried. Line: 95 % interval (Wilson).</source>
+        <translation>Personen, die mindestens einmal bestanden haben, von denen, die es versucht haben. Linie: 95-%-Intervall (Wilson).</translation>
+    </message>
+    <message>
+        <source>There is nobody in this cohort.</source>
+        <translation>In dieser Gruppe ist niemand.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n people who tried are not there yet</source>
+        <translation>
+            <numerusform>%1: %n Person, die es versucht hat, ist noch nicht so weit</numerusform>
+            <numerusform>%1: %n Personen, die es versucht haben, sind noch nicht so weit</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: fewer than half so far.</source>
+        <translation>%1: bisher weniger als die Hälfte.</translation>
+    </message>
+    <message>
+        <source>days since the first attempt that counts</source>
+        <translation>Tage seit dem ersten zählenden Versuch</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Since the first attempt</source>
+        <translation>Seit dem ersten Versuch</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>Nobody has tried this task yet.</source>
+        <translation>Diese Aufgabe hat noch niemand versucht.</translation>
+    </message>
+    <message>
+        <source>first pass</source>
+        <translation>zum ersten Mal bestanden</translation>
+    </message>
+    <message>
+        <source>proficient</source>
+        <translation>sicher beherrscht</translation>
+    </message>
+    <message>
+        <source>By the method of Kaplan and Meier.</source>
+        <translation>Nach dem Verfahren von Kaplan und Meier.</translation>
+    </message>
+    <message>
+        <source>attempts of any kind, by the week&apos;s Monday</source>
+        <translation>Versuche jeder Art, nach dem Montag der Woche</translation>
+    </message>
+    <message>
+        <source>Week from</source>
+        <translation>Woche ab</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>People who practised</source>
+        <translation>Übende</translation>
+    </message>
+    <message numerus="yes">
+        <source>week of %1: %n attempts</source>
+        <translation>
+            <numerusform>Woche ab %1: %n Versuch</numerusform>
+            <numerusform>Woche ab %1: %n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in the last %1 weeks.</source>
+        <translation>in den letzten %1 Wochen.</translation>
+    </message>
+    <message>
+        <source>checks</source>
+        <translation>Überprüfungen</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Due on</source>
+        <translation>Fällig am</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n Überprüfung</numerusform>
+            <numerusform>%n Überprüfungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 overdue, %2 due now, %3 planned.</source>
+        <translation>%1 überfällig, %2 jetzt fällig, %3 geplant.</translation>
+    </message>
+    <message>
+        <source>Nobody is proficient yet, so no check is planned.</source>
+        <translation>Noch beherrscht niemand eine Aufgabe sicher, deshalb ist keine Überprüfung geplant.</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1: erledigt</translation>
+    </message>
+    <message>
+        <source>%1: begun</source>
+        <translation>%1: begonnen</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>People who got so far</source>
+        <translation>So weit gekommen</translation>
+    </message>
+    <message>
+        <source>Share of the cohort</source>
+        <translation>Anteil der Gruppe</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>Begun: at least one attempt that counts. Done: proficient in every task of the stage, or its rule met by provisional limits.</source>
+        <translation>Begonnen: mindestens ein zählender Versuch. Erledigt: jede Aufgabe der Stufe sicher beherrscht, oder ihre Regel mit vorläufigen Grenzen erfüllt.</translation>
+    </message>
+    <message>
+        <source>%1, tried and not passed yet</source>
+        <translation>%1, versucht und noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Practised in the week of %1</source>
+        <translation>Geübt in der Woche ab %1</translation>
+    </message>
+    <message>
+        <source>Checks, %1</source>
+        <translation>Überprüfungen, %1</translation>
+    </message>
+    <message>
+        <source>%1, tried and not proficient yet</source>
+        <translation>%1, versucht und noch nicht sicher beherrscht</translation>
+    </message>
+    <message>
+        <source>Progress against the plan</source>
+        <translation>Fortschritt gegenüber dem Plan</translation>
+    </message>
+    <message>
+        <source>People who passed each task</source>
+        <translation>Personen, die jede Aufgabe bestanden haben</translation>
+    </message>
+    <message>
+        <source>Time to proficiency</source>
+        <translation>Zeit bis zur sicheren Beherrschung</translation>
+    </message>
+    <message>
+        <source>Attempts each week</source>
+        <translation>Versuche je Woche</translation>
+    </message>
+    <message>
+        <source>Retention checks that are due</source>
+        <translation>Fällige Überprüfungen</translation>
+    </message>
+    <message>
+        <source>How far people are in the stages</source>
+        <translation>Wie weit die Personen in den Stufen sind</translation>
+    </message>
+    <message>
+        <source>%1: half are there after %2 days (95 % interval %3 to %4).</source>
+        <translation>%1: die Hälfte nach %2 Tagen (95-%-Intervall %3 bis %4).</translation>
+    </message>
+    <message>
+        <source>%1: half are there after %2 days (95 % interval %3 or more).</source>
+        <translation>%1: die Hälfte nach %2 Tagen (95-%-Intervall %3 oder mehr).</translation>
     </message>
 </context>
 <context>
@@ -14164,6 +14624,54 @@ Kennzahlen: %2</translation>
         <source>attempts here</source>
         <translation>Versuche hier</translation>
     </message>
+    <message>
+        <source>Gate</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Limit of the set or attempt</source>
+        <translation>Grenze des Satzes oder Versuch</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>limit of set %1</source>
+        <translation>Grenze des Satzes %1</translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Geometric mean, or mark</source>
+        <translation>Geometrisches Mittel oder Marke</translation>
+    </message>
+    <message>
+        <source>Mean, or mark</source>
+        <translation>Mittelwert oder Marke</translation>
+    </message>
+    <message>
+        <source>Geometric standard deviation</source>
+        <translation>Geometrische Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>mark between them</source>
+        <translation>Marke dazwischen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::LimitsPage</name>
@@ -14294,6 +14802,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>%1 (limit of the task: %2)</source>
         <translation>%1 (Grenzwert der Aufgabe: %2)</translation>
+    </message>
+    <message>
+        <source>Experts and attempts here</source>
+        <translation>Experten und Versuche hier</translation>
     </message>
 </context>
 <context>
@@ -14800,6 +15312,14 @@ Kennzahlen: %2</translation>
         <source>Passed: people who passed at least once, of those who tried (95 % interval). Days: from a person&apos;s first attempt that counts; median over people by the Kaplan-Meier method (95 % interval). With provisional limits a task can be passed, but nobody becomes proficient.</source>
         <translation>Bestanden: Personen, die mindestens einmal bestanden haben, von denen, die es versucht haben (95-%-Intervall). Tage: ab dem ersten Versuch einer Person, der zählt; Median über die Personen nach Kaplan und Meier (95-%-Intervall). Mit vorläufigen Grenzwerten ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
     </message>
+    <message>
+        <source>people</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>People in each standing</source>
+        <translation>Personen in jedem Stand</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PassRuleChart</name>
@@ -14814,6 +15334,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Chance of being declared proficient, by number of attempts</source>
         <translation>Wahrscheinlichkeit, dass „sicher beherrscht“ festgestellt wird, nach Anzahl der Versuche</translation>
+    </message>
+    <message>
+        <source>passes %1 %, rule in force</source>
+        <translation>besteht %1 %, geltende Regel</translation>
     </message>
 </context>
 <context>
@@ -15434,6 +15958,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 · %3 of %2 counting attempts passed</source>
         <translation>%1 · %3 von %2 zählenden Versuchen bestanden</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -17480,6 +18008,29 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>%1 s: %2</source>
         <translation>%1 s: %2</translation>
     </message>
+    <message>
+        <source>%1: highest %2 at %3 s</source>
+        <translation>%1: höchster Wert %2 bei %3 s</translation>
+    </message>
+    <message>
+        <source>%1, lower quarter</source>
+        <translation>%1, unteres Viertel</translation>
+    </message>
+    <message>
+        <source>%1, middle</source>
+        <translation>%1, Mitte</translation>
+    </message>
+    <message>
+        <source>%1, upper quarter</source>
+        <translation>%1, oberes Viertel</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::TimeCharts</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::TissuesPage</name>
@@ -17869,6 +18420,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Penalties only</source>
         <translation>Nur Fehler</translation>
+    </message>
+    <message>
+        <source>Force and speed of both hands</source>
+        <translation>Kraft und Geschwindigkeit beider Hände</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
     </message>
 </context>
 <context>
@@ -18817,6 +19380,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Personal data</source>
         <translation>Personendaten</translation>
+    </message>
+    <message>
+        <source>Dashboard</source>
+        <translation>Übersicht</translation>
     </message>
 </context>
 <context>
