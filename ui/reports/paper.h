@@ -73,6 +73,7 @@ class Sheet {
     bool started_ = false;
 };
 
+inline constexpr double footer_mm = 25;  ///< its height; the page's content ends 3 mm above it
 void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n);
 
 }  // namespace fulcrum::ui

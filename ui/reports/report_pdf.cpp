@@ -80,7 +80,7 @@ void cell_lines(Sheet& sheet, double x, double width, const QStringList& lines) 
 
 // Where the foot of a page begins.
 double bottom_of(const Sheet& sheet) {
-    return sheet.height() - Sheet::mm(24);
+    return sheet.height() - Sheet::mm(footer_mm + 3);
 }
 
 // A new page down to where its table begins.
