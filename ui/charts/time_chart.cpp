@@ -24,6 +24,12 @@ using QtCharts::QChart;
 using QtCharts::QLineSeries;
 using QtCharts::QValueAxis;
 
+namespace {
+
+constexpr int least_margin = 2;  // px, left of the labels
+
+}  // namespace
+
 TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     : QChartView(parent), x_axis_(new QValueAxis), y_axis_(new QValueAxis) {
     setFocusPolicy(Qt::StrongFocus);
@@ -33,7 +39,8 @@ TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     QChart* shown = chart();
     shown->setAnimationOptions(QChart::NoAnimation);
-    shown->setMargins(QMargins(2, 2, 8, 2));
+    shown->setMargins(QMargins(least_margin, 2, 8, 2));
+    connect(shown, &QChart::plotAreaChanged, this, &TimeChart::measure_labels);
     shown->setBackgroundRoundness(0);
     shown->addAxis(x_axis_, Qt::AlignBottom);
     shown->addAxis(y_axis_, Qt::AlignLeft);
@@ -90,6 +97,8 @@ void TimeChart::clear() {
     }
     bands_.clear();
     selected_from_ = selected_to_ = 0;
+    steps_.clear();
+    lanes_.clear();
     limits_.clear();
     marks_.clear();
     cursor_ = -1;
@@ -143,6 +152,18 @@ void TimeChart::add_limit(const QString& name, double value) {
     limits_.emplace_back(name, value);
 }
 
+void TimeChart::set_steps(const QString& name, QColor Palette::*colour, std::vector<ChartStep> steps) {
+    steps_name_ = name;
+    steps_colour_ = colour;
+    steps_ = std::move(steps);
+    viewport()->update();
+}
+
+void TimeChart::add_lane(const QString& name, QColor Palette::*colour, std::vector<ChartSpan> spans) {
+    lanes_.push_back({name, colour, std::move(spans)});
+    viewport()->update();
+}
+
 void TimeChart::set_marks(std::vector<ChartMark> marks) {
     marks_ = std::move(marks);
     viewport()->update();
@@ -166,12 +187,22 @@ void TimeChart::show_all() {
         last_ = std::max(last_, band.last);
         high = std::max(high, band.highest);
     }
+    for (const ChartStep& step : steps_) {
+        last_ = std::max(last_, step.to);
+        low = std::min(low, step.value);
+        high = std::max(high, step.value);
+    }
     for (const auto& [name, value] : limits_) {
         if (value < 4 * high) high = std::max(high, value);
     }
     if (last_ <= first_) last_ = first_ + 1;
+    // Lanes alone have no values.
+    const bool values = !series_.empty() || !bands_.empty() || !steps_.empty();
+    y_axis_->setLabelsVisible(values);
+    y_axis_->setGridLineVisible(values);
     if (high <= low) high = low + 1;
-    y_axis_->setRange(low, low + (high - low) * 1.12);
+    // The lanes have the upper half.
+    y_axis_->setRange(low, low + (high - low) * (lanes_.empty() ? 1.12 : 2.2));
     y_axis_->applyNiceNumbers();
     show_range(first_, last_);
 }
@@ -241,65 +272,6 @@ double TimeChart::x_of(double time) const {
            area.width() * (time - x_axis_->min()) / std::max(x_axis_->max() - x_axis_->min(), 1e-9);
 }
 
-void TimeChart::draw_selection(QPainter& painter, const QRectF& area) const {
-    if (selected_to_ <= selected_from_) return;
-    const double left = std::max(area.left(), x_of(selected_from_)),
-                 right = std::min(area.right(), x_of(selected_to_));
-    if (right <= left) return;
-    QColor shade = colours().accent;
-    painter.setPen(QPen(shade, 1));
-    shade.setAlpha(36);
-    painter.setBrush(shade);
-    painter.drawRect(QRectF(left, area.top(), right - left, area.height()));
-}
-
-void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
-    QChartView::drawForeground(painter, rect);
-    const Palette& p = colours();
-    const QRectF area = chart()->plotArea();
-    painter->save();
-    painter->setClipRect(area.adjusted(-6, -14, 6, 2));
-    painter->setRenderHint(QPainter::Antialiasing);
-    draw_selection(*painter, area);
-    const double y_span = std::max(y_axis_->max() - y_axis_->min(), 1e-9);
-    for (const auto& [name, value] : limits_) {
-        if (value > y_axis_->max()) continue;
-        const double y = area.bottom() - area.height() * (value - y_axis_->min()) / y_span;
-        painter->setPen(QPen(p.limit, 1.4, Qt::DashDotLine));
-        painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-        // Above the line, or below it where there is no room; a long name in several lines.
-        constexpr int flags = Qt::AlignLeft | Qt::TextWordWrap;
-        QRectF words = painter->boundingRect(area.adjusted(6, 0, -6, 0), flags, name);
-        words.moveTop(y - area.top() < words.height() + 4 ? y + 2 : y - words.height() - 2);
-        painter->drawText(words, flags, name);
-    }
-    if (peaks_shown_) draw_peaks(*painter, area);
-    for (const ChartMark& mark : marks_) {
-        if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;
-        const double x = x_of(mark.time);
-        painter->setPen(QPen(p.*mark.colour, mark.severe ? 1.6 : 1.0));
-        painter->drawLine(QPointF(x, area.top() - 8),
-                          QPointF(x, mark.severe ? area.bottom() : area.top() + 2));
-        if (mark.severe) {
-            painter->setBrush(p.*mark.colour);
-            painter->drawPolygon(QPolygonF({QPointF(x - 5, area.top() - 10), QPointF(x + 5, area.top() - 10),
-                                            QPointF(x, area.top() - 1)}));
-        }
-    }
-    if (cursor_ >= x_axis_->min() && cursor_ <= x_axis_->max()) {
-        const double x = x_of(cursor_);
-        painter->setPen(QPen(p.text, 1.5));
-        painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    }
-    if (hasFocus()) {
-        painter->setClipping(false);
-        painter->setPen(QPen(p.accent, 1));
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRect(area);
-    }
-    painter->restore();
-}
-
 void TimeChart::zoom(double factor, double around) {
     const double from = x_axis_->min(), to = x_axis_->max();
     choose_range(around - (around - from) * factor, around + (to - around) * factor);
@@ -325,6 +297,24 @@ void TimeChart::show_names(bool shown) {
 
 void TimeChart::show_time_title(bool shown) {
     x_axis_->setTitleVisible(shown);
+}
+
+void TimeChart::show_time_axis(bool shown) {
+    x_axis_->setTitleVisible(shown);
+    x_axis_->setLabelsVisible(shown);
+}
+
+void TimeChart::set_label_room(double room) {
+    QMargins margins = chart()->margins();
+    margins.setLeft(least_margin + std::max(0, static_cast<int>(std::lround(room - label_room_))));
+    if (margins != chart()->margins()) chart()->setMargins(margins);
+}
+
+void TimeChart::measure_labels() {
+    const double room = chart()->plotArea().left() - chart()->margins().left();
+    if (std::abs(room - label_room_) < 0.5) return;
+    label_room_ = room;
+    emit label_room_changed();
 }
 
 double TimeChart::first_shown() const {

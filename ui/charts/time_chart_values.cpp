@@ -66,10 +66,18 @@ std::optional<ChartPoint> TimeChart::peak_of(std::size_t series) const {
 }
 
 std::vector<double> TimeChart::times_drawn() const {
+    const auto in_view = [this](double time) { return time >= x_axis_->min() && time <= x_axis_->max(); };
     std::vector<double> times;
     for (const Series& series : series_)
         for (const QPointF& point : series.line->pointsVector())
-            if (point.x() >= x_axis_->min() && point.x() <= x_axis_->max()) times.push_back(point.x());
+            if (in_view(point.x())) times.push_back(point.x());
+    const auto add_ends = [&](const auto& spans) {
+        for (const auto& span : spans)
+            for (const double end : {span.from, span.to})
+                if (in_view(end)) times.push_back(end);
+    };
+    add_ends(steps_);
+    for (const Lane& lane : lanes_) add_ends(lane.spans);
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
@@ -81,6 +89,8 @@ std::vector<ChartColumn> TimeChart::columns() const {
     for (const Band& band : bands_)
         for (const QString& part : {tr("%1, lower quarter"), tr("%1, middle"), tr("%1, upper quarter")})
             columns.push_back({part.arg(band.area->name()), unit_});
+    if (!steps_.empty()) columns.push_back({steps_name_, unit_});
+    for (const Lane& lane : lanes_) columns.push_back({lane.name});
     return columns;
 }
 
@@ -104,6 +114,18 @@ void TimeChart::add_values(double time, std::vector<ChartCell>& cells) const {
         for (double ChartBand::*value : {&ChartBand::low, &ChartBand::middle, &ChartBand::high})
             cells.push_back(ChartCell::value(between(value)));
     }
+    const auto at_time = [time](const auto& spans) {
+        const auto found = std::find_if(spans.begin(), spans.end(), [time](const auto& span) {
+            return span.from <= time && time <= span.to;
+        });
+        return found == spans.end() ? nullptr : &*found;
+    };
+    if (!steps_.empty()) {
+        const ChartStep* const step = at_time(steps_);
+        cells.push_back(
+            ChartCell::value(step == nullptr ? std::nullopt : std::optional<double>(step->value)));
+    }
+    for (const Lane& lane : lanes_) cells.push_back(ChartCell::count(at_time(lane.spans) == nullptr ? 0 : 1));
 }
 
 void TimeChart::set_unit(const QString& unit) {

@@ -110,7 +110,7 @@ void gates(Sheet& sheet, const database::ScoreRow& score) {
 
 /// Where the foot of a page begins.
 double foot_of(const Sheet& sheet) {
-    return sheet.height() - Sheet::mm(24);
+    return sheet.height() - Sheet::mm(footer_mm + 3);
 }
 
 /// `turn`: begins a new page, with a foot on the one before.
@@ -276,10 +276,7 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
     paper.report =
         database::Reports(store).attempt_report(session, attempt_id, database::ReportPurpose::exported);
     paper.provenance = provenance_of(store, session, program_version);
-    paper.provenance.metric_versions = paper.report.metric_versions;
-    paper.provenance.benchmark_sets = paper.report.benchmark_sets;
-    paper.provenance.program_versions = paper.report.program_versions;
-    paper.provenance.audit_head = paper.report.audit_head;
+    take_basis(paper.provenance, paper.report);
     paper.provenance.attempt_key = database::Audit(store).signer_of(attempt_id);
     paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
     for (const TaskDefinition& task : tasks)

@@ -28,10 +28,16 @@ struct ReportProvenance {
     /// knows.
     std::optional<std::string> attempt_key = {};
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
-    std::int64_t as_of = 0;        ///< UTC ms
-    std::string made_by, made_as;  ///< who asked for it, in which role
-    bool demo = false;             ///< watermark
+    std::vector<database::AssetFile> assets;  ///< task, scene, set and curriculum of the assessed attempts
+    std::string program_digest;               ///< SHA-256 of the program that wrote the report
+    bool tamper_evident = false;              ///< a service account owns the store
+    std::int64_t as_of = 0;                   ///< UTC ms
+    std::string made_by, made_as;             ///< who asked for it, in which role
+    bool demo = false;                        ///< watermark
 };
+
+/// In English, for files: "not tamper-evident", with where to read more, unless it is.
+std::string tamper_evidence(const ReportProvenance& provenance);
 
 struct ReportTask {
     std::string id, title, stage;

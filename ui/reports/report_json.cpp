@@ -86,6 +86,9 @@ Json point_json(const database::ProgressPoint& point) {
 }  // namespace
 
 Json provenance_json(const ReportProvenance& provenance) {
+    Json assets = Json::array();
+    for (const database::AssetFile& file : provenance.assets)
+        assets.push_back({{"file", file.name}, {"sha256", file.digest}});
     return {{"programme", provenance.programme},
             {"as_of", database::iso_utc(provenance.as_of)},
             {"made_by", provenance.made_by},
@@ -94,6 +97,10 @@ Json provenance_json(const ReportProvenance& provenance) {
             {"program_versions", provenance.program_versions},
             {"metric_versions", provenance.metric_versions},
             {"benchmark_sets", provenance.benchmark_sets},
+            {"assets", assets},
+            {"program_sha256", or_null(provenance.program_digest)},
+            {"tamper_evident", provenance.tamper_evident},
+            {"tamper_evidence", tamper_evidence(provenance)},
             {"audit_head", provenance.audit_head},
             {"station_key", or_null(provenance.station_key)},
             {"demo", provenance.demo}};

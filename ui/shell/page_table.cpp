@@ -11,6 +11,7 @@
 #include "ui/administration/station_page.h"
 #include "ui/administration/tissues_page.h"
 #include "ui/dashboards/attempts_page.h"
+#include "ui/dashboards/benchmark_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
 #include "ui/dashboards/dashboard_page.h"
@@ -56,6 +57,7 @@ const std::vector<PageEntry>& page_table() {
         entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Progress"),       {educator, director}),
         entry<CurriculumPage>("rail_curriculum", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Curriculum"), {educator, director}),
         entry<LimitsPage>  ("rail_limits",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Limits"),         {educator, director}),
+        entry<BenchmarkPage>("rail_benchmark", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Build limits"), {educator}, station_only),
         entry<MetricsPage> ("rail_metrics",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Metrics"),        {trainee, educator, director}),
         entry<PeoplePage>  ("rail_people",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "People"),         {administrator}, station_only),
         entry<StationPage> ("rail_station",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Station"),        {administrator}, station_only),

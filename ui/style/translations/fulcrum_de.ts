@@ -1369,6 +1369,14 @@
         <source>Of a cohort as pdf or json: the plan gives so many weeks for all tasks.</source>
         <translation>Einer Gruppe als pdf oder json: der Plan sieht so viele Wochen für alle Aufgaben vor.</translation>
     </message>
+    <message>
+        <source>Writes the xAPI profile of the statements: their terms and kinds, as JSON-LD.</source>
+        <translation>Schreibt das xAPI-Profil der Aussagen: ihre Begriffe und Arten, als JSON-LD.</translation>
+    </message>
+    <message>
+        <source>Write it to this file.</source>
+        <translation>In diese Datei schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -8344,6 +8352,38 @@
         <source>attempt %1: cannot be read (%2)</source>
         <translation>Versuch %1: nicht lesbar (%2)</translation>
     </message>
+    <message>
+        <source>%1: fewer than %2 experts are left with a value after the outlier rule</source>
+        <translation>%1: nach der Ausreißerregel bleiben weniger als %2 Experten mit einem Wert</translation>
+    </message>
+    <message>
+        <source>%1 experts where %2 are needed</source>
+        <translation>%1 Experten, wo %2 nötig sind</translation>
+    </message>
+    <message>
+        <source>%1 has %2 counted attempts where %3 are needed</source>
+        <translation>%1 hat %2 gezählte Versuche, wo %3 nötig sind</translation>
+    </message>
+    <message>
+        <source>fewer than %1 familiarisation attempts came before the counted ones</source>
+        <translation>vor den gezählten Versuchen lagen weniger als %1 Versuche zur Eingewöhnung</translation>
+    </message>
+    <message>
+        <source>without %1: %2</source>
+        <translation>ohne %1: %2</translation>
+    </message>
+    <message>
+        <source>only %1 % of the experts&apos; own attempts pass all gates at k = %2, the best of all, where %3 % are needed</source>
+        <translation>nur %1 % der eigenen Versuche der Experten bestehen alle Kriterien bei k = %2, dem besten von allen, wo %3 % nötig sind</translation>
+    </message>
+    <message>
+        <source>version %1 of %2 is in force, so that version %3 cannot follow it</source>
+        <translation>Version %1 von %2 gilt, sodass Version %3 nicht auf sie folgen kann</translation>
+    </message>
+    <message>
+        <source>save the set; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
+        <translation>Speichern Sie den Satz; der Administrator legt die Datei dorthin, und ein Ausbilder nimmt sie mit `fulcrum assets accept` an</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -11633,6 +11673,149 @@ und %1 weitere</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::BenchmarkPage</name>
+    <message>
+        <source>Build limits</source>
+        <translation>Grenzwerte bilden</translation>
+    </message>
+    <message>
+        <source>A benchmark set is made from the assessed attempts of at least %1 experts who performed the task %2 times or more. The first %3 attempts of each person are familiarisation and do not count. Nothing changes until you put the set in force.</source>
+        <translation>Ein Satz von Grenzwerten entsteht aus den bewerteten Versuchen von mindestens %1 Experten, die die Aufgabe %2-mal oder öfter durchgeführt haben. Die ersten %3 Versuche jeder Person dienen der Eingewöhnung und zählen nicht. Es ändert sich nichts, bis Sie den Satz in Kraft setzen.</translation>
+    </message>
+    <message>
+        <source>What the limits are for</source>
+        <translation>Wofür die Grenzwerte gelten</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Class of devices</source>
+        <translation>Geräteklasse</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation>Experten</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Gezählt</translation>
+    </message>
+    <message>
+        <source>People with attempts at this task</source>
+        <translation>Personen mit Versuchen an dieser Aufgabe</translation>
+    </message>
+    <message>
+        <source>Build the set</source>
+        <translation>Satz bilden</translation>
+    </message>
+    <message>
+        <source>The set</source>
+        <translation>Der Satz</translation>
+    </message>
+    <message>
+        <source>Who would pass with each set</source>
+        <translation>Wer mit welchem Satz bestehen würde</translation>
+    </message>
+    <message>
+        <source>Why this set is made (in the audit log and in the set)</source>
+        <translation>Warum dieser Satz entsteht (steht im Prüfprotokoll und im Satz)</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>In Kraft setzen</translation>
+    </message>
+    <message>
+        <source>File for another station, or for the administrator</source>
+        <translation>Datei für eine andere Station oder für den Administrator</translation>
+    </message>
+    <message>
+        <source>Save to a file</source>
+        <translation>In eine Datei speichern</translation>
+    </message>
+    <message>
+        <source>Reading the attempts …</source>
+        <translation>Die Versuche werden gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nobody has an assessed and completed attempt of this kind here.</source>
+        <translation>Niemand hat hier einen bewerteten und beendeten Versuch dieser Art.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1, of them with at least %2 counted attempts: %3. At least %4 are needed.</source>
+        <translation>Gewählt: %1, davon mit mindestens %2 gezählten Versuchen: %3. Mindestens %4 sind nötig.</translation>
+    </message>
+    <message>
+        <source>Building the set …</source>
+        <translation>Der Satz wird gebildet …</translation>
+    </message>
+    <message>
+        <source>✓ Usable. With k = %1, %2 % of the experts&apos; own attempts pass, each held against a set made without its expert.</source>
+        <translation>✓ Verwendbar. Mit k = %1 bestehen %2 % der eigenen Versuche der Experten, jeder an einem Satz gemessen, der ohne seinen Experten entstand.</translation>
+    </message>
+    <message>
+        <source>✕ Refused: %1.</source>
+        <translation>✕ Abgelehnt: %1.</translation>
+    </message>
+    <message>
+        <source>No attempt stored here counts under these limits yet.</source>
+        <translation>Noch zählt kein hier gespeicherter Versuch unter diesen Grenzwerten.</translation>
+    </message>
+    <message>
+        <source>Each dot is an attempt that counts; a line with a letter is the limit of a set.</source>
+        <translation>Jeder Punkt ist ein Versuch, der zählt; eine Linie mit Buchstabe ist der Grenzwert eines Satzes.</translation>
+    </message>
+    <message>
+        <source>the new set (%1)</source>
+        <translation>der neue Satz (%1)</translation>
+    </message>
+    <message>
+        <source>in force (%1)</source>
+        <translation>geltend (%1)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is left out, whose mean is more than 1.96 standard deviations from that of the experts.</source>
+        <translation>%1: %2 bleibt außer Betracht; der Mittelwert liegt mehr als 1,96 Standardabweichungen von dem der Experten entfernt.</translation>
+    </message>
+    <message>
+        <source>%1: the limit is the worst value of the experts, %2.</source>
+        <translation>%1: Der Grenzwert ist der schlechteste Wert der Experten, %2.</translation>
+    </message>
+    <message>
+        <source>%1: failed by %2 of the experts&apos; own attempts.</source>
+        <translation>%1: von %2 der eigenen Versuche der Experten nicht erfüllt.</translation>
+    </message>
+    <message>
+        <source>Version %1 of %2 is in force. Attempts that have begun keep their limits.</source>
+        <translation>Version %1 von %2 gilt. Begonnene Versuche behalten ihre Grenzwerte.</translation>
+    </message>
+    <message>
+        <source>Wrote %1. Attempts are held against it once it is among the program&apos;s benchmark sets and accepted.</source>
+        <translation>%1 geschrieben. Versuche werden daran gemessen, sobald der Satz bei den Grenzwerten des Programms liegt und angenommen ist.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::BriefingPage</name>
     <message>
         <source>One mouse for each hand: practice only, because no limits exist for two mice. F1 shows what their buttons do.</source>
@@ -12175,6 +12358,10 @@ Kennzahlen: %2</translation>
         <source>Your comment was kept as a draft of %1.</source>
         <translation>Ihr Kommentar wurde als Entwurf bei %1 aufbewahrt.</translation>
     </message>
+    <message>
+        <source> · reason for an error, not given yet, visible only to you</source>
+        <translation> · Begründung zu einem Fehler, noch nicht abgegeben, nur für Sie sichtbar</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparePage</name>
@@ -12233,18 +12420,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Abschnitt</translation>
-    </message>
-    <message>
-        <source>Part of the attempt</source>
-        <translation>Abschnitt des Versuchs</translation>
-    </message>
-    <message>
-        <source>Whole attempt</source>
-        <translation>Ganzer Versuch</translation>
     </message>
     <message>
         <source>What is drawn</source>
@@ -12331,28 +12506,8 @@ Kennzahlen: %2</translation>
         <translation>dieser Versuch</translation>
     </message>
     <message>
-        <source>Step %1: %2</source>
-        <translation>Schritt %1: %2</translation>
-    </message>
-    <message>
-        <source>Own range</source>
-        <translation>Eigener Bereich</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
         <source>; metrics of this attempt alone</source>
         <translation>; nur Kennzahlen dieses Versuchs</translation>
-    </message>
-    <message>
-        <source>Start part here</source>
-        <translation>Abschnitt hier beginnen</translation>
-    </message>
-    <message>
-        <source>End part here</source>
-        <translation>Abschnitt hier beenden</translation>
     </message>
     <message>
         <source>Hold Shift and drag to choose a part.</source>
@@ -12440,6 +12595,18 @@ Kennzahlen: %2</translation>
     <message>
         <source>Other attempt</source>
         <translation>Anderer Versuch</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Whole attempt</source>
+        <translation>Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>Metrics of the part</source>
+        <translation>Kennzahlen des Abschnitts</translation>
     </message>
 </context>
 <context>
@@ -13630,6 +13797,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Give a reason first: the trainee reads it.</source>
         <translation>Geben Sie zuerst einen Grund an: Wer trainiert, liest ihn.</translation>
+    </message>
+    <message>
+        <source>Your reason was kept as a draft of %1.</source>
+        <translation>Ihre Begründung wurde als Entwurf zu %1 behalten.</translation>
     </message>
 </context>
 <context>
@@ -15322,6 +15493,60 @@ Kennzahlen: %2</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::PartCard</name>
+    <message>
+        <source>Metrics of a part</source>
+        <translation>Kennzahlen eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Choose a step, hold Shift and drag in a chart, or set the replay to a moment and start or end the part there.</source>
+        <translation>Wählen Sie einen Schritt, ziehen Sie mit gedrückter Umschalttaste in einem Diagramm, oder stellen Sie die Wiedergabe auf einen Zeitpunkt und beginnen oder beenden Sie den Abschnitt dort.</translation>
+    </message>
+    <message>
+        <source>Zoom to the part</source>
+        <translation>Abschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>; no metrics of a part, because this program does not have the task</source>
+        <translation>; keine Kennzahlen eines Abschnitts, weil dieses Programm die Aufgabe nicht hat</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PartChoice</name>
+    <message>
+        <source>Part</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Part of the attempt</source>
+        <translation>Abschnitt des Versuchs</translation>
+    </message>
+    <message>
+        <source>Start part here</source>
+        <translation>Abschnitt hier beginnen</translation>
+    </message>
+    <message>
+        <source>End part here</source>
+        <translation>Abschnitt hier beenden</translation>
+    </message>
+    <message>
+        <source>Whole attempt</source>
+        <translation>Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>Eigener Bereich</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::PassRuleChart</name>
     <message>
         <source>attempts</source>
@@ -16934,6 +17159,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>attempt signed by key %1</source>
         <translation>Versuch signiert mit Schlüssel %1</translation>
     </message>
+    <message>
+        <source>Files (sha256): %1</source>
+        <translation>Dateien (sha256): %1</translation>
+    </message>
+    <message>
+        <source>Files: %1, sha256 of their list %2</source>
+        <translation>Dateien: %1, sha256 ihrer Liste %2</translation>
+    </message>
+    <message>
+        <source>not tamper-evident (manual: Who can change the store)</source>
+        <translation>Eingriffe nicht erkennbar (Handbuch: Who can change the store)</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ScenePicture</name>
@@ -18402,10 +18639,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Geschwindigkeit (mm/s)</translation>
     </message>
     <message>
-        <source>Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything.</source>
-        <translation>Mausrad zoomt, Ziehen verschiebt, Klick springt zu einem Zeitpunkt, Doppelklick zeigt alles.</translation>
-    </message>
-    <message>
         <source>What happened</source>
         <translation>Was geschah</translation>
     </message>
@@ -18422,16 +18655,80 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Nur Fehler</translation>
     </message>
     <message>
-        <source>Force and speed of both hands</source>
-        <translation>Kraft und Geschwindigkeit beider Hände</translation>
-    </message>
-    <message>
         <source>force</source>
         <translation>Kraft</translation>
     </message>
     <message>
         <source>speed</source>
         <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything; hold Shift and drag to choose a part.</source>
+        <translation>Rollen vergrößert, Ziehen verschiebt, ein Klick springt zu einem Zeitpunkt, ein Doppelklick zeigt alles; mit gedrückter Umschalttaste ziehen wählt einen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>N/m</translation>
+    </message>
+    <message>
+        <source>tension (N)</source>
+        <translation>Spannung (N)</translation>
+    </message>
+    <message>
+        <source>traction across the cut (N/m)</source>
+        <translation>Zug quer zum Schnitt (N/m)</translation>
+    </message>
+    <message>
+        <source>tension of a band as it was divided (N)</source>
+        <translation>Spannung eines Strangs, als er durchtrennt wurde (N)</translation>
+    </message>
+    <message>
+        <source>traction, at least</source>
+        <translation>Zug, mindestens</translation>
+    </message>
+    <message>
+        <source>traction, at most</source>
+        <translation>Zug, höchstens</translation>
+    </message>
+    <message>
+        <source>energy; mm²</source>
+        <translation>Energie; mm²</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>energy of each hand; tissue reached by heat that was not meant for it (mm²)</source>
+        <translation>Energie jeder Hand; Gewebe, das Hitze erreicht hat, obwohl es nicht gemeint war (mm²)</translation>
+    </message>
+    <message>
+        <source>energy of each hand</source>
+        <translation>Energie jeder Hand</translation>
+    </message>
+    <message>
+        <source>tissue reached by heat</source>
+        <translation>Gewebe, das Hitze erreicht hat</translation>
+    </message>
+    <message>
+        <source>Force, speed, traction and energy</source>
+        <translation>Kraft, Geschwindigkeit, Zug und Energie</translation>
+    </message>
+    <message>
+        <source>traction across the cut</source>
+        <translation>Zug quer zum Schnitt</translation>
+    </message>
+    <message>
+        <source>tension of a band</source>
+        <translation>Spannung eines Bandes</translation>
+    </message>
+    <message>
+        <source>energy, left hand</source>
+        <translation>Energie, linke Hand</translation>
+    </message>
+    <message>
+        <source>energy, right hand</source>
+        <translation>Energie, rechte Hand</translation>
     </message>
 </context>
 <context>
@@ -19384,6 +19681,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Dashboard</source>
         <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Build limits</source>
+        <translation>Grenzwerte bilden</translation>
     </message>
 </context>
 <context>
