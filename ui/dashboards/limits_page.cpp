@@ -45,9 +45,10 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     layout->addWidget(make_choice());
     QFrame* card = make_card(8);
     count_ = make_label({}, "muted");
-    card_layout(card)->addWidget(count_);
     chart_ = new LimitsChart;
-    card_layout(card)->addWidget(new ChartFrame(chart_, tr("Limits of each benchmark set"), "set_limits"));
+    auto* frame = new ChartFrame(chart_, tr("Limits of each benchmark set"), "set_limits");
+    frame->set_below_title(count_);
+    card_layout(card)->addWidget(frame);
     layout->addWidget(card);
     QFrame* passes = make_card(8);
     card_layout(passes)->addWidget(make_label(tr("Who would pass with each set"), "heading"));

@@ -58,6 +58,13 @@ class DashboardViews : public ::testing::Test {
         }
         return found;
     }
+    void keep(const QString& name) {
+        QCoreApplication::processEvents();
+        if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES")) return;
+        window->resize(1280, 1500);
+        QCoreApplication::processEvents();
+        window->grab().save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + name + ".png");
+    }
     void press(const char* name) {
         bring(*find<QAbstractButton>(*window, name));
         click(*window, name);
@@ -159,8 +166,10 @@ TEST_F(DashboardViews, FollowsTheThemeAndExportsTheSameValues) {
     auto* stages = chart("dashboard_stages_chart");
     const auto ground = [&] { return stages->grab().toImage().pixelColor(2, 2).lightness(); };
     EXPECT_GT(ground(), 200);
+    keep("dashboard-light");
     window->set_theme(Theme::dark);
     EXPECT_LT(ground(), 100) << "while it is shown";
+    keep("dashboard-dark");
     window->set_theme(Theme::light);
     QTemporaryDir folder;
     auto* page = static_cast<DashboardPage*>(window->current_page());
