@@ -254,6 +254,22 @@ void paint_dot(const FigurePainter& to, const QPointF& at, bool marked) {
     to.painter.drawPolygon(corners, 3);
 }
 
+/// The free place for a dot that is nearest to where it belongs, within the plot: dots that belong to the
+/// same place are next to each other, and none hides another.
+QPointF free_place(const QPointF& wanted, const QRectF& plot, const std::vector<QPointF>& taken, double r) {
+    const double top = std::min(plot.top(), wanted.y()), bottom = std::max(plot.bottom(), wanted.y());
+    for (int step = 0; step < 600; ++step) {
+        const double turn = 2.399963 * step, distance = 0.6 * r * std::sqrt(step);  // a sunflower's spiral
+        const QPointF place = wanted + distance * QPointF(std::cos(turn), std::sin(turn));
+        if (place.y() < top || place.y() > bottom) continue;
+        const bool free = std::none_of(taken.begin(), taken.end(), [&](const QPointF& other) {
+            return std::hypot(other.x() - place.x(), other.y() - place.y()) < 1.7 * r;
+        });
+        if (free) return place;
+    }
+    return wanted;
+}
+
 std::vector<FigureSpot> paint(const FigurePainter& to, const DotFigure& figure) {
     const double left =
         std::max(to.wide(QString::number(qRound(figure.y_high))), to.wide(QStringLiteral("00"))) +
@@ -284,16 +300,7 @@ std::vector<FigureSpot> paint(const FigurePainter& to, const DotFigure& figure) 
     std::vector<QPointF> taken;
     const double r = 6 * to.unit;
     for (const FigureDot& dot : figure.dots) {
-        QPointF place = at(dot.x, dot.y);
-        // Dots at the same place are set side by side, so that none hides another.
-        for (int tries = 1; tries < 12; ++tries) {
-            const bool free = std::none_of(taken.begin(), taken.end(), [&](const QPointF& other) {
-                return std::hypot(other.x() - place.x(), other.y() - place.y()) < 1.6 * r;
-            });
-            if (free) break;
-            const double shift = (tries % 2 == 1 ? 1 : -1) * ((tries + 1) / 2) * 1.7 * r;
-            place = at(dot.x, dot.y) + QPointF(0, shift);
-        }
+        const QPointF place = free_place(at(dot.x, dot.y), plot, taken, r);
         taken.push_back(place);
         paint_dot(to, place, dot.marked);
         spots.push_back({QRectF(place.x() - r, place.y() - r, 2 * r, 2 * r), dot.key, dot.words});
@@ -372,11 +379,13 @@ std::vector<FigureSpot> paint_figure(QPainter& painter, const QRectF& area, cons
 }
 
 double figure_lines(const Figure& figure) {
+    constexpr double usual = 13;
+    if (is_empty(figure)) return usual;
     if (const auto* rows = std::get_if<IntervalFigure>(&figure))
         return 1.4 + 1.8 * static_cast<double>(rows->rows.size());
     if (const auto* steps = std::get_if<FunnelFigure>(&figure))
         return 1.9 * static_cast<double>(steps->steps.size());
-    return 13;
+    return usual;
 }
 
 bool is_empty(const Figure& figure) {

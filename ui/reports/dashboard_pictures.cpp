@@ -350,8 +350,10 @@ DashboardPicture dashboard_picture(DashboardPart part, const CohortDashboard& da
 }
 
 std::size_t telling_task(const CohortDashboard& dashboard) {
-    for (std::size_t t = 0; t < dashboard.overview.size(); ++t)
-        if (!dashboard.overview[t].proficiency_curve.empty()) return t;
+    using database::TaskOverview;
+    for (const auto curve : {&TaskOverview::proficiency_curve, &TaskOverview::pass_curve})
+        for (std::size_t t = 0; t < dashboard.overview.size(); ++t)
+            if (!(dashboard.overview[t].*curve).empty()) return t;
     return 0;
 }
 

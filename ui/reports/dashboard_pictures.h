@@ -49,7 +49,7 @@ DashboardPicture dashboard_picture(DashboardPart part, const database::CohortDas
                                    const std::vector<database::PersonStandings>& people,
                                    const DashboardNames& names, std::size_t task = 0);
 /// The task whose time to proficiency says most: the first one that somebody is proficient in, else the
-/// first.
+/// first one that somebody has passed, else the first.
 std::size_t telling_task(const database::CohortDashboard& dashboard);
 
 /// Who is behind a part of a picture.

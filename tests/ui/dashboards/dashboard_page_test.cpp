@@ -119,10 +119,19 @@ TEST_F(DashboardViews, PlanIsChosenRememberedAndMarksWhoIsBehind) {
     window->context().set_session(*director);
     click(*window, "rail_dashboard");
     EXPECT_EQ(find<QSpinBox>(*window, "dashboard_plan")->value(), 1);
-    // A person is a click on a dot away.
+    // All began on the same day: their dots are next to each other, and a person is a click on one away.
     auto* dots = chart("dashboard_plan_chart");
-    const QString key = std::get<DotFigure>(dots->figure()).dots.front().key;
+    const std::vector<FigureDot>& all = std::get<DotFigure>(dots->figure()).dots;
+    const QString key = all.back().key;
     ASSERT_TRUE(wait_for([&] { return !dots->place_of(key).isEmpty(); }));
+    for (std::size_t a = 0; a < all.size(); ++a) {
+        const QPointF here = dots->place_of(all[a].key).center();
+        EXPECT_TRUE(QRectF(dots->rect()).contains(here)) << a;
+        for (std::size_t b = 0; b < a; ++b) {
+            const QPointF off = here - dots->place_of(all[b].key).center();
+            EXPECT_GT(std::hypot(off.x(), off.y()), 8) << a << " and " << b;
+        }
+    }
     QTest::mouseClick(dots, Qt::LeftButton, {}, dots->place_of(key).center().toPoint());
     EXPECT_EQ(window->current_page()->objectName(), "progress_page");
 }
