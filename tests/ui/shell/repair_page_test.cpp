@@ -2,6 +2,7 @@
 // A store that is damaged when the window starts, and restoring a backup in the window, with real events.
 #include <QFileInfo>
 #include <QSignalSpy>
+#include <filesystem>
 #include <fstream>
 
 #include "database/rows/connection.h"
@@ -65,7 +66,10 @@ class Repair : public Screens {
     std::vector<std::string> named(const std::string& part) const {
         std::vector<std::string> list;
         for (const auto& entry : files::directory_iterator(files::path(path).parent_path()))
-            if (entry.path().filename().string().find(part) != std::string::npos)
+            // With what is left of its log.
+            if (entry.path().filename().string().find(part) != std::string::npos &&
+                entry.path().string().find("-wal") == std::string::npos &&
+                entry.path().string().find("-shm") == std::string::npos)
                 list.push_back(entry.path().string());
         return list;
     }
@@ -73,7 +77,7 @@ class Repair : public Screens {
     std::string backup;
 };
 
-TEST_F(Repair, ADamagedTableIsSaidInWordsAndTheBackupTakesItsPlace) {
+TEST_F(Repair, ADamagedTableIsDescribedAndTheBackupTakesItsPlace) {
     damage_table("person");
     open(QSize(1024, 768));
     ASSERT_NE(page(), nullptr);
