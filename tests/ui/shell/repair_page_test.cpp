@@ -63,14 +63,15 @@ class Repair : public Screens {
         click(*window, "restore_backup");
         settle();
     }
+    /// Without what is left of their logs.
     std::vector<std::string> named(const std::string& part) const {
         std::vector<std::string> list;
-        for (const auto& entry : files::directory_iterator(files::path(path).parent_path()))
-            // With what is left of its log.
-            if (entry.path().filename().string().find(part) != std::string::npos &&
-                entry.path().string().find("-wal") == std::string::npos &&
-                entry.path().string().find("-shm") == std::string::npos)
+        for (const auto& entry : files::directory_iterator(files::path(path).parent_path())) {
+            const QString name = text(entry.path().filename().string());
+            if (name.contains(text(part)) && !name.endsWith("-wal") && !name.endsWith("-shm") &&
+                !name.endsWith("-journal"))
                 list.push_back(entry.path().string());
+        }
         return list;
     }
     const std::string path, folder;
