@@ -85,15 +85,15 @@ TEST_F(BackupList, SaysOfADamagedOneThatItIsAndOfANewerOneThatItCannotBeUsed) {
     EXPECT_FALSE(found().front().problems.empty());
 }
 
-TEST_F(BackupList, KeepsTheNewestFoldersAndNoLineThatIsNoFolder) {
+TEST_F(BackupList, KeepsTheNewestFoldersAndLeavesOtherLinesOut) {
     for (int i = 0; i < 15; ++i)
-        note_backup_folder(programme.path, "/media/disk" + std::to_string(i) + "/x.db");
-    note_backup_folder(programme.path, "/media/disk3/y.db");
+        note_backup_folder(programme.path, "/backups/disk" + std::to_string(i) + "/x.db");
+    note_backup_folder(programme.path, "/backups/disk3/y.db");
     std::vector<std::string> folders = backup_folders(programme.path);
     ASSERT_EQ(folders.size(), 11U);
     EXPECT_EQ(folders[0], programme.folder.path().toStdString());
-    EXPECT_EQ(folders[1], "/media/disk3");
-    EXPECT_EQ(folders[2], "/media/disk14");
+    EXPECT_EQ(folders[1], "/backups/disk3");
+    EXPECT_EQ(folders[2], "/backups/disk14");
     std::ofstream(programme.path + ".backups") << "relative\n\n" << std::string(10000, 'x') << "\n/a\n";
     EXPECT_EQ(backup_folders(programme.path).size(), 2U);
     files::remove(programme.path + ".backups");

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "database/rows/connection.h"
 #include "database/store/backup_rotation.h"
 #include "tests/database/programme_fixture.h"
 
@@ -26,9 +27,16 @@ class DamagedStore : public ::testing::Test {
         file.seekp(place);
         file.write(std::string(bytes, '\x5a').data(), static_cast<std::streamsize>(bytes));
     }
-    /// A page in the middle, which no row of the accounts is on.
+    /// The page of a table that nobody needs to sign in.
     void damage_a_page() const {
-        write_at(static_cast<std::streamoff>(files::file_size(programme.path)) - 4096, 4000);
+        std::int64_t page = 0;
+        {
+            Connection connection(programme.path, true, false, 1000);
+            Query root(connection, "SELECT rootpage FROM sqlite_master WHERE name = 'gate'");
+            ASSERT_TRUE(root.next());
+            page = root.integer(0);
+        }
+        write_at((page - 1) * 4096, 4000);
     }
     void damage_the_header() const { write_at(0, 100); }
     DamagedCopy copy(const std::string& to, const std::string& login = "administrator") const {

@@ -88,7 +88,7 @@ TEST_F(PersonalData, ErasesAPersonAfterAReasonAndASecondClick) {
     EXPECT_FALSE(error_shown().isEmpty());
 }
 
-TEST_F(PersonalData, SetsHowLongDataAreKeptAndErasesWhoIsDueOnlyWhenItIsSaidTwice) {
+TEST_F(PersonalData, SetsHowLongDataAreKeptAndErasesThoseDueAfterASecondClick) {
     open_page();
     EXPECT_TRUE(find<QLabel>(*window, "due_summary")->text().startsWith("No end is set"));
     bring(*find<QCheckBox>(*window, "retention_limited"));
