@@ -90,7 +90,8 @@ QFrame* BenchmarkPage::make_choice() {
         if (limits_class(one.kind) == one.kind)
             devices_->addItem(device_class_text(one.kind), static_cast<int>(one.kind));
     for (const NameRow<FidelityLevel>& one : fidelity_levels)
-        fidelities_->addItem(capital(QCoreApplication::translate("fulcrum::fidelity", one.title)),
+        fidelities_->addItem(QStringLiteral("%1: %2").arg(
+                                 tr("Fidelity"), QCoreApplication::translate("fulcrum::fidelity", one.title)),
                              QString::fromLatin1(one.name));
     fidelities_->setCurrentIndex(fidelities_->findData(QString::fromLatin1(standard_fidelity)));
     connect(tasks_, qOverload<int>(&QComboBox::activated), this, &BenchmarkPage::choose_task);
@@ -194,7 +195,9 @@ void BenchmarkPage::choose_task() {
     variants_->clear();
     if (task() == nullptr) return;
     for (const TaskVariant& variant : task()->variants)
-        if (variant.family == variant.id) variants_->addItem(asset_text(variant.title), text(variant.id));
+        if (variant.family == variant.id)
+            variants_->addItem(QStringLiteral("%1: %2").arg(tr("Variant"), asset_text(variant.title)),
+                               text(variant.id));
     variants_->setCurrentIndex(std::max(0, variants_->findData(before)));
     choose_key();
 }
