@@ -363,7 +363,7 @@ void BenchmarkPage::fill_passes() {
         for (int column = 0; column < passes_->columnCount(); ++column)
             passes_->setItem(row, column, make_cell(cells[column]));
     }
-    fit_columns(passes_, {0, 4, 5});
+    fit_columns(passes_, {0});
     fit_rows(passes_);
     show_all_rows(passes_, passes_->rowCount());
 }
