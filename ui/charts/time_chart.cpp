@@ -24,12 +24,6 @@ using QtCharts::QChart;
 using QtCharts::QLineSeries;
 using QtCharts::QValueAxis;
 
-namespace {
-
-constexpr int least_margin = 2;  // px, left of the labels
-
-}  // namespace
-
 TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     : QChartView(parent), x_axis_(new QValueAxis), y_axis_(new QValueAxis) {
     setFocusPolicy(Qt::StrongFocus);
@@ -39,8 +33,7 @@ TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     QChart* shown = chart();
     shown->setAnimationOptions(QChart::NoAnimation);
-    shown->setMargins(QMargins(least_margin, 2, 8, 2));
-    connect(shown, &QChart::plotAreaChanged, this, &TimeChart::measure_labels);
+    shown->setMargins(QMargins(2, 2, 8, 2));
     shown->setBackgroundRoundness(0);
     shown->addAxis(x_axis_, Qt::AlignBottom);
     shown->addAxis(y_axis_, Qt::AlignLeft);
@@ -245,6 +238,7 @@ std::size_t TimeChart::points_wanted() const {
 void TimeChart::resizeEvent(QResizeEvent* event) {
     const std::size_t before = points_wanted();
     QChartView::resizeEvent(event);
+    place_plot();
     if (points_wanted() != before) refresh();
 }
 
@@ -263,7 +257,10 @@ void TimeChart::refresh() {
 }
 
 double TimeChart::time_at(const QPoint& position) const {
-    return chart()->mapToValue(chart()->mapFromScene(mapToScene(position))).x();
+    // By the axis: QChart knows the values of series alone, and there may be none.
+    const QRectF area = chart()->plotArea();
+    return x_axis_->min() + (mapToScene(position).x() - area.left()) * (x_axis_->max() - x_axis_->min()) /
+                                std::max(area.width(), 1.0);
 }
 
 double TimeChart::x_of(double time) const {
@@ -302,19 +299,21 @@ void TimeChart::show_time_title(bool shown) {
 void TimeChart::show_time_axis(bool shown) {
     x_axis_->setTitleVisible(shown);
     x_axis_->setLabelsVisible(shown);
+    place_plot();
 }
 
-void TimeChart::set_label_room(double room) {
-    QMargins margins = chart()->margins();
-    margins.setLeft(least_margin + std::max(0, static_cast<int>(std::lround(room - label_room_))));
-    if (margins != chart()->margins()) chart()->setMargins(margins);
+void TimeChart::set_compact(int left) {
+    compact_left_ = left;
+    y_axis_->setTitleVisible(false);
+    place_plot();
 }
 
-void TimeChart::measure_labels() {
-    const double room = chart()->plotArea().left() - chart()->margins().left();
-    if (std::abs(room - label_room_) < 0.5) return;
-    label_room_ = room;
-    emit label_room_changed();
+void TimeChart::place_plot() {
+    if (compact_left_ == 0) return;
+    const double line = fontMetrics().height();
+    const double top = 16, right = 14, bottom = x_axis_->labelsVisible() ? 3 * line : 0.6 * line;
+    chart()->setPlotArea(QRectF(compact_left_, top, std::max(1.0, width() - compact_left_ - right),
+                                std::max(1.0, height() - top - bottom)));
 }
 
 double TimeChart::first_shown() const {

@@ -99,11 +99,9 @@ class TimeChart : public QtCharts::QChartView {
     void show_time_title(bool shown);
     /// Its title and the times at its ticks.
     void show_time_axis(bool shown);
-    /// px between the left edge and the plot that the labels of the y axis need.
-    double label_room() const { return label_room_; }
-    /// px, at least label_room(): what is more is left free, so that charts below each other have one time
-    /// axis.
-    void set_label_room(double room);
+    /// For charts below each other: the plot begins `left` px from the edge, whatever its labels, and the
+    /// name of the values is in its upper corner, so that a low chart has room for both.
+    void set_compact(int left);
     /// s, of the time axis.
     double first_shown() const;
     double last_shown() const;
@@ -116,8 +114,6 @@ class TimeChart : public QtCharts::QChartView {
     void range_selected(double from, double to);
     /// Other points are drawn.
     void points_changed();
-    /// Other labels of the y axis need another room.
-    void label_room_changed();
 
   protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
@@ -133,7 +129,7 @@ class TimeChart : public QtCharts::QChartView {
 
   private:
     void restyle();
-    void measure_labels();
+    void place_plot();
     struct Series {
         QtCharts::QLineSeries* line = nullptr;
         QColor Palette::*colour = &Palette::neutral;
@@ -158,6 +154,8 @@ class TimeChart : public QtCharts::QChartView {
     void draw_steps(QPainter& painter, const QRectF& area) const;
     void draw_lanes(QPainter& painter, const QRectF& area) const;
     void draw_limits(QPainter& painter, const QRectF& area) const;
+    void draw_name(QPainter& painter, const QRectF& area) const;
+    double lanes_height() const;
     void draw_mark(QPainter& painter, const QRectF& area, const ChartMark& mark) const;
     double y_of(double value) const;
     /// As many as the plot's width can show, never more than chart_point_limit.
@@ -179,7 +177,7 @@ class TimeChart : public QtCharts::QChartView {
     QString steps_name_;
     QColor Palette::*steps_colour_ = &Palette::neutral;
     std::vector<Lane> lanes_;
-    double label_room_ = 0;
+    int compact_left_ = 0;  ///< px; 0: Qt Charts lays the plot out
     double first_ = 0, last_ = 1, cursor_ = -1, length_ = 0;
     QPoint pressed_at_;
     double pressed_from_ = 0, pressed_to_ = 1;

@@ -98,6 +98,24 @@ void TimeChart::draw_limits(QPainter& painter, const QRectF& area) const {
     }
 }
 
+/// Of a compact chart, below its lanes, on a ground of its own.
+void TimeChart::draw_name(QPainter& painter, const QRectF& area) const {
+    const QString name = y_axis_->titleText();
+    if (compact_left_ == 0 || name.isEmpty()) return;
+    QRectF words(0, area.top() + lanes_height() + 1, fontMetrics().horizontalAdvance(name) + 6,
+                 fontMetrics().height());
+    words.moveRight(area.right() - 2);
+    QColor ground = colours().card;
+    ground.setAlpha(210);
+    painter.fillRect(words, ground);
+    painter.setPen(colours().muted);
+    painter.drawText(words, Qt::AlignCenter, name);
+}
+
+double TimeChart::lanes_height() const {
+    return static_cast<double>(lanes_.size()) * (0.6 * fontMetrics().height() + 2);
+}
+
 void TimeChart::draw_mark(QPainter& painter, const QRectF& area, const ChartMark& mark) const {
     const Palette& p = colours();
     const double x = x_of(mark.time);
@@ -134,6 +152,7 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
     draw_lanes(*painter, area);
     draw_limits(*painter, area);
     if (peaks_shown_) draw_peaks(*painter, area);
+    draw_name(*painter, area);
     for (const ChartMark& mark : marks_)
         if (mark.time >= x_axis_->min() && mark.time <= x_axis_->max()) draw_mark(*painter, area, mark);
     if (cursor_ >= x_axis_->min() && cursor_ <= x_axis_->max()) {

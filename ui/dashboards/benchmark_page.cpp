@@ -90,7 +90,8 @@ QFrame* BenchmarkPage::make_choice() {
         if (limits_class(one.kind) == one.kind)
             devices_->addItem(device_class_text(one.kind), static_cast<int>(one.kind));
     for (const NameRow<FidelityLevel>& one : fidelity_levels)
-        fidelities_->addItem(capital(QCoreApplication::translate("fulcrum::fidelity", one.title)),
+        fidelities_->addItem(QStringLiteral("%1: %2").arg(
+                                 tr("Fidelity"), QCoreApplication::translate("fulcrum::fidelity", one.title)),
                              QString::fromLatin1(one.name));
     fidelities_->setCurrentIndex(fidelities_->findData(QString::fromLatin1(standard_fidelity)));
     connect(tasks_, qOverload<int>(&QComboBox::activated), this, &BenchmarkPage::choose_task);
@@ -194,7 +195,9 @@ void BenchmarkPage::choose_task() {
     variants_->clear();
     if (task() == nullptr) return;
     for (const TaskVariant& variant : task()->variants)
-        if (variant.family == variant.id) variants_->addItem(asset_text(variant.title), text(variant.id));
+        if (variant.family == variant.id)
+            variants_->addItem(QStringLiteral("%1: %2").arg(tr("Variant"), asset_text(variant.title)),
+                               text(variant.id));
     variants_->setCurrentIndex(std::max(0, variants_->findData(before)));
     choose_key();
 }
@@ -360,7 +363,7 @@ void BenchmarkPage::fill_passes() {
         for (int column = 0; column < passes_->columnCount(); ++column)
             passes_->setItem(row, column, make_cell(cells[column]));
     }
-    fit_columns(passes_, {0, 4, 5});
+    fit_columns(passes_, {0});
     fit_rows(passes_);
     show_all_rows(passes_, passes_->rowCount());
 }

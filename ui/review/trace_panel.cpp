@@ -91,8 +91,8 @@ void TracePanel::build_charts(TimeCharts& charts) {
     };
     force_ = add("force_chart", tr("force (N)"), tr("force (N)"), QStringLiteral("N"), tr("force"));
     force_->show_peaks(true);
-    speed_ = add("speed_chart", tr("mm/s"), tr("speed (mm/s)"), QStringLiteral("mm/s"), tr("speed"));
-    traction_ = add("traction_chart", tr("N/m"), QString(), QString(), QString());
+    speed_ = add("speed_chart", tr("speed (mm/s)"), tr("speed (mm/s)"), QStringLiteral("mm/s"), tr("speed"));
+    traction_ = add("traction_chart", QString(), QString(), QString(), QString());
     energy_ = add("energy_chart", QString(), QString(), QStringLiteral("mm²"), QString());
     all_charts_ = {force_, speed_, traction_, energy_};
 }
@@ -111,23 +111,18 @@ void TracePanel::connect_parts() {
     for (TimeChart* chart : all_charts_) {
         connect(chart, &TimeChart::time_chosen, this, &TracePanel::time_chosen);
         connect(chart, &TimeChart::range_selected, this, &TracePanel::part_selected);
-        connect(chart, &TimeChart::label_room_changed, this, &TracePanel::align_charts, Qt::QueuedConnection);
     }
 }
 
 void TracePanel::align_charts() {
-    double room = 0;
     TimeChart* last = nullptr;
-    for (TimeChart* chart : all_charts_) {
-        if (chart->isHidden()) continue;
-        room = std::max(room, chart->label_room());
-        last = chart;
-    }
+    for (TimeChart* chart : all_charts_)
+        if (!chart->isHidden()) last = chart;
     const int line = fontMetrics().height();
     for (TimeChart* chart : all_charts_) {
         chart->show_time_axis(chart == last);
-        chart->setMinimumHeight((chart == last ? 7 : 5) * line);
-        chart->set_label_room(room);
+        chart->setMinimumHeight((chart == last ? 8 : 5) * line);
+        chart->set_compact(fontMetrics().horizontalAdvance(QStringLiteral("00000")) + 10);
     }
 }
 
@@ -274,7 +269,7 @@ void TracePanel::fill_traction(const TaskDefinition* task) {
     const TractionCourse& course = model_->traction;
     traction_->setVisible(!course.steps.empty());
     if (course.steps.empty()) return;
-    traction_->set_y_title(course.per_length ? tr("N/m") : tr("tension (N)"));
+    traction_->set_y_title(course.per_length ? tr("traction (N/m)") : tr("tension (N)"));
     traction_->setAccessibleName(course.per_length ? tr("traction across the cut (N/m)")
                                                    : tr("tension of a band as it was divided (N)"));
     traction_->set_unit(course.per_length ? QStringLiteral("N/m") : QStringLiteral("N"));
@@ -297,7 +292,7 @@ void TracePanel::fill_energy() {
     if (energy_->isHidden()) return;
     energy_->add_lane(tr("energy, left hand"), &Palette::left_hand, model_->energy[0]);
     energy_->add_lane(tr("energy, right hand"), &Palette::right_hand, model_->energy[1]);
-    energy_->set_y_title(model_->heat != nullptr ? tr("energy; mm²") : tr("energy"));
+    energy_->set_y_title(model_->heat != nullptr ? tr("energy; heat (mm²)") : tr("energy"));
     energy_->setAccessibleName(
         model_->heat != nullptr
             ? tr("energy of each hand; tissue reached by heat that was not meant for it (mm²)")

@@ -88,7 +88,7 @@ inline std::vector<const char*> window_places(Operation operation) {
         case Operation::set_tissues:
             return {"save_tissues"};
         case Operation::accept_assets:
-            return {};
+            return {"benchmark_build"};
         case Operation::rate:
             return {"rating_begin"};
         case Operation::read_ratings:
@@ -117,8 +117,6 @@ inline const char* window_leaves_out(Operation operation, Role role) {
         return "a trainee's briefing states that the site has its own values, without the values";
     if (role == Role::educator && operation == Operation::score_interrupted)
         return "scored in the background at the educator's sign-in; it is shown on the trainee's home page";
-    if (role == Role::educator && operation == Operation::accept_assets)
-        return "benchmark sets of the site are built on the command line, and accepted there";
     if (role == Role::director && operation == Operation::erase_person)
         return "nobody is erased by a wrong click: the command has a dry run and asks for a reason";
     return nullptr;

@@ -245,8 +245,9 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
         }
     };
     look();
-    for (const char* rail : {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign",
-                             "rail_cohort", "rail_attempts", "rail_rate", "rail_progress", "rail_tissues"}) {
+    for (const char* rail :
+         {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign", "rail_cohort",
+          "rail_attempts", "rail_rate", "rail_progress", "rail_tissues", "rail_benchmark"}) {
         if (!sees(*window, rail)) continue;
         click(*window, rail);
         if (auto* people = window->current_page()->findChild<QTableWidget*>("people_table"))

@@ -70,6 +70,7 @@ class BuildingLimits : public ::testing::Test {
     BuildingLimits() {
         apply_theme(*qApp, Theme::light);
         const std::filesystem::path source = test::source_path("assets");
+        std::filesystem::create_directories(assets);
         for (const char* part : {"benchmarks", "tasks", "scenes", "curricula", "forms", "schemas"})
             std::filesystem::copy(source / part, assets / part, std::filesystem::copy_options::recursive);
         qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(assets.string()));
@@ -109,6 +110,8 @@ class BuildingLimits : public ::testing::Test {
     }
     void open() {
         window->context().set_session(*ed);
+        // With large text the list of pages is behind a menu.
+        ASSERT_TRUE(wait_for([&] { return sees(*window, "menu") || sees(*window, "rail_benchmark"); }));
         choose_page(*window, "rail_benchmark");
         page = static_cast<BenchmarkPage*>(window->current_page());
         auto* tasks = find<QComboBox>(*window, "benchmark_task");
@@ -297,7 +300,7 @@ TEST_F(BuildingLimits, CanBeStoppedAndLeft) {
 
 TEST_F(BuildingLimits, AreForEducatorsOnly) {
     window->context().set_session(*director);
-    EXPECT_TRUE(sees(*window, "rail_limits"));
+    EXPECT_TRUE(wait_for([&] { return sees(*window, "rail_limits"); }));
     EXPECT_FALSE(sees(*window, "rail_benchmark"));
     BenchmarkSet next = set;
     ++next.version;

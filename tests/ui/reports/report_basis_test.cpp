@@ -67,7 +67,8 @@ class ReportBasis : public ::testing::Test {
     /// Without the breaks of the layout.
     static std::string words_of_pdf(const std::string& path) {
         std::string words;
-        for (const QByteArray& page : pages_of(path)) words += page.simplified().toStdString() + " ";
+        for (const QByteArray& page : pages_of(path))
+            words += QString::fromUtf8(page.simplified()).replace("- ", "-").toStdString() + " ";
         return words;
     }
 

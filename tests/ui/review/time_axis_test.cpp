@@ -164,7 +164,7 @@ class OneTimeAxis : public ::testing::Test {
             for (auto* table : window->findChildren<QTableWidget*>(QLatin1String(table_name)))
                 for (int row = 0; row < table->rowCount(); ++row)
                     if (table->item(row, 0)->text() == metric && table->item(row, 1)->text() == hand)
-                        found = table->item(row, column)->text();
+                        found = table->item(row, column)->text().replace(QChar(0x202F), QLatin1Char(' '));
             return !found.isEmpty();
         });
         EXPECT_TRUE(there) << metric.toStdString();
@@ -192,7 +192,7 @@ TEST_F(OneTimeAxis, ShowsWhatTheRecordHoldsBelowEachOtherAndZoomsTogether) {
         return true;
     })) << left_of(charts[0])
         << " " << left_of(charts[1]) << " " << left_of(charts[2]) << " " << left_of(charts[3]);
-    EXPECT_EQ(charts[0]->chart()->plotArea().width(), charts[3]->chart()->plotArea().width());
+    EXPECT_NEAR(charts[0]->chart()->plotArea().width(), charts[3]->chart()->plotArea().width(), 1.5);
 
     const AttemptModel& model = *page->model();
     ASSERT_EQ(model.traction.steps.size(), 2U);
@@ -241,8 +241,12 @@ TEST_F(OneTimeAxis, LeavesOutWhatWasNotRecorded) {
     EXPECT_TRUE(sees(*window, "speed_chart"));
     EXPECT_FALSE(sees(*window, "traction_chart"));
     EXPECT_FALSE(sees(*window, "energy_chart"));
-    debrief(*ed, record({false, true, false}));
+    DebriefPage* page = debrief(*ed, record({false, true, false}));
     EXPECT_TRUE(sees(*window, "energy_chart"));
+    bring(*chart("energy_chart"));
+    QTest::mouseClick(chart("energy_chart")->viewport(), Qt::LeftButton, {},
+                      in_plot(*chart("energy_chart"), 0.5));
+    EXPECT_NEAR(page->moment(), 3, 0.1) << "a chart of lanes alone knows its time too";
     EXPECT_FALSE(chart("energy_chart")->accessibleName().contains("mm²"));
     debrief(*ed, record({true, false, false}));
     EXPECT_TRUE(sees(*window, "traction_chart"));
@@ -272,7 +276,7 @@ TEST_F(OneTimeAxis, APartHasTheMetricsThatComparingShows) {
     // By the mouse in any chart: the same part in all of them.
     select_by_mouse(*chart("traction_chart"), 0.25, 0.5);
     EXPECT_EQ(step->currentText(), "Own range");
-    EXPECT_EQ(find<QLabel>(*window, "review_part_words")->text().left(6), "0:02.7");
+    EXPECT_EQ(find<QLabel>(*window, "review_part_words")->text().left(5), "0:02.");
     EXPECT_TRUE(wait_for([&] { return cell("part_table", "Time", "") != "3 s"; }));
     // By the buttons.
     click(*window, "review_part_whole");
@@ -316,6 +320,7 @@ TEST_F(OneTimeAxis, APartOfATaskThatIsNotThereSaysSoAndWhoRatesBlindSeesNoMetric
     EXPECT_TRUE(sees(*window, "traction_chart"));
     EXPECT_FALSE(sees(*window, "review_step")) << "its metrics are those of the score";
     select_by_mouse(*chart("force_chart"), 0.2, 0.6);
+    QTest::qWait(200);
     EXPECT_FALSE(sees(*window, "part_table"));
     click(*window, "lift_blinding");
     EXPECT_TRUE(sees(*window, "review_step"));
@@ -326,6 +331,7 @@ TEST_F(OneTimeAxis, LeavingWhileAPartIsMeasuredStopsIt) {
     debrief(*ed, id);
     for (int i = 0; i < 5; ++i) {
         select_by_mouse(*chart("speed_chart"), 0.1 * i, 0.1 * i + 0.3);
+        EXPECT_TRUE(sees(*window, "part_table"));
         debrief(*ed, id);
         EXPECT_FALSE(sees(*window, "part_table"));
     }
@@ -352,6 +358,8 @@ TEST_F(OneTimeAxis, FitsTheSmallestWindowWithLargeTextInBothThemesAndLanguages) 
             const QRect place(widget->mapTo(window.get(), QPoint()), widget->size());
             EXPECT_TRUE(place.left() >= 0 && place.right() <= window->width()) << look.name << " " << name;
             EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
+            // A chart is covered by its viewport.
+            if (auto* shown = qobject_cast<TimeChart*>(widget)) widget = shown->viewport();
             EXPECT_FALSE(widget->visibleRegion().isEmpty()) << look.name << " " << name;
         }
         page->findChild<ReplayPanel*>()->seek(1);

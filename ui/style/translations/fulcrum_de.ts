@@ -18631,10 +18631,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Kraft (N)</translation>
     </message>
     <message>
-        <source>mm/s</source>
-        <translation>mm/s</translation>
-    </message>
-    <message>
         <source>speed (mm/s)</source>
         <translation>Geschwindigkeit (mm/s)</translation>
     </message>
@@ -18667,8 +18663,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Rollen vergrößert, Ziehen verschiebt, ein Klick springt zu einem Zeitpunkt, ein Doppelklick zeigt alles; mit gedrückter Umschalttaste ziehen wählt einen Abschnitt.</translation>
     </message>
     <message>
-        <source>N/m</source>
-        <translation>N/m</translation>
+        <source>traction (N/m)</source>
+        <translation>Zug (N/m)</translation>
     </message>
     <message>
         <source>tension (N)</source>
@@ -18691,8 +18687,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Zug, höchstens</translation>
     </message>
     <message>
-        <source>energy; mm²</source>
-        <translation>Energie; mm²</translation>
+        <source>energy; heat (mm²)</source>
+        <translation>Energie; Hitze (mm²)</translation>
     </message>
     <message>
         <source>energy</source>
