@@ -15,13 +15,12 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-namespace files = std::filesystem;
-
 class Repair : public Screens {
   protected:
     Repair()
-        : path(services.store_path(false)), folder(files::path(path).parent_path().string() + "/backups") {
-        files::create_directory(folder);
+        : path(services.store_path(false)),
+          folder(std::filesystem::path(path).parent_path().string() + "/backups") {
+        std::filesystem::create_directory(folder);
         backup = folder + "/monday.db";
         services.store()->backup(sessions.at(Role::administrator), backup);
     }
@@ -66,7 +65,8 @@ class Repair : public Screens {
     /// Without what is left of their logs.
     std::vector<std::string> named(const std::string& part) const {
         std::vector<std::string> list;
-        for (const auto& entry : files::directory_iterator(files::path(path).parent_path())) {
+        for (const auto& entry :
+             std::filesystem::directory_iterator(std::filesystem::path(path).parent_path())) {
             const QString name = text(entry.path().filename().string());
             if (name.contains(text(part)) && !name.endsWith("-wal") && !name.endsWith("-shm") &&
                 !name.endsWith("-journal"))
@@ -120,13 +120,13 @@ TEST_F(Repair, AHeaderThatIsGarbageIsRepairedTheSameWay) {
 
 TEST_F(Repair, TheFileIsKeptUnderAnotherNameAfterASecondClick) {
     damage_table("score");
-    const auto size = files::file_size(path);
+    const auto size = std::filesystem::file_size(path);
     open(QSize(1024, 768));
     ASSERT_NE(page(), nullptr);
     settle();
     bring(*find<QPushButton>(*window, "put_aside"));
     click(*window, "put_aside");
-    EXPECT_TRUE(files::exists(path)) << "it is asked first";
+    EXPECT_TRUE(std::filesystem::exists(path)) << "it is asked first";
     click(*window, "put_aside_cancel");
     EXPECT_FALSE(sees(*window, "put_aside_confirm"));
     click(*window, "put_aside");
@@ -134,7 +134,7 @@ TEST_F(Repair, TheFileIsKeptUnderAnotherNameAfterASecondClick) {
     click(*window, "put_aside_confirm");
     EXPECT_EQ(window->current_page()->objectName(), "first_start_page");
     ASSERT_EQ(named(".damaged-").size(), 1U);
-    EXPECT_EQ(files::file_size(named(".damaged-").front()), size);
+    EXPECT_EQ(std::filesystem::file_size(named(".damaged-").front()), size);
     // From there a backup can still be restored.
     bring(*find<QPushButton>(*window, "first_restore"));
     click(*window, "first_restore");
@@ -146,12 +146,12 @@ TEST_F(Repair, TheFileIsKeptUnderAnotherNameAfterASecondClick) {
 }
 
 TEST_F(Repair, ADamagedBackupIsMarkedAndCannotBeChosenAndAnotherFolderIsSearched) {
-    const std::string elsewhere = files::path(path).parent_path().string() + "/elsewhere";
-    files::create_directory(elsewhere);
-    files::copy_file(backup, elsewhere + "/tuesday.db");
+    const std::string elsewhere = std::filesystem::path(path).parent_path().string() + "/elsewhere";
+    std::filesystem::create_directory(elsewhere);
+    std::filesystem::copy_file(backup, elsewhere + "/tuesday.db");
     {
         std::fstream file(backup, std::ios::in | std::ios::out | std::ios::binary);
-        for (std::streamoff at = 8192; at < static_cast<std::streamoff>(files::file_size(backup));
+        for (std::streamoff at = 8192; at < static_cast<std::streamoff>(std::filesystem::file_size(backup));
              at += 4096) {
             file.seekp(at);
             file.write(std::string(200, '\x5a').data(), 200);
@@ -173,18 +173,19 @@ TEST_F(Repair, ADamagedBackupIsMarkedAndCannotBeChosenAndAnotherFolderIsSearched
 
 TEST_F(Repair, AStoreThatCannotBeWrittenIsNotCalledDamaged) {
     services.close_store();
-    files::permissions(path, files::perms::owner_read);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_read);
     open(QSize(1024, 768));
     ASSERT_NE(page(), nullptr);
     EXPECT_FALSE(sees(*window, "restore_backup") || sees(*window, "put_aside"));
     EXPECT_TRUE(sees(*window, "open_other") && sees(*window, "quit"));
-    files::permissions(path, files::perms::owner_read | files::perms::owner_write);
+    std::filesystem::permissions(path,
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     click(*window, "try_again");
     EXPECT_EQ(window->current_page()->objectName(), "sign_in_page");
 }
 
 TEST_F(Repair, AnotherProgrammeIsOpenedInstead) {
-    const std::string other = files::path(path).parent_path().string() + "/other.db";
+    const std::string other = std::filesystem::path(path).parent_path().string() + "/other.db";
     {
         const database::Store store = database::Store::create(other);
         make_four_people(store, "Another department");
@@ -196,7 +197,7 @@ TEST_F(Repair, AnotherProgrammeIsOpenedInstead) {
     page()->open_other(text(other));
     EXPECT_EQ(window->current_page()->objectName(), "sign_in_page");
     EXPECT_EQ(services.store()->programme_name(), "Another department");
-    EXPECT_TRUE(files::exists(path)) << "the damaged one is left alone";
+    EXPECT_TRUE(std::filesystem::exists(path)) << "the damaged one is left alone";
 }
 
 TEST_F(Repair, AnAdministratorRestoresInTheWindowAndGoesBackWithoutDoingIt) {
