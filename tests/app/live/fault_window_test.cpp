@@ -153,7 +153,7 @@ class BreakableSpaceMouse : public Breakable {
 class BreakableJoystick : public Breakable {
   public:
     BreakableJoystick() {
-        words = "was unplugged";
+        words = "of the name Odd Stick is connected; connect it";
         lines = "Instrument on the joystick";
         title = name;
         page_->controller[0].known = 0;

@@ -100,13 +100,16 @@ TEST_F(OwnLimits, AreFoundByTaskVariantDeviceClassAndFidelity) {
     EXPECT_EQ(words_of(limits_for(fast.task, fast.scene, DeviceClass::haptic).not_comparable),
               "not comparable: the limits are for fidelity standard, the attempt used fast");
 
-    LoadedTask long_jaws = load_task_and_scene(TaskRequest{"B1", "long_jaws", {}});
-    EXPECT_EQ(limits_for(long_jaws.task, long_jaws.scene, DeviceClass::haptic).name().substr(0, 14),
-              "B1-provisional")
+    LoadedTask slim = load_task_and_scene(TaskRequest{"B1", "slim", {}});
+    EXPECT_EQ(limits_for(slim.task, slim.scene, DeviceClass::haptic).name().substr(0, 14), "B1-provisional")
         << "its family is standard";
-    for (TaskVariant& variant : long_jaws.task.variants) variant.family = variant.id;
-    EXPECT_EQ(words_of(limits_for(long_jaws.task, long_jaws.scene, DeviceClass::haptic).not_comparable),
-              "not comparable: the limits are for variant standard, the attempt used long_jaws");
+    for (TaskVariant& variant : slim.task.variants) variant.family = variant.id;
+    EXPECT_EQ(words_of(limits_for(slim.task, slim.scene, DeviceClass::haptic).not_comparable),
+              "not comparable: the limits are for variant standard, the attempt used slim");
+    const LoadedTask long_jaws = load_task_and_scene(TaskRequest{"B1", "long_jaws", {}});
+    for (const DeviceClass own : {DeviceClass::haptic, DeviceClass::tracked})
+        EXPECT_EQ(limits_for(long_jaws.task, long_jaws.scene, own).name().substr(0, 12), "B1-long_jaws")
+            << "long jaws press harder than the standard ones";
 
     const LoadedTask b0 = load_task_and_scene("B0");
     EXPECT_TRUE(limits_for(b0.task, b0.scene, DeviceClass::controller).not_comparable.empty())
