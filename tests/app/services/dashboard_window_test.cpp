@@ -147,11 +147,11 @@ TEST_F(DirectorsPath, TimeToProficiencyIsThatOfTheChosenTask) {
     auto* times = find<ui::FigureChart>(window, "dashboard_times_chart");
     ASSERT_NE(task, nullptr);
     bring(*task);
-    const auto curves = [&] { return std::get<ui::StepFigure>(times->figure()).curves; };
-    ASSERT_EQ(curves().size(), 2U);
-    EXPECT_FALSE(curves()[0].steps.empty());
+    const std::vector<ui::StepCurve> shown = std::get<ui::StepFigure>(times->figure()).curves;
+    ASSERT_EQ(shown.size(), 2U);
+    EXPECT_FALSE(shown[0].steps.empty());
     double before = 0;
-    for (const ui::CurveStep& step : curves()[0].steps) {
+    for (const ui::CurveStep& step : shown[0].steps) {
         EXPECT_GE(step.value, before);
         EXPECT_LE(step.low, step.value);
         EXPECT_GE(step.high, step.value);
