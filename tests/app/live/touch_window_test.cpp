@@ -98,7 +98,7 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
 TEST_F(TouchWindow, LocksWhenTheDeviceRestsAndNotWhileAHandMovesIt) {
     create_programme_and_trainee();
     start("A2", false);
-    constexpr int idle_ms = 700;
+    constexpr int idle_ms = 1500;
     auto* idle = window.findChild<ui::IdleWatch*>();
     ASSERT_NE(idle, nullptr);
     idle->lock_after(idle_ms);
