@@ -73,7 +73,7 @@ const std::string& program_digest() {
 
 std::string tamper_evidence(const ReportProvenance& provenance) {
     return provenance.tamper_evident ? "a service account owns the store"
-                                     : "not tamper-evident: see docs/MANUAL.md, Who can change the store";
+                                     : "not tamper-evident: see Who can change the store in docs/MANUAL.md";
 }
 
 ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
