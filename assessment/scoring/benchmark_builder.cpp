@@ -2,7 +2,6 @@
 #include "assessment/scoring/benchmark_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -87,7 +86,7 @@ double worst_value(const MetricDescriptor& d, const std::vector<ExpertValues>& e
 
 struct Levels {
     std::vector<BenchmarkLevel> levels;
-    Sentence refusal;
+    std::string refusal;
 };
 
 /// The levels of all benchmark gates, from all experts but one (`without` empty: from all); with `narrowed`
@@ -111,10 +110,8 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
         level.scale = d.scale;
         std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest, request.outliers);
         if (!benchmark) {
-            out.refusal = {
-                QT_TRANSLATE_NOOP("errors",
-                                  "%1: fewer than %2 experts are left with a value after the outlier rule"),
-                level_name(level), fewest};
+            out.refusal = level_name(level) + ": fewer than " + std::to_string(fewest) +
+                          " experts are left with a value after the outlier rule";
             return out;
         }
         benchmark->deviation = std::max(benchmark->deviation, d.least_deviation);
@@ -151,18 +148,17 @@ std::vector<BenchmarkPerson> people_of(const std::vector<BenchmarkAttempt>& atte
     return people;
 }
 
-Sentence too_few(const BenchmarkRequest& request, const std::vector<BenchmarkPerson>& experts) {
+std::string too_few(const BenchmarkRequest& request, const std::vector<BenchmarkPerson>& experts) {
     if (static_cast<int>(experts.size()) < request.minimum_experts)
-        return {QT_TRANSLATE_NOOP("errors", "%1 experts where %2 are needed"), experts.size(),
-                request.minimum_experts};
+        return std::to_string(experts.size()) + " experts where " + std::to_string(request.minimum_experts) +
+               " are needed";
     for (const BenchmarkPerson& expert : experts)
         if (expert.attempts < request.minimum_attempts)
-            return {QT_TRANSLATE_NOOP("errors", "%1 has %2 counted attempts where %3 are needed"),
-                    expert.name, expert.attempts, request.minimum_attempts};
+            return expert.name + " has " + std::to_string(expert.attempts) + " counted attempts where " +
+                   std::to_string(request.minimum_attempts) + " are needed";
     if (request.familiarisation < request.minimum_familiarisation)
-        return {QT_TRANSLATE_NOOP("errors",
-                                  "fewer than %1 familiarisation attempts came before the counted ones"),
-                request.minimum_familiarisation};
+        return "fewer than " + std::to_string(request.minimum_familiarisation) +
+               " familiarisation attempts came before the counted ones";
     return {};
 }
 
@@ -200,9 +196,6 @@ int number_of(const std::string& person, const std::vector<BenchmarkPerson>& peo
     return static_cast<int>(place - people.begin());
 }
 
-/// By metric, hand and event (BenchmarkFailure).
-using Failures = std::map<std::array<std::string, 3>, int>;
-
 /// Scores every expert attempt against the set made without its expert.
 class LeaveOneOut {
   public:
@@ -211,28 +204,28 @@ class LeaveOneOut {
         : task_(task), request_(request), full_(full) {
         for (const BenchmarkPerson& expert : full.experts) {
             Levels levels = make_levels(task, request, expert.name, narrowed);
-            if (!levels.refusal.empty())
-                refusal_ = {QT_TRANSLATE_NOOP("errors", "without %1: %2"), expert.name, levels.refusal};
+            if (!levels.refusal.empty()) refusal_ = "without " + expert.name + ": " + levels.refusal;
             levels_[expert.name] = std::move(levels.levels);
         }
     }
-    const Sentence& refusal() const { return refusal_; }
+    const std::string& refusal() const { return refusal_; }
 
     /// Share of attempts that pass all gates at this k; counts into `failures` which gates were not met.
-    double pass_share(double k, Failures& failures) const {
+    double pass_share(double k, std::map<std::string, int>& failures) const {
         BenchmarkSet set = full_;
         set.k = k;
         return pass_share(set, failures);
     }
     /// The same with the set's k of each level.
-    double pass_share(const BenchmarkSet& limits, Failures& failures) const {
+    double pass_share(const BenchmarkSet& limits, std::map<std::string, int>& failures) const {
         int passed = 0;
         for (const BenchmarkAttempt& attempt : request_.experts) {
             const Score score = score_of(task_, attempt, without_its_expert(limits, attempt));
             passed += score.passed == true ? 1 : 0;
-            for (const CriticalError& error : attempt.critical_errors) ++failures[{"", "", error.event}];
+            for (const CriticalError& error : attempt.critical_errors)
+                ++failures["critical error " + error.event];
             for (const GateResult& gate : score.gates)
-                if (gate.passed != true) ++failures[{gate.metric, gate.hand, ""}];
+                if (gate.passed != true) ++failures[gate.metric + (gate.hand.empty() ? "" : " " + gate.hand)];
         }
         return static_cast<double>(passed) / static_cast<double>(request_.experts.size());
     }
@@ -264,7 +257,7 @@ class LeaveOneOut {
     const BenchmarkRequest& request_;
     const BenchmarkSet& full_;
     std::map<std::string, std::vector<BenchmarkLevel>> levels_;
-    Sentence refusal_;
+    std::string refusal_;
 };
 
 /// Whose share is nearest to the aim; of several the middle one. Shares rise with k, so those are neighbours.
@@ -403,29 +396,22 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
     build.refusal = leave_one_out.refusal();
     if (!build.refusal.empty()) return build;
     for (int tenths = first_k; tenths <= last_k; ++tenths) {
-        Failures failures;
+        std::map<std::string, int> failures;
         build.trials.push_back({tenths / 10.0, leave_one_out.pass_share(tenths / 10.0, failures)});
     }
     const BenchmarkTrial& chosen = nearest_trial(build.trials, 1.0 - request.p0);
     set.k = chosen.k;
     heed_intermediates(task, request, set, build.log);
-    Failures failures;
+    std::map<std::string, int> failures;
     set.expert_pass_share = LeaveOneOut(task, request, set, true).pass_share(set, failures);
-    for (const auto& [what, count] : failures) {
-        const auto& [metric, hand, event] = what;
-        build.failures.push_back({metric, hand, event, count});
-        const std::string gate =
-            !event.empty() ? "critical error " + event : metric + (hand.empty() ? "" : " " + hand);
+    for (const auto& [gate, count] : failures)
         build.log.push_back("k " + decimal_text(set.k, 1) + ": " + gate + " not met by " +
                             std::to_string(count) + " expert attempts with their expert left out");
-    }
     if (set.expert_pass_share < 1.0 - request.most_failing - 1e-12) {
-        build.refusal = {
-            QT_TRANSLATE_NOOP("errors",
-                              "only %1 % of the experts' own attempts pass all gates at k = %2, the best of "
-                              "all, where %3 % are needed"),
-            decimal_text(100.0 * set.expert_pass_share, 1), decimal_text(set.k, 1),
-            decimal_text(100.0 * (1.0 - request.most_failing), 1)};
+        build.refusal = "only " + decimal_text(100.0 * set.expert_pass_share, 1) +
+                        " % of the experts' own attempts pass all gates at k = " + decimal_text(set.k, 1) +
+                        ", the best of all, where " + decimal_text(100.0 * (1.0 - request.most_failing), 1) +
+                        " % are needed";
         return build;
     }
     build.set = std::move(set);

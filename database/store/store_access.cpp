@@ -33,7 +33,6 @@ bool writes(Operation operation) {
         case Operation::rotate_key:
         case Operation::erase_person:
         case Operation::review_error:
-        case Operation::export_all:
             return true;
         default:
             return false;

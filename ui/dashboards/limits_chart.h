@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "assessment/learning/contrasting_groups.h"
-#include "ui/charts/chart_table.h"
 
 namespace fulcrum::ui {
 
@@ -24,13 +23,11 @@ struct GateLimits {
     std::vector<double> values;                 ///< of attempts
 };
 
-class LimitsChart : public QWidget, public TabledChart {
+class LimitsChart : public QWidget {
   public:
     explicit LimitsChart(QWidget* parent = nullptr);
     void show_gates(std::vector<GateLimits> gates);
     const std::vector<GateLimits>& gates() const { return gates_; }
-    /// A row for each limit and for each value.
-    ChartTable table() const override;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {280, sizeHint().height()}; }
 
@@ -51,11 +48,10 @@ struct GroupCurves {
     std::optional<PassMark> mark;
 };
 
-class GroupsChart : public QWidget, public TabledChart {
+class GroupsChart : public QWidget {
   public:
     explicit GroupsChart(QWidget* parent = nullptr);
     void show_groups(std::optional<GroupCurves> groups);
-    ChartTable table() const override;
     QSize sizeHint() const override { return {360, 200}; }
     QSize minimumSizeHint() const override { return {260, 160}; }
 

@@ -17,7 +17,6 @@ class QTableWidget;
 
 namespace fulcrum::ui {
 
-class ChartFrame;
 class GroupsChart;
 class LimitsChart;
 
@@ -54,7 +53,6 @@ class LimitsPage : public Page {
     QLabel *count_, *mark_;
     LimitsChart* chart_;
     GroupsChart* groups_;
-    ChartFrame* groups_frame_;
     QTableWidget* table_;
     StationNote* note_;
 };

@@ -18,7 +18,6 @@ class QTableWidget;
 namespace fulcrum::ui {
 
 class AttemptChart;
-class ChartFrame;
 class CertificateCard;
 struct AttemptChartData;
 struct AttemptSeries;
@@ -68,7 +67,6 @@ class ProgressPage : public Page {
     GoalsCard* goals_;
     CurriculumCard* curriculum_;
     AttemptChart* chart_;
-    ChartFrame* frame_;
     QTableWidget* table_;
 };
 
