@@ -48,7 +48,8 @@ void StationsCard::look() {
                                   Qt::AlignRight | Qt::AlignVCenter));
         table_->setItem(row, 2, make_cell(one.newest == 0 ? tr("nothing yet") : date_text(one.newest)));
         table_->setItem(row, 3, make_cell(date_text(one.created)));
-        table_->setItem(row, 4, make_cell(text(one.key.substr(0, 16))));
+        table_->setItem(row, 4,
+                        make_cell(one.key.empty() ? tr("not known here") : text(one.key.substr(0, 16))));
         table_->item(row, 4)->setToolTip(text(one.key));
     }
     fit_columns(table_);

@@ -133,6 +133,9 @@ TEST_F(ServerWindow, AStationListsTheOthersWhoseAttemptsItHas) {
     ASSERT_EQ(table->rowCount(), 2);
     EXPECT_TRUE(table->item(0, 0)->text().contains("this one")) << table->item(0, 0)->text().toStdString();
     EXPECT_EQ(table->item(1, 1)->text(), "1");
+    EXPECT_FALSE(table->item(0, 4)->toolTip().isEmpty());
+    EXPECT_EQ(table->item(1, 4)->text(), "not known here") << "keys are not exchanged";
+    window->resize(1024, 1500);  // the card is the page's last
     keep("server-stations");
 }
 
