@@ -14,7 +14,8 @@
 #include "assessment/operators/device_model.h"
 #include "assessment/scoring/benchmark_builder.h"
 #include "assessment/scoring/judged_limits.h"
-#include "database/records/attempts.h"
+#include "database/records/people.h"
+#include "database/scoring/expert_attempts.h"
 #include "sim_core/numerics/files.h"
 #include "sim_core/numerics/number_text.h"
 #include "sim_core/scene/json_document.h"
@@ -29,7 +30,6 @@ struct Group {
     std::uint64_t first_seed = 0;
 };
 constexpr Group groups[] = {{32, 3, 1000}, {60, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
-constexpr int familiarisation = 3;
 // Seeds 1000-1999 are reserved for benchmarks.
 
 struct Job {
@@ -88,58 +88,19 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, OperatorLe
     return attempts;
 }
 
-/// Attempts with this class of device, in the scene of `loaded`: its variant, fidelity and cutting
-/// parameters.
-std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, const database::Session& session,
-                                              const LoadedTask& loaded, DeviceClass device_class,
-                                              const std::vector<std::string>& logins) {
-    const database::Attempts attempts(store);
+/// The people with these logins.
+std::vector<ExpertCandidate> experts_named(const database::Store& store, const database::Session& session,
+                                           const std::vector<std::string>& logins) {
     const database::People people(store);
-    std::vector<BenchmarkAttempt> result;
+    std::vector<ExpertCandidate> experts;
     for (const std::string& login : logins) {
         const auto person = people.find_login(session, login);
         if (!person)
             throw InputError("--experts", "", {QT_TRANSLATE_NOOP("errors", "no person '%1'"), login},
                              QT_TRANSLATE_NOOP("errors", "name logins of this store, separated by commas"));
-        database::AttemptFilter filter;
-        filter.person_id = person->id;
-        filter.task_id = loaded.task.id;
-        filter.include_voided = false;
-        std::vector<database::AttemptSummary> list = attempts.list(session, filter);
-        std::reverse(list.begin(), list.end());  // oldest first: the first attempts are familiarisation
-        int seen = 0;
-        for (const database::AttemptSummary& summary : list) {
-            if (summary.meta.mode != AttemptMode::assessed || summary.state != AttemptState::completed ||
-                limits_class(summary.meta.device_class) != device_class ||
-                variant_family(loaded.task, summary.meta.variant) !=
-                    variant_family(loaded.task, loaded.scene.variant) ||
-                summary.meta.fidelity != loaded.scene.fidelity.id || ++seen <= familiarisation)
-                continue;
-            const auto score = attempts.score(session, summary.meta.id);
-            if (!score) continue;
-            if (!cutting_difference(cutting_values(load_recorded(attempts, session, summary).scene),
-                                    cutting_values(loaded.scene))
-                     .empty())
-                continue;
-            BenchmarkAttempt attempt;
-            attempt.person = login;
-            for (const database::MetricRow& row : score->metrics) {
-                MetricResult metric;
-                metric.id = row.id;
-                metric.version = row.version;
-                metric.hand = row.hand;
-                metric.tissue = row.tissue;
-                metric.value = row.value;
-                metric.unit = row.unit;
-                metric.direction = row.direction;
-                metric.absent_because = row.absent_because;
-                metric.absence = row.value ? Absence::none : Absence::not_measured;
-                attempt.metrics.push_back(metric);
-            }
-            result.push_back(attempt);
-        }
+        experts.push_back({person->id, login, person->display_name, 0});
     }
-    return result;
+    return experts;
 }
 
 std::vector<std::string> split(const std::string& list) {
@@ -182,21 +143,6 @@ Setting setting_of(const Arguments& arguments) {
     return setting;
 }
 
-/// Of a set in a file, also of one that this program no longer reads (other versions of metrics); 0: none.
-int version_in(const std::string& path) {
-    if (!std::filesystem::exists(path)) return 0;
-    const nlohmann::json set = JsonDocument::load(path).root();
-    return set.is_object() && set.contains("version") && set["version"].is_number_integer()
-               ? set["version"].get<int>()
-               : 0;
-}
-
-/// One more than that of the set in force and of the one that `output` replaces.
-int next_version(const BenchmarkKey& key, const std::optional<std::string>& output) {
-    const int in_force = version_in(asset_path("benchmarks/" + benchmark_name(key) + ".json"));
-    return 1 + std::max(in_force, output ? version_in(*output) : 0);
-}
-
 /// The experts, as screens name them.
 std::string source_of(DeviceClass device_class) {
     const std::string seeds = ", seeds 1000-1999";
@@ -208,32 +154,27 @@ std::string source_of(DeviceClass device_class) {
 BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting, DeviceClass device_class,
                              const std::optional<std::string>& output) {
     const LoadedTask& loaded = setting.loaded;
-    BenchmarkRequest request;
-    request.device_class = device_class;
-    request.cutting = cutting_values(loaded.scene);
-    request.variant_family = variant_family(loaded.task, loaded.scene.variant);
-    request.fidelity = loaded.scene.fidelity.id;
-    request.version = next_version(
-        {loaded.task.id, request.variant_family, request.device_class, request.fidelity}, output);
-    if (arguments.has("--operators")) {
-        request.source = source_of(request.device_class);
-        request.provisional = true;
-        request.outliers = false;
-        request.familiarisation = request.minimum_familiarisation = 0;
-        request.experts = run_operators(loaded, OperatorLevel::expert, request.device_class);
-        request.intermediates = run_operators(loaded, OperatorLevel::intermediate, request.device_class);
-        request.novices = run_operators(loaded, OperatorLevel::novice, request.device_class);
-    } else {
-        request.source = "experts of this site";
-        request.provisional = false;
-        request.familiarisation = familiarisation;
+    const BenchmarkKey key{loaded.task.id, variant_family(loaded.task, loaded.scene.variant), device_class,
+                           loaded.scene.fidelity.id};
+    const int version =
+        next_benchmark_version(key, output ? std::vector<std::string>{*output} : std::vector<std::string>());
+    if (!arguments.has("--operators")) {
         const std::vector<std::string> logins = split(*arguments.value("--experts"));
         if (logins.empty())
             throw UsageError("--experts", QT_TRANSLATE_NOOP("errors", "is empty"),
                              QT_TRANSLATE_NOOP("errors", "give logins separated by commas"));
-        request.experts =
-            stored_attempts(*setting.store, *setting.session, loaded, request.device_class, logins);
+        return expert_request(loaded, device_class, version,
+                              *expert_attempts(*setting.store, *setting.session, loaded, device_class,
+                                               experts_named(*setting.store, *setting.session, logins)));
     }
+    BenchmarkRequest request = expert_request(loaded, device_class, version,
+                                              run_operators(loaded, OperatorLevel::expert, device_class));
+    request.source = source_of(device_class);
+    request.provisional = true;
+    request.outliers = false;
+    request.familiarisation = request.minimum_familiarisation = 0;
+    request.intermediates = run_operators(loaded, OperatorLevel::intermediate, device_class);
+    request.novices = run_operators(loaded, OperatorLevel::novice, device_class);
     return request;
 }
 
@@ -268,7 +209,7 @@ nlohmann::json json_of(const BenchmarkBuild& build, const TaskDefinition& task) 
         trials.push_back({{"k", trial.k}, {"pass_share", trial.pass_share}});
     return {{"task", task.id},
             {"usable", build.set.has_value()},
-            {"refusal", or_null(build.refusal)},
+            {"refusal", or_null(build.refusal.words())},
             {"trials", trials},
             {"log", build.log},
             {"limits", build.set ? limits_json(task, *build.set) : nlohmann::json()},
@@ -295,7 +236,8 @@ void print_summary(const TaskDefinition& task, const BenchmarkBuild& build) {
         std::cout << "k " << trial.k << ": " << 100 * trial.pass_share
                   << " % of the experts' own attempts pass\n";
     if (build.set) print_limits(task, *build.set);
-    std::cout << (build.set ? "usable at k " + std::to_string(build.set->k) : "refused: " + build.refusal)
+    std::cout << (build.set ? "usable at k " + std::to_string(build.set->k)
+                            : "refused: " + build.refusal.words())
               << '\n';
 }
 
@@ -305,7 +247,7 @@ bool build_one(const Arguments& arguments, const Setting& setting, DeviceClass d
     if (output) require_writable_file(*output);  // checked before minutes of work
     const BenchmarkBuild build =
         build_benchmark(setting.loaded.task, request_for(arguments, setting, device_class, output));
-    if (build.set && output) write_whole_file(*output, benchmark_to_json(*build.set).dump(2) + "\n");
+    if (build.set && output) write_whole_file(*output, benchmark_text(*build.set));
     if (arguments.has("--json")) {
         print_json(json_of(build, setting.loaded.task));
     } else {

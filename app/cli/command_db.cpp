@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum db: creates, checks and backs up the store, shows its audit log, brings scores up to date.
+// fulcrum db: creates and checks the store, shows its audit log, brings scores up to date.
 #include <QDate>
 #include <QDateTime>
 #include <iostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/simulation_options.h"
 #include "app/live/interrupted.h"
 #include "assessment/metrics/statement_words.h"
 #include "database/records/people.h"
 #include "database/scoring/rescoring.h"
 #include "database/store/audit.h"
-#include "database/store/backup_rotation.h"
+#include "database/store/quick_check.h"
 #include "database/store/signing_keys.h"
-#include "database/store/store_restore.h"
-#include "database/sync/station_erasure.h"
 
 namespace fulcrum::app {
 namespace {
@@ -95,13 +94,42 @@ void add_key(const database::Store& store, const std::string& key, database::Che
     report.items.push_back(std::move(item));
 }
 
+/// The look that the window takes when it starts.
+int quick_check(const Arguments& arguments) {
+    database::StoreOptions options;
+    options.read_only = options.older_schema = true;
+    const database::Store store = database::Store::open(store_path(arguments), options);
+    store.require(store.station_session(), database::Operation::check_store);
+    const database::QuickCheck found = database::quick_check(store);
+    if (arguments.has("--json")) {
+        print_json({{"ok", found.problems.empty()},
+                    {"store", store_path(arguments)},
+                    {"tables", found.tables},
+                    {"tables_seen", found.tables_seen},
+                    {"problems", english_of(found.problems)}});
+    } else {
+        std::cout << "quick check: " << (found.problems.empty() ? "ok" : "BROKEN") << " ("
+                  << found.tables_seen << " of " << found.tables << " tables read)\n";
+        for (const Sentence& problem : found.problems) std::cout << "  " << line_of(problem) << '\n';
+    }
+    return found.problems.empty() ? 0 : 1;
+}
+
 int check(const Arguments& arguments) {
+    if (arguments.has("--quick")) return quick_check(arguments);
+    const SimulationSample sample = simulation_sample(arguments);
     database::StoreOptions options;
     options.read_only = !arguments.has("--as");  // a sign-in is recorded, so the store must be writable
     options.older_schema = options.read_only;
     const std::string head = known_head(arguments), key = known_key(arguments);
     const database::Store store = database::Store::open(store_path(arguments), options);
-    database::CheckReport report = store.check(session_of(arguments, store));
+    const database::Session session = session_of(arguments, store);
+    database::CheckReport report = store.check(session);
+    // A store that is damaged is not simulated from, and an older one has other tables.
+    if (sample.attempts > 0 && report.ok && store.found_schema() == database::Store::schema_version()) {
+        report.items.push_back(check_by_simulation(store, session, sample));
+        report.ok = report.ok && report.items.back().ok;
+    }
     if (!head.empty()) add_head(store, head, report);
     if (!key.empty()) add_key(store, key, report);
     nlohmann::json items = nlohmann::json::array();
@@ -129,80 +157,6 @@ int check(const Arguments& arguments) {
                   << ": what later schemas add was not checked; `fulcrum db migrate` brings it up to date\n";
     }
     return report.ok ? 0 : 1;
-}
-
-/// A new file in the folder, and at most `keep` of them.
-int rotate_backups(const Arguments& arguments, int keep) {
-    const database::Store store = open_store(arguments, false);
-    const auto done =
-        database::backup_into(store, person_session(arguments, store), arguments.words()[0], keep);
-    if (!done) return 1;
-    if (arguments.has("--json")) {
-        print_json({{"store", store_path(arguments)}, {"backup", done->path}, {"removed", done->removed}});
-    } else {
-        std::cout << "backed up " << store_path(arguments) << " to " << done->path << " (checked)\n";
-        for (const std::string& path : done->removed) std::cout << "removed " << path << '\n';
-    }
-    return 0;
-}
-
-int backup(const Arguments& arguments) {
-    if (arguments.has("--keep"))
-        return rotate_backups(
-            arguments, static_cast<int>(arguments.integer("--keep", 1, 1, database::most_kept_backups)));
-    const database::Store store = open_store(arguments, false);
-    const std::string& to = arguments.words()[0];
-    store.backup(person_session(arguments, store), to);
-    if (arguments.has("--json")) {
-        print_json({{"store", store_path(arguments)}, {"backup", to}});
-    } else {
-        std::cout << "backed up " << store_path(arguments) << " to " << to << " (checked)\n";
-    }
-    return 0;
-}
-
-int restore(const Arguments& arguments) {
-    const std::string path = store_path(arguments), from = arguments.words()[0];
-    if (!arguments.has("--as"))
-        throw UsageError(
-            "--as",
-            QT_TRANSLATE_NOOP("errors", "is missing; only an administrator of the backup restores it"),
-            QT_TRANSLATE_NOOP(
-                "errors", "sign in with --as LOGIN, and --password-file FILE where there is no terminal"));
-    const database::Replaced done = database::restore_store(
-        from, path, [&](const database::Store& copy) { return session_of(arguments, copy); });
-    const int erased = database::erase_listed(database::Store::open(path));
-    if (arguments.has("--json")) {
-        print_json({{"store", path},
-                    {"restored", from},
-                    {"schema", done.from_schema},
-                    {"head", done.head},
-                    {"erased", erased},
-                    {"kept", or_null(done.kept)},
-                    {"kept_head", or_null(done.before)}});
-    } else {
-        std::cout << "restored " << path << " from " << from << " (checked before and after)\n";
-        if (erased > 0)
-            std::cout << "people whom this station had erased since, and who were erased again: " << erased
-                      << '\n';
-        if (!done.kept.empty()) std::cout << "what was there before is kept in " << done.kept << '\n';
-    }
-    return 0;
-}
-
-int migrate(const Arguments& arguments) {
-    const std::string path = store_path(arguments);
-    const database::Replaced done = database::migrate_store(path);
-    const int now = database::Store::schema_version();
-    if (arguments.has("--json")) {
-        print_json({{"store", path}, {"from", done.from_schema}, {"to", now}, {"kept", or_null(done.kept)}});
-    } else if (done.kept.empty()) {
-        std::cout << path << " has schema " << now << " already\n";
-    } else {
-        std::cout << "brought " << path << " from schema " << done.from_schema << " to " << now
-                  << "; the old file is kept in " << done.kept << '\n';
-    }
-    return 0;
 }
 
 /// A day ("2026-11-21") or a time ("2026-11-21T04:07:37Z"), UTC. A day means its beginning, with `end` its
@@ -385,31 +339,12 @@ std::vector<Command> store_commands() {
                QT_TRANSLATE_NOOP(
                    "commands",
                    "Also check that the newest audit row is signed by this key, or by one to which announced "
-                   "keys lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them.")}},
-             session_options()),
+                   "keys lead from it: 16 to 32 hexadecimal digits, as reports and `db audit` print them.")},
+              {"--quick", "",
+               QT_TRANSLATE_NOOP("commands",
+                                 "Only what the window looks at when it starts, within a second.")}},
+             joined(simulation_options(), session_options())),
          check},
-        {"db backup", "TO", 1, 1,
-         QT_TRANSLATE_NOOP("commands",
-                           "Copies the store to a new file and checks the copy before it gets its name."),
-         joined({{"--keep", "N",
-                  QT_TRANSLATE_NOOP("commands",
-                                    "TO is a folder: write a file named by the time, and keep the newest N "
-                                    "backups of this station there; older ones are removed.")}},
-                session_options()),
-         backup},
-        {"db restore", "FROM", 1, 1,
-         QT_TRANSLATE_NOOP("commands",
-                           "Puts a backup in the store's place, after checking it; the old store is kept."),
-         session_options(), restore},
-        {"db migrate",
-         "",
-         0,
-         0,
-         QT_TRANSLATE_NOOP(
-             "commands",
-             "Brings an older store up to this program's schema, after checking it; the old file is kept."),
-         {store_option(), json_option()},
-         migrate},
         {"db audit", "", 0, 0, QT_TRANSLATE_NOOP("commands", "Lists the audit log and checks its chain."),
          joined({person,
                  {"--kind", "KIND",

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/simulation_options.h"
 #include "database/sync/enrolment.h"
 #include "database/sync/programme_server.h"
 #include "database/sync/server_enrolment.h"
@@ -167,7 +168,14 @@ int create_server(const Arguments& arguments) {
 
 int check_server(const Arguments& arguments) {
     const database::ServerAddress address = address_of(arguments);
-    const database::ServerCheck check = database::check_programme_server(address);
+    const SimulationSample sample = simulation_sample(arguments);
+    database::ServerCheck check = database::check_programme_server(address);
+    if (sample.attempts > 0 && check.problems.empty()) {
+        const database::Store store = database::Store::open(address.text());
+        database::CheckItem item = check_by_simulation(store, store.station_session(), sample);
+        for (Sentence& problem : item.problems) check.problems.push_back(std::move(problem));
+        for (Sentence& note : item.notes) check.notes.push_back(std::move(note));
+    }
     if (arguments.has("--json")) {
         print_json({{"server", address.text()},
                     {"ok", check.problems.empty()},
@@ -415,15 +423,11 @@ std::vector<Command> server_commands() {
              "Makes the tables of a programme server in an empty PostgreSQL database, or upgrades them."),
          {to, json_option()},
          create_server},
-        {"server check",
-         "",
-         0,
-         0,
+        {"server check", "", 0, 0,
          QT_TRANSLATE_NOOP(
              "commands",
              "Checks the audit logs of all stations on the server, their signatures, and what was signed."),
-         {to, json_option()},
-         check_server},
+         joined(simulation_options(), {to, json_option()}), check_server},
         {"server grant",
          "LOGIN",
          1,

@@ -19,6 +19,8 @@ std::vector<Command> headless_commands() {
     for (const Command& command : merge_commands()) commands.push_back(command);
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
+    for (const Command& command : care_commands()) commands.push_back(command);
+    for (const Command& command : person_data_commands()) commands.push_back(command);
     for (const Command& command : key_commands()) commands.push_back(command);
     for (const Command& command : server_commands()) commands.push_back(command);
     for (const Command& command : igtl_commands()) commands.push_back(command);

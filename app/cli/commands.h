@@ -25,17 +25,19 @@ Command benchmark_command();
 Command tissues_command();
 Command forms_command();
 Command research_command();
-std::vector<Command> asset_commands();       ///< assets ...
-std::vector<Command> curricula_commands();   ///< curriculum list, move
-std::vector<Command> roster_commands();      ///< people import, cohort import
-std::vector<Command> merge_commands();       ///< people merge, unmerge
-Command erase_command();                     ///< people erase
-std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
-std::vector<Command> store_commands();       ///< db ...
-std::vector<Command> key_commands();         ///< db keys, db rotate-key
-std::vector<Command> server_commands();      ///< sync, server ...
-std::vector<Command> igtl_commands();        ///< igtl serve, record
-std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab
+std::vector<Command> asset_commands();        ///< assets ...
+std::vector<Command> curricula_commands();    ///< curriculum list, move
+std::vector<Command> roster_commands();       ///< people import, cohort import
+std::vector<Command> merge_commands();        ///< people merge, unmerge
+Command erase_command();                      ///< people erase
+std::vector<Command> person_data_commands();  ///< people export, retention
+std::vector<Command> statistics_commands();   ///< curriculum ..., benchmark statistics
+std::vector<Command> store_commands();        ///< db create, check, audit, score, recompute
+std::vector<Command> care_commands();         ///< db backup, restore, migrate
+std::vector<Command> key_commands();          ///< db keys, db rotate-key
+std::vector<Command> server_commands();       ///< sync, server ...
+std::vector<Command> igtl_commands();         ///< igtl serve, record
+std::vector<Command> laboratory_commands();   ///< lab ...: without code, run by the program fulcrum-lab
 
 Option json_option();
 Option store_option();                  ///< --db

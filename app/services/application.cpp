@@ -35,6 +35,7 @@
 #include "database/scoring/site_tissues.h"
 #include "database/store/accepted_assets.h"
 #include "database/store/kept_frames.h"
+#include "database/store/quick_check.h"
 #include "database/sync/station_erasure.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
@@ -65,13 +66,22 @@ class Services : public ui::ApplicationServices {
     }
     void open_store(bool demo) override {
         const std::string path = store_path(demo);
-        in_advance_.finish();
-        store_.reset();
+        close_store();
+        if (!demo && !database::ServerAddress::is_address(path) && database::Store::exists(path))
+            database::require_quick_check(path);
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
         database::Curricula(*opened).check(curriculum());
         if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);
         frames_swept_ = false;
+    }
+    void close_store() override {
+        in_advance_.finish();
+        store_.reset();
+    }
+    void choose_store(const std::string& path) override {
+        close_store();
+        named_ = path;
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool unpack_demo(const ui::Progress& progress) override {

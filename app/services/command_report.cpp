@@ -51,6 +51,8 @@ int run_report(const Arguments& arguments) {
     request.format = ui::parse_report_format(arguments.value_or("--format", "pdf"));
     request.path = *arguments.value("--output");
     request.home_page = arguments.value_or("--home-page", "");
+    request.plan_weeks = static_cast<int>(
+        arguments.integer("--plan-weeks", database::usual_plan_weeks, 1, database::longest_plan_weeks));
     if (request.format == ui::ReportFormat::xapi) ui::require_home_page(request.home_page);
 
     const database::Store store = open_store(arguments, false);
@@ -100,6 +102,10 @@ Command report_command() {
              {"--home-page", "ADDRESS",
               QT_TRANSLATE_NOOP(
                   "commands", "With --format xapi: the web address that the ids of your people belong to.")},
+             {"--plan-weeks", "N",
+              QT_TRANSLATE_NOOP("commands",
+                                "Of a cohort as pdf or json: the plan gives so many weeks for all tasks."),
+              "26"},
              {"--output",
               "FILE",
               QT_TRANSLATE_NOOP("commands", "The file to write; with --format trace the folder."),

@@ -14,6 +14,7 @@
 #include "assessment/task/task.h"
 #include "database/records/people.h"
 #include "database/xapi/record_store.h"
+#include "sim_core/numerics/files.h"
 #include "ui/reports/report.h"
 #include "ui/reports/report_xapi.h"
 
@@ -165,6 +166,15 @@ int run_list(const Arguments& arguments) {
     return 0;
 }
 
+int run_profile(const Arguments& arguments) {
+    const auto output = arguments.value("--output");
+    if (output)
+        write_whole_file(*output, xapi_profile_text);
+    else
+        std::cout << xapi_profile_text;
+    return 0;
+}
+
 }  // namespace
 
 std::vector<Command> xapi_commands() {
@@ -194,7 +204,15 @@ std::vector<Command> xapi_commands() {
                            "any time. Exit status 1 while statements wait or are quarantined.")},
         {"xapi list", "", 0, 0,
          QT_TRANSLATE_NOOP("commands", "Lists how many statements wait, are done or quarantined, and why."),
-         session_options(), run_list}};
+         session_options(), run_list},
+        {"xapi profile",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP("commands",
+                           "Writes the xAPI profile of the statements: their terms and kinds, as JSON-LD."),
+         {{"--output", "FILE", QT_TRANSLATE_NOOP("commands", "Write it to this file."), "", {}, "-o"}},
+         run_profile}};
 }
 
 }  // namespace fulcrum::app

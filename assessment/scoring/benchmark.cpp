@@ -147,6 +147,7 @@ json benchmark_to_json(const BenchmarkSet& set) {
                      {"experts", people_to_json(set.experts)},
                      {"novices", people_to_json(set.novices)},
                      {"levels", std::move(levels)}};
+    if (!set.note.empty()) document["note"] = set.note;
     if (!set.intermediates.empty()) document["intermediates"] = people_to_json(set.intermediates);
     if (set.intermediate_pass_share) document["intermediate_pass_share"] = *set.intermediate_pass_share;
     if (!set.cutting.empty()) document["cutting"] = set.cutting;
@@ -165,6 +166,7 @@ BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
     set.device_class = named(document, root.at("device_class"), "/device_class", device_classes);
     set.fidelity = root.at("fidelity").get<std::string>();
     set.source = root.at("source").get<std::string>();
+    set.note = root.value("note", std::string());
     set.provisional = root.at("provisional").get<bool>();
     set.k = root.at("k").get<double>();
     set.p0 = root.at("p0").get<double>();

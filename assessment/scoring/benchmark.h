@@ -56,6 +56,7 @@ struct BenchmarkSet {
     DeviceClass device_class = DeviceClass::haptic;
     std::string fidelity;
     std::string source;  ///< for screens: "synthetic operators", "experts of …"
+    std::string note;    ///< why it was made, by whoever put it in force; may be empty
     bool provisional = true;
     double k = 2;  ///< benchmark gates pass at z <= k, apart from levels with a k of their own
     double p0 = 0.1;

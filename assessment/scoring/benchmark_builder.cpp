@@ -2,6 +2,7 @@
 #include "assessment/scoring/benchmark_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -86,7 +87,7 @@ double worst_value(const MetricDescriptor& d, const std::vector<ExpertValues>& e
 
 struct Levels {
     std::vector<BenchmarkLevel> levels;
-    std::string refusal;
+    Sentence refusal;
 };
 
 /// The levels of all benchmark gates, from all experts but one (`without` empty: from all); with `narrowed`
@@ -110,8 +111,10 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
         level.scale = d.scale;
         std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest, request.outliers);
         if (!benchmark) {
-            out.refusal = level_name(level) + ": fewer than " + std::to_string(fewest) +
-                          " experts are left with a value after the outlier rule";
+            out.refusal = {
+                QT_TRANSLATE_NOOP("errors",
+                                  "%1: fewer than %2 experts are left with a value after the outlier rule"),
+                level_name(level), fewest};
             return out;
         }
         benchmark->deviation = std::max(benchmark->deviation, d.least_deviation);
@@ -148,17 +151,18 @@ std::vector<BenchmarkPerson> people_of(const std::vector<BenchmarkAttempt>& atte
     return people;
 }
 
-std::string too_few(const BenchmarkRequest& request, const std::vector<BenchmarkPerson>& experts) {
+Sentence too_few(const BenchmarkRequest& request, const std::vector<BenchmarkPerson>& experts) {
     if (static_cast<int>(experts.size()) < request.minimum_experts)
-        return std::to_string(experts.size()) + " experts where " + std::to_string(request.minimum_experts) +
-               " are needed";
+        return {QT_TRANSLATE_NOOP("errors", "%1 experts where %2 are needed"), experts.size(),
+                request.minimum_experts};
     for (const BenchmarkPerson& expert : experts)
         if (expert.attempts < request.minimum_attempts)
-            return expert.name + " has " + std::to_string(expert.attempts) + " counted attempts where " +
-                   std::to_string(request.minimum_attempts) + " are needed";
+            return {QT_TRANSLATE_NOOP("errors", "%1 has %2 counted attempts where %3 are needed"),
+                    expert.name, expert.attempts, request.minimum_attempts};
     if (request.familiarisation < request.minimum_familiarisation)
-        return "fewer than " + std::to_string(request.minimum_familiarisation) +
-               " familiarisation attempts came before the counted ones";
+        return {QT_TRANSLATE_NOOP("errors",
+                                  "fewer than %1 familiarisation attempts came before the counted ones"),
+                request.minimum_familiarisation};
     return {};
 }
 
@@ -196,6 +200,9 @@ int number_of(const std::string& person, const std::vector<BenchmarkPerson>& peo
     return static_cast<int>(place - people.begin());
 }
 
+/// By metric, hand and event (BenchmarkFailure).
+using Failures = std::map<std::array<std::string, 3>, int>;
+
 /// Scores every expert attempt against the set made without its expert.
 class LeaveOneOut {
   public:
@@ -204,28 +211,28 @@ class LeaveOneOut {
         : task_(task), request_(request), full_(full) {
         for (const BenchmarkPerson& expert : full.experts) {
             Levels levels = make_levels(task, request, expert.name, narrowed);
-            if (!levels.refusal.empty()) refusal_ = "without " + expert.name + ": " + levels.refusal;
+            if (!levels.refusal.empty())
+                refusal_ = {QT_TRANSLATE_NOOP("errors", "without %1: %2"), expert.name, levels.refusal};
             levels_[expert.name] = std::move(levels.levels);
         }
     }
-    const std::string& refusal() const { return refusal_; }
+    const Sentence& refusal() const { return refusal_; }
 
     /// Share of attempts that pass all gates at this k; counts into `failures` which gates were not met.
-    double pass_share(double k, std::map<std::string, int>& failures) const {
+    double pass_share(double k, Failures& failures) const {
         BenchmarkSet set = full_;
         set.k = k;
         return pass_share(set, failures);
     }
     /// The same with the set's k of each level.
-    double pass_share(const BenchmarkSet& limits, std::map<std::string, int>& failures) const {
+    double pass_share(const BenchmarkSet& limits, Failures& failures) const {
         int passed = 0;
         for (const BenchmarkAttempt& attempt : request_.experts) {
             const Score score = score_of(task_, attempt, without_its_expert(limits, attempt));
             passed += score.passed == true ? 1 : 0;
-            for (const CriticalError& error : attempt.critical_errors)
-                ++failures["critical error " + error.event];
+            for (const CriticalError& error : attempt.critical_errors) ++failures[{"", "", error.event}];
             for (const GateResult& gate : score.gates)
-                if (gate.passed != true) ++failures[gate.metric + (gate.hand.empty() ? "" : " " + gate.hand)];
+                if (gate.passed != true) ++failures[{gate.metric, gate.hand, ""}];
         }
         return static_cast<double>(passed) / static_cast<double>(request_.experts.size());
     }
@@ -257,7 +264,7 @@ class LeaveOneOut {
     const BenchmarkRequest& request_;
     const BenchmarkSet& full_;
     std::map<std::string, std::vector<BenchmarkLevel>> levels_;
-    std::string refusal_;
+    Sentence refusal_;
 };
 
 /// Whose share is nearest to the aim; of several the middle one. Shares rise with k, so those are neighbours.
@@ -396,22 +403,29 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
     build.refusal = leave_one_out.refusal();
     if (!build.refusal.empty()) return build;
     for (int tenths = first_k; tenths <= last_k; ++tenths) {
-        std::map<std::string, int> failures;
+        Failures failures;
         build.trials.push_back({tenths / 10.0, leave_one_out.pass_share(tenths / 10.0, failures)});
     }
     const BenchmarkTrial& chosen = nearest_trial(build.trials, 1.0 - request.p0);
     set.k = chosen.k;
     heed_intermediates(task, request, set, build.log);
-    std::map<std::string, int> failures;
+    Failures failures;
     set.expert_pass_share = LeaveOneOut(task, request, set, true).pass_share(set, failures);
-    for (const auto& [gate, count] : failures)
+    for (const auto& [what, count] : failures) {
+        const auto& [metric, hand, event] = what;
+        build.failures.push_back({metric, hand, event, count});
+        const std::string gate =
+            !event.empty() ? "critical error " + event : metric + (hand.empty() ? "" : " " + hand);
         build.log.push_back("k " + decimal_text(set.k, 1) + ": " + gate + " not met by " +
                             std::to_string(count) + " expert attempts with their expert left out");
+    }
     if (set.expert_pass_share < 1.0 - request.most_failing - 1e-12) {
-        build.refusal = "only " + decimal_text(100.0 * set.expert_pass_share, 1) +
-                        " % of the experts' own attempts pass all gates at k = " + decimal_text(set.k, 1) +
-                        ", the best of all, where " + decimal_text(100.0 * (1.0 - request.most_failing), 1) +
-                        " % are needed";
+        build.refusal = {
+            QT_TRANSLATE_NOOP("errors",
+                              "only %1 % of the experts' own attempts pass all gates at k = %2, the best of "
+                              "all, where %3 % are needed"),
+            decimal_text(100.0 * set.expert_pass_share, 1), decimal_text(set.k, 1),
+            decimal_text(100.0 * (1.0 - request.most_failing), 1)};
         return build;
     }
     build.set = std::move(set);

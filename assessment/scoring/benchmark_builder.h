@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/scoring/score.h"
+#include "sim_core/numerics/sentence.h"
 #include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
@@ -40,10 +41,17 @@ struct BenchmarkTrial {
     double k = 0;
     double pass_share = 0;
 };
+/// A gate, or a critical error, that so many of the experts' own attempts failed with their expert left out.
+struct BenchmarkFailure {
+    std::string metric, hand;  ///< of a gate
+    std::string event;         ///< of a critical error
+    int attempts = 0;
+};
 struct BenchmarkBuild {
     std::optional<BenchmarkSet> set;  ///< absent after a refusal
-    std::string refusal;              ///< why, one sentence; empty with a set
+    Sentence refusal;                 ///< why; empty with a set
     std::vector<BenchmarkTrial> trials;
+    std::vector<BenchmarkFailure> failures;  ///< at the chosen k, of the experts' own attempts
     std::vector<std::string>
         log;  ///< outliers left out, metrics turned into absolute gates, gates that failed experts
 };

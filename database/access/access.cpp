@@ -66,6 +66,7 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::rotate_key,              "rotate_key",                 none,      none,      none,      programme, none,      false},
     {Operation::erase_person,            "erase_person",               none,      none,      programme, none,      none,      true},
     {Operation::review_error,            "review_error",               none,      cohort,    none,      none,      none,      true},
+    {Operation::export_all,              "export_all",                 none,      none,      programme, none,      none,      false},
 }};
 // clang-format on
 

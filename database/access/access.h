@@ -70,8 +70,9 @@ enum class Operation : std::uint8_t {
     rotate_key,      ///< the station signs with a new key from then on
     erase_person,    ///< delete all that is stored of a person; never oneself
     review_error,    ///< confirm or strike an error that the program recorded; never one of one's own
+    export_all,      ///< a copy of all that is stored about a person, for that person
 };
-inline constexpr int operation_count = 42;
+inline constexpr int operation_count = 43;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

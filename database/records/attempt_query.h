@@ -40,6 +40,10 @@ QString has_trace_here(const QString& attempt);
 /// Throws not_found with the station that recorded it.
 void require_trace_here(const Store& store, const std::string& attempt_id);
 
+/// As Attempts::read_trace() and scene_text(). Access was checked by the caller.
+Trace stored_trace(const Store& store, const std::string& attempt_id);
+std::string stored_scene_text(const Store& store, const std::string& attempt_id);
+
 /// The files that an attempt was performed with. Access was checked by the caller.
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id);
 

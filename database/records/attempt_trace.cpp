@@ -156,10 +156,14 @@ void require_trace_here(const Store& store, const std::string& attempt_id) {
          attempt_id});
 }
 
+Trace stored_trace(const Store& store, const std::string& attempt_id) {
+    require_trace_here(store, attempt_id);
+    return read_chunks(store, attempt_id, TracePart::all);
+}
+
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
-    require_trace_here(store_, attempt_id);
-    return read_chunks(store_, attempt_id, TracePart::all);
+    return stored_trace(store_, attempt_id);
 }
 
 Trace Attempts::read_packed_trace(const Session& session, const std::string& attempt_id) const {

@@ -94,17 +94,21 @@ std::optional<ScoreRow> Attempts::score(const Session& session, const std::strin
 
 std::string Attempts::scene_text(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_attempt, attempt_id);
+    return stored_scene_text(store_, attempt_id);
+}
+
+std::string stored_scene_text(const Store& store, const std::string& attempt_id) {
     Query row(
-        store_.connection(),
+        store.connection(),
         "SELECT a.scene_digest, s.text FROM attempt a LEFT JOIN scene_text s ON s.digest = a.scene_digest "
         "WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next() || row.text(0).empty()) return {};
     if (row.is_null(1) || text_digest(row.text(1)) != row.text(0))
-        throw StoreError(StoreErrorKind::corrupt,
-                         {QT_TRANSLATE_NOOP("errors", "%1: the scene of attempt %2 is damaged"),
-                          store_.path(), attempt_id},
-                         QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
+        throw StoreError(
+            StoreErrorKind::corrupt,
+            {QT_TRANSLATE_NOOP("errors", "%1: the scene of attempt %2 is damaged"), store.path(), attempt_id},
+            QT_TRANSLATE_NOOP("errors", "restore the newest backup"));
     return row.text(1);
 }
 

@@ -35,6 +35,12 @@ std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummar
 
 }  // namespace
 
+bool is_done(const PersonTask& task) {
+    const Standing standing = task.standing.standing;
+    return standing == Standing::proficient || standing == Standing::maintained ||
+           standing == Standing::due || task.standing.met_provisionally;
+}
+
 CountedAttempt counted_attempt(const AttemptSummary& attempt) {
     return {
         attempt.meta.id,           attempt.meta.task_id, attempt.meta.started, attempt.meta.utc_offset_min,
@@ -126,8 +132,13 @@ std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people
             observe(to_proficiency, task, task.standing.declared_at);
         }
         one.share = wilson(one.passed, one.attempted);
-        one.days_to_pass = survival_median(survival_curve(to_pass));
-        one.days_to_proficiency = survival_median(survival_curve(to_proficiency));
+        one.pass_curve = survival_curve(to_pass);
+        one.proficiency_curve = survival_curve(to_proficiency);
+        one.days_to_pass = survival_median(one.pass_curve);
+        one.days_to_proficiency = survival_median(one.proficiency_curve);
+        for (const auto& observed : {to_pass, to_proficiency})
+            for (const Observation& person : observed)
+                one.longest_days = std::max(one.longest_days, person.time);
         overview.push_back(std::move(one));
     }
     return overview;

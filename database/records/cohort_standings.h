@@ -34,6 +34,8 @@ struct PersonTask {
     std::int64_t first_pass = 0;        ///< UTC ms; 0: none
 };
 inline constexpr std::size_t most_recent = 12;
+/// Proficient, whether a check is due or not, or the rule is met by provisional limits.
+bool is_done(const PersonTask& task);
 
 /// Attempts of any kind on one local date.
 struct PracticeDay {
@@ -68,6 +70,8 @@ struct TaskOverview {
     Share share;                     ///< passed of attempted
     /// Days from the first attempt that counts; who is not there yet is censored at `at`.
     SurvivalMedian days_to_pass, days_to_proficiency;
+    std::vector<SurvivalStep> pass_curve, proficiency_curve;  ///< behind the medians
+    double longest_days = 0;                                  ///< that anybody was observed
 };
 /// In the order of the curriculum; empty without people. `at`: UTC ms. Pure.
 std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people, std::int64_t at);

@@ -18,12 +18,6 @@ namespace {
 
 constexpr std::int64_t goal_day_ms = 86'400'000;
 
-/// The Monday of the week of a local day; day 0 was a Thursday.
-std::int64_t monday_of(std::int64_t day) {
-    const std::int64_t weekday = ((day + 3) % 7 + 7) % 7;
-    return day - weekday;
-}
-
 [[noreturn]] void refuse_goal(const Sentence& problem, const Sentence& hint) {
     throw StoreError(StoreErrorKind::bad_value, problem, hint);
 }
@@ -158,6 +152,11 @@ bool higher_is_better(const GoalWish& wish) {
 }
 
 }  // namespace
+
+std::int64_t monday_of(std::int64_t day) {
+    const std::int64_t weekday = ((day + 3) % 7 + 7) % 7;  // day 0 was a Thursday
+    return day - weekday;
+}
 
 std::int64_t day_at(std::int64_t utc_ms, int utc_offset_min) {
     const std::int64_t local = utc_ms + std::int64_t{60000} * utc_offset_min;

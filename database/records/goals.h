@@ -57,6 +57,8 @@ inline constexpr int longest_goal_days = 366;
 
 /// Days since 1 January 1970 on the calendar of a place.
 std::int64_t day_at(std::int64_t utc_ms, int utc_offset_min);
+/// The Monday of the week of such a day.
+std::int64_t monday_of(std::int64_t day);
 /// `attempts`: of the goal's task, in any order. `higher`: the metric's better values are the higher ones.
 GoalProgress goal_progress(const PersonalGoal& goal, const std::vector<GoalAttempt>& attempts,
                            std::int64_t today, bool higher);

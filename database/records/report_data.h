@@ -54,7 +54,8 @@ struct CohortTable {
     std::vector<std::string> metric_versions;  ///< "path_len@1", sorted
     std::vector<std::string> benchmark_sets;   ///< "B1-operators@1 sha256:9f86d081884c7d65", sorted
     std::vector<std::string> program_versions;
-    std::string audit_head;  ///< hex, printed on reports
+    std::vector<AssetFile> assets;  ///< files of the assessed attempts behind the values, by name
+    std::string audit_head;         ///< hex, printed on reports
 };
 
 struct ProgressPoint {
@@ -93,6 +94,7 @@ struct PersonProgress {
     std::vector<ProgressSeries> series;  ///< by device class
     std::vector<VoidedAttempt> voided;   ///< by start; in no other figure
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::vector<AssetFile> assets;
     std::string audit_head;
 };
 
@@ -104,6 +106,7 @@ struct PersonData {
     std::vector<PersonProgress> progress;  ///< one a task; their provenance is below
     std::optional<PersonStandings> standings;
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::vector<AssetFile> assets;
     std::string audit_head;
 };
 /// What the points of a progress have of their scores: nothing, their metrics, or metrics, gates and
@@ -127,6 +130,7 @@ struct AttemptReport {
     std::optional<ScoreRow> score;  ///< in force
     std::optional<PathologyReport> pathology;
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::vector<AssetFile> assets;
     std::string audit_head;
 };
 

@@ -28,27 +28,33 @@ void Provenance::add(const AttemptSummary& attempt) {
         metrics_.insert(versions.begin(), versions.end());
 }
 
-/// With the beginning of the SHA-256 of each set's file, as assessed attempts used it: a name alone says
-/// nothing about the limits.
-std::vector<std::string> Provenance::named_sets() const {
-    if (sets_.empty()) return {};
-    std::map<std::string, std::set<std::string>> digests;
-    // Files whose names begin with "benchmarks/".
+Provenance::Files Provenance::used_files() const {
+    Files files;
+    std::set<std::pair<std::string, std::string>> all;
     Query rows(store_.connection(),
-               QString("SELECT DISTINCT a.limits, f.digest FROM attempt a JOIN attempt_asset f ON "
-                       "f.attempt_id = a.id AND f.file > 'benchmarks/' AND f.file < 'benchmarks0' WHERE "
-                       "a.mode = 'assessed' AND ") +
+               QString("SELECT DISTINCT a.limits, f.file, f.digest FROM attempt a JOIN attempt_asset f ON "
+                       "f.attempt_id = a.id WHERE a.mode = 'assessed' AND ") +
                    whose_);
     rows.bind(value_);
-    while (rows.next()) digests[rows.text(0)].insert(rows.text(1).substr(0, 16));
+    while (rows.next()) {
+        all.emplace(rows.text(1), rows.text(2));
+        if (rows.text(1).rfind("benchmarks/", 0) == 0) files.set_digests[rows.text(0)].insert(rows.text(2));
+    }
+    for (const auto& [name, digest] : all) files.all.push_back({name, digest});
+    return files;
+}
+
+/// With the beginning of the SHA-256 of each set's file: a name alone says nothing about the limits.
+std::vector<std::string> Provenance::named_sets(const Files& files) const {
     std::vector<std::string> sets;
     for (const std::string& name : sets_) {
-        const auto known = digests.find(name);
-        if (known == digests.end()) {
+        const auto known = files.set_digests.find(name);
+        if (known == files.set_digests.end()) {
             sets.push_back(name);
             continue;
         }
-        for (const std::string& digest : known->second) sets.push_back(name + " sha256:" + digest);
+        for (const std::string& digest : known->second)
+            sets.push_back(name + " sha256:" + digest.substr(0, 16));
     }
     return sets;
 }

@@ -34,7 +34,9 @@ class Provenance {
     template <typename Report>
     void write(Report& report, const std::string& audit_head) const {
         report.metric_versions.assign(metrics_.begin(), metrics_.end());
-        report.benchmark_sets = named_sets();
+        Files files = used_files();
+        report.benchmark_sets = named_sets(files);
+        report.assets = std::move(files.all);
         report.program_versions.assign(programs_.begin(), programs_.end());
         report.audit_head = audit_head;
     }
@@ -44,7 +46,13 @@ class Provenance {
     }
 
   private:
-    std::vector<std::string> named_sets() const;
+    /// As the assessed attempts used them.
+    struct Files {
+        std::vector<AssetFile> all;                                ///< by name
+        std::map<std::string, std::set<std::string>> set_digests;  ///< by the name of the limits
+    };
+    Files used_files() const;
+    std::vector<std::string> named_sets(const Files& files) const;
 
     const Store& store_;
     MetricVersions& versions_;

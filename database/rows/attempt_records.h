@@ -173,4 +173,11 @@ struct Comment {
     std::int64_t read = 0;  ///< 0: unread by the trainee
 };
 
+/// A reason for confirming or striking an error that was begun and not given is kept as a draft of a comment
+/// at the error's moment that begins so. It is not for sending.
+inline constexpr char begun_reason_mark[] = "\u270E ";
+inline bool is_begun_reason(const Comment& comment) {
+    return comment.sent == 0 && comment.text.rfind(begun_reason_mark, 0) == 0;
+}
+
 }  // namespace fulcrum::database

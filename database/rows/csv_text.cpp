@@ -31,10 +31,21 @@ std::string guarded_text(const std::string& cell) {
     return guarded;
 }
 
+std::string guarded_cell(const std::string& cell) {
+    return cell == "-" || cell == "%" ? cell : guarded_text(cell);
+}
+
 }  // namespace
 
+std::string tsv_text(const std::string& cell) {
+    std::string guarded = guarded_cell(cell);
+    for (char& c : guarded)
+        if (c == '\t' || c == '\r' || c == '\n') c = ' ';
+    return guarded;
+}
+
 std::string csv_text(const std::string& cell) {
-    const std::string guarded = cell == "-" || cell == "%" ? cell : guarded_text(cell);
+    const std::string guarded = guarded_cell(cell);
     if (guarded.find_first_of(",;\"\r\n") == std::string::npos) return guarded;
     std::string quoted = "\"";
     for (const char c : guarded) {

@@ -74,9 +74,12 @@ LoadedTask load_site_task(const database::Store& store, const database::Session&
 
 LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
                          const database::AttemptSummary& summary) {
+    return load_recorded(attempts.scene_text(session, summary.meta.id), summary);
+}
+
+LoadedTask load_recorded(const std::string& text, const database::AttemptSummary& summary) {
     const std::string fidelity =
         summary.meta.fidelity == standard_fidelity ? std::string() : summary.meta.fidelity;
-    const std::string text = attempts.scene_text(session, summary.meta.id);
     if (text.empty()) return load_task_and_scene({summary.meta.task_id, summary.meta.variant, fidelity});
     return load(read_task(summary.meta.task_id), summary.meta.scene, text,
                 "scene of attempt " + summary.meta.id, fidelity);

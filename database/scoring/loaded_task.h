@@ -39,5 +39,7 @@ LoadedTask load_site_task(const database::Store& store, const database::Session&
 /// programs). Throws InputError (the task is not known here), AccessDenied, StoreError.
 LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
                          const database::AttemptSummary& summary);
+/// The same with the scene's text at hand ("": from the assets).
+LoadedTask load_recorded(const std::string& scene_text, const database::AttemptSummary& summary);
 
 }  // namespace fulcrum

@@ -422,4 +422,35 @@ std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows eras
     return problems;
 }
 
+std::vector<Sentence> verify_audit_end(Connection& connection, const std::string& station, int most) {
+    Query rows(connection,
+               "SELECT e.sequence, e.time, e.actor_id, e.object_id, e.operation, e.digest, e.previous_hash, "
+               "e.hash, s.public_half, s.signature FROM audit_entry e LEFT JOIN audit_signature s ON "
+               "s.station_id = e.station_id AND s.sequence = e.sequence WHERE e.station_id = ? ORDER BY "
+               "e.sequence DESC LIMIT ?");
+    rows.bind(station).bind(most);
+    std::vector<Sentence> problems;
+    Bytes wanted;  // the hash that the row after this one names
+    std::int64_t after = 0;
+    while (rows.next()) {
+        const std::int64_t sequence = rows.integer(0);
+        const Sentence place = audit_place(connection, station, sequence);
+        const Bytes hash = rows.bytes(7);
+        if (after > 0 && sequence != after - 1)
+            problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "audit rows %1 to %2 are missing"), sequence + 1, after - 1});
+        else if (after > 0 && hash != wanted)
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: not bound to the row before it"),
+                                audit_place(connection, station, after)});
+        if (row_hash(rows.bytes(6), sequence, rows.integer(1), station, rows.text(2), rows.text(3),
+                     rows.text(4), rows.bytes(5)) != hash)
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: changed after it was written"), place});
+        else if (!rows.is_null(8) && !row_signature_holds(rows.bytes(8), hash, rows.bytes(9)))
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its signature does not fit"), place});
+        wanted = rows.bytes(6);
+        after = sequence;
+    }
+    return problems;
+}
+
 }  // namespace fulcrum::database

@@ -42,6 +42,8 @@ using AuditRows = std::map<std::string, std::set<std::int64_t>>;
 
 /// As Audit::verify(), of a store or a programme server; `erased`: payloads that are known to be erased.
 std::vector<Sentence> verify_audit_chains(Connection& connection, AuditRows erased = {});
+/// The newest `rows` of a station's log: numbers, hashes and signatures, without the payloads.
+std::vector<Sentence> verify_audit_end(Connection& connection, const std::string& station, int rows);
 /// "audit row 12", on a server with its station.
 Sentence audit_place(const Connection& connection, const std::string& station, std::int64_t sequence);
 

@@ -16,6 +16,7 @@
 #include "database/schema/migration.h"
 #include "database/schema/server_version.h"
 #include "database/store/audit.h"
+#include "database/store/backup_list.h"
 #include "database/store/store_file.h"
 #include "database/store/store_state.h"
 
@@ -335,6 +336,7 @@ bool Store::backup(const Session& session, const std::string& to_path, const Sto
         return report.complete;
     };
     if (!copy_database(connection(), to_path, copying, check)) return false;
+    note_backup_folder(path(), to_path);
     if (!is_read_only()) {
         Transaction transaction(connection());
         Audit(*this).append(session, station_id(), "store.backup",

@@ -43,7 +43,7 @@ struct StoreOptions {
         true;  ///< false: leave attempts that lost their program for the next start to list
 };
 
-/// What is checked. The last two: with `db check --against` and `--key` only.
+/// What is checked. The last three: by `db check`, which can simulate, and with `--against` and `--key`.
 enum class CheckId : std::uint8_t {
     integrity,
     foreign_keys,
@@ -55,6 +55,7 @@ enum class CheckId : std::uint8_t {
     scenes,
     decisions,
     permissions,  ///< of the file, not of what is in it
+    simulation,   ///< a sample of the attempts, made again from their inputs
     known_head,
     known_key
 };
@@ -73,6 +74,7 @@ inline constexpr CheckRow store_checks[] = {
     {CheckId::scenes, QT_TRANSLATE_NOOP("errors", "scenes")},
     {CheckId::decisions, QT_TRANSLATE_NOOP("errors", "decisions")},
     {CheckId::permissions, QT_TRANSLATE_NOOP("errors", "permissions")},
+    {CheckId::simulation, QT_TRANSLATE_NOOP("errors", "simulation")},
     {CheckId::known_head, QT_TRANSLATE_NOOP("errors", "known head")},
     {CheckId::known_key, QT_TRANSLATE_NOOP("errors", "known key")}};
 static_assert(in_order(store_checks));

@@ -33,6 +33,7 @@ bool writes(Operation operation) {
         case Operation::rotate_key:
         case Operation::erase_person:
         case Operation::review_error:
+        case Operation::export_all:
             return true;
         default:
             return false;

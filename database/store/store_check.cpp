@@ -64,26 +64,6 @@ std::map<std::string, std::string> definitions(Connection& connection) {
     return all;
 }
 
-/// The schema is what the steps of this program make of an empty file: a trigger that was removed, or one
-/// that was added, would let later changes pass.
-void check_definitions(const Store& store, CheckItem& item) {
-    constexpr int patience_ms = 100;
-    Connection empty(":memory:", false, true, patience_ms);
-    migrate(empty, store.found_schema());
-    const auto wanted = definitions(empty), found = definitions(store.connection());
-    for (const auto& [name, sql] : wanted) {
-        const auto here = found.find(name);
-        if (here == found.end())
-            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: it is missing"), name});
-        else if (here->second != sql)
-            item.problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its definition was changed"), name});
-    }
-    for (const auto& [name, sql] : found)
-        if (wanted.count(name) == 0)
-            item.problems.push_back(
-                {QT_TRANSLATE_NOOP("errors", "%1: this is not a part of a Fulcrum store"), name});
-}
-
 void check_integrity(const Store& store, CheckItem& item, const CheckWatch& watch) {
     const auto name_tables = [&] {
         const std::size_t before = item.problems.size();
@@ -102,7 +82,7 @@ void check_integrity(const Store& store, CheckItem& item, const CheckWatch& watc
         if (!name_tables()) throw;
     }
     if (!named) name_tables();
-    if (item.problems.empty()) check_definitions(store, item);
+    if (item.problems.empty()) check_definitions(store, item.problems);
     Query pages(store.connection(), "PRAGMA page_count");
     if (pages.next()) item.count = pages.integer(0);
 }
@@ -207,6 +187,24 @@ void check_permissions(const Store& store, CheckItem& item) {
 }
 
 }  // namespace
+
+void check_definitions(const Store& store, std::vector<Sentence>& problems) {
+    constexpr int patience_ms = 100;
+    Connection empty(":memory:", false, true, patience_ms);
+    migrate(empty, store.found_schema());
+    const auto wanted = definitions(empty), found = definitions(store.connection());
+    for (const auto& [name, sql] : wanted) {
+        const auto here = found.find(name);
+        if (here == found.end())
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: it is missing"), name});
+        else if (here->second != sql)
+            problems.push_back({QT_TRANSLATE_NOOP("errors", "%1: its definition was changed"), name});
+    }
+    for (const auto& [name, sql] : found)
+        if (wanted.count(name) == 0)
+            problems.push_back(
+                {QT_TRANSLATE_NOOP("errors", "%1: this is not a part of a Fulcrum store"), name});
+}
 
 CheckWatch::CheckWatch(Connection& connection, const StoreProgress& progress)
     : connection_(connection), progress_(progress) {

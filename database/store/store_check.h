@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "database/rows/connection.h"
 #include "database/store/store.h"
@@ -31,6 +32,9 @@ class CheckWatch {
     bool stopped_ = false;
 };
 
+/// The schema is what the steps of this program make of an empty file: a trigger that was removed, or one
+/// that was added, would let later changes pass.
+void check_definitions(const Store& store, std::vector<Sentence>& problems);
 /// Every chunk: checksum, decoded to its last bit, numbers and ticks in order, the lengths that the attempt
 /// gives. Decodes on all cores.
 void check_traces(const Store& store, CheckItem& item, CheckWatch& watch);

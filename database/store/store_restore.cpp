@@ -61,7 +61,7 @@ void remove_left_copies(const std::string& path) {
 /// Keeps every other program out of the store until it ends.
 class Alone {
   public:
-    Alone(const std::string& path, int patience_ms) {
+    Alone(const std::string& path, int patience_ms, ReplacedFile what = ReplacedFile::store) {
         try {
             connection_ = std::make_unique<Connection>(path, false, false, patience_ms);
             connection_->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
@@ -78,13 +78,13 @@ class Alone {
                     QT_TRANSLATE_NOOP("errors",
                                       "close every Fulcrum program that uses this store, then try again; "
                                       "nothing was changed"));
-            if (error.kind() == StoreErrorKind::not_a_store)
+            if (error.kind() == StoreErrorKind::not_a_store && what == ReplacedFile::store)
                 throw StoreError(StoreErrorKind::not_a_store,
                                  {QT_TRANSLATE_NOOP("errors", "%1: not a Fulcrum store"), path},
                                  QT_TRANSLATE_NOOP(
                                      "errors", "name the right file with --db, or move this one away first"));
             // So damaged that it cannot be read: in nobody's use, and moved away.
-            if (error.kind() != StoreErrorKind::corrupt) throw;
+            if (error.kind() != StoreErrorKind::corrupt && error.kind() != StoreErrorKind::not_a_store) throw;
             connection_.reset();
         }
     }
@@ -131,28 +131,37 @@ void require_known_schema(Connection& connection) {
             QT_TRANSLATE_NOOP("errors", "update Fulcrum; nothing was changed"));
 }
 
-/// Throws StoreError corrupt with the first finding.
-void require_sound(const Store& store, const std::string& what) {
-    const CheckReport report = store.check(store.station_session());
+/// False: stopped. Throws StoreError corrupt with the first finding.
+bool require_sound(const Store& store, const std::string& what, const StoreProgress& progress) {
+    const CheckReport report = store.check(store.station_session(), progress);
     if (const CheckItem* item = first_finding(report))
         throw StoreError(
             StoreErrorKind::corrupt, {"%1: %2: %3", what, item->name, item->problems.front()},
             QT_TRANSLATE_NOOP(
                 "errors",
                 "use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)"));
+    return report.complete;
+}
+
+/// A part of the whole work.
+StoreProgress share_of(const StoreProgress& progress, double from, double to) {
+    if (!progress) return {};
+    return [=](double done, const std::string& line) { return progress(from + done * (to - from), line); };
 }
 
 /// Copies `source` to a new file, checks it as it is, brings it up to this program's schema, and checks it
-/// again. `finish` is called with the open copy. Returns the schema that the source has.
-int make_copy(Connection& source, const CopyFile& copy, const StoreOptions& options,
-              const std::function<void(const Store&)>& finish) {
-    const int schema = read_schema_version(source);
+/// again. `finish` is called with the open copy. False: stopped.
+bool make_copy(Connection& source, const CopyFile& copy, const StoreOptions& options,
+               const std::function<void(const Store&)>& finish, const StoreProgress& progress = {}) {
     require_known_schema(source);
-    copy_database(source, copy.path());
+    constexpr double copied = 0.2, checked = 0.6;
+    if (!copy_database(source, copy.path(), share_of(progress, 0, copied))) return false;
     {
         StoreOptions reading = options;
         reading.read_only = reading.older_schema = true;
-        require_sound(Store::open(copy.path(), reading), source.path());
+        if (!require_sound(Store::open(copy.path(), reading), source.path(),
+                           share_of(progress, copied, checked)))
+            return false;
     }
     {
         Connection connection(copy.path(), false, false, options.busy_timeout_ms);
@@ -163,10 +172,10 @@ int make_copy(Connection& source, const CopyFile& copy, const StoreOptions& opti
     writing.read_only = false;
     const Store store = Store::open(copy.path(), writing);
     finish(store);
-    require_sound(store, source.path());
+    if (!require_sound(store, source.path(), share_of(progress, checked, 1))) return false;
     // One file without a log: only then may it be renamed.
     store.connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
-    return schema;
+    return true;
 }
 
 /// A second name for the file, so that replacing it loses nothing.
@@ -190,6 +199,14 @@ void move_logs(const std::string& path, const std::string& kept) {
     }
 }
 
+/// For names of files: "20261126T201500Z".
+std::string compact_utc(const StoreOptions& options) {
+    const UtcMilliseconds now = options.clock ? options.clock() : QDateTime::currentMSecsSinceEpoch();
+    return QDateTime::fromMSecsSinceEpoch(now, Qt::UTC)
+        .toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"))
+        .toStdString();
+}
+
 void take_place(const std::string& copy, const std::string& path) {
     if (files::exists(copy + "-wal"))
         throw StoreError(
@@ -207,7 +224,7 @@ void take_place(const std::string& copy, const std::string& path) {
 }  // namespace
 
 Replaced restore_store(const std::string& from, const std::string& path, const SignInToCopy& sign_in,
-                       StoreOptions options) {
+                       StoreOptions options, const StoreProgress& progress, ReplacedFile replaced) {
     if (ServerAddress::is_address(path)) fail_as_not_a_file(path);
     require_readable_file(from, true);
     std::error_code ignored;
@@ -219,7 +236,7 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
     std::unique_ptr<Alone> alone;
     if (files::exists(path)) {
         require_readable_file(path, false);
-        alone = std::make_unique<Alone>(path, options.busy_timeout_ms);
+        alone = std::make_unique<Alone>(path, options.busy_timeout_ms, replaced);
         done.before = alone->head();
     } else if (files::exists(path + "-wal")) {
         throw StoreError(
@@ -232,7 +249,8 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
     {
         Connection source(from, true, false, options.busy_timeout_ms);
         require_finished(source);
-        done.from_schema = make_copy(source, copy, options, [&](const Store& store) {
+        done.from_schema = read_schema_version(source);
+        const auto enter = [&](const Store& store) {
             done.head = Audit(store).head();
             const Session session = sign_in(store);
             store.require(session, Operation::backup);
@@ -242,13 +260,12 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
                                              {"head", done.head},
                                              {"replaced", done.before}}));
             transaction.commit();
-        });
+        };
+        done.stopped = !make_copy(source, copy, options, enter, progress);
+        if (done.stopped) return done;
     }
     if (alone) {
-        const UtcMilliseconds now = options.clock ? options.clock() : QDateTime::currentMSecsSinceEpoch();
-        const QString day =
-            QDateTime::fromMSecsSinceEpoch(now, Qt::UTC).toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
-        done.kept = keep(path, ".before-restore-" + day.toStdString());
+        done.kept = keep(path, ".before-restore-" + compact_utc(options));
         move_logs(path, done.kept);
     }
     take_place(copy.path(), path);
@@ -275,6 +292,17 @@ Replaced migrate_store(const std::string& path, StoreOptions options) {
     take_place(copy.path(), path);
     alone.replaced();
     return done;
+}
+
+std::string put_aside(const std::string& path, StoreOptions options) {
+    require_readable_file(path, false);
+    Alone alone(path, options.busy_timeout_ms, ReplacedFile::any);
+    const std::string kept = keep(path, ".damaged-" + compact_utc(options));
+    move_logs(path, kept);
+    // The second name holds the file: cut off before this, there are both.
+    if (::unlink(path.c_str()) != 0) fail_file(path, errno);
+    alone.replaced();
+    return kept;
 }
 
 }  // namespace fulcrum::database

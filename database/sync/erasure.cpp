@@ -19,13 +19,7 @@ namespace {
 
 #define FULCRUM_THEIR_GOALS "(SELECT id FROM personal_goal WHERE person_id = ?)"
 
-struct Deletion {
-    const char* table;
-    const char* where;  ///< each ? is the person
-};
-
-/// In the order in which rows may go.
-constexpr Deletion deletions[] = {
+const std::vector<RowsAbout> deletions = {
     {"gate", "score_id IN " FULCRUM_THEIR_SCORES},
     {"metric", "score_id IN " FULCRUM_THEIR_SCORES},
     {"critical_error", "score_id IN " FULCRUM_THEIR_SCORES},
@@ -75,13 +69,6 @@ constexpr const char* guarded[] = {
     "rating",          "rating_item",   "rating_release",    "standing_override",
     "curriculum_move", "personal_goal", "personal_goal_end", "error_review"};
 
-Query with_person(Connection& connection, const std::string& sql, const std::string& person_id) {
-    Query query(connection, QString::fromStdString(sql));
-    for (const char c : sql)
-        if (c == '?') query.bind(person_id);
-    return query;
-}
-
 /// Sets the triggers that forbid deleting aside; they come back when it ends.
 class WithoutGuards {
   public:
@@ -113,15 +100,6 @@ class WithoutGuards {
     Connection& connection_;
     std::vector<std::pair<std::string, std::string>> triggers_;
 };
-
-std::set<std::string> objects_of(Connection& connection, const std::string& person_id) {
-    std::set<std::string> ids;
-    for (const char* sql : objects) {
-        Query rows = with_person(connection, sql, person_id);
-        while (rows.next()) ids.insert(rows.text(0));
-    }
-    return ids;
-}
 
 /// Records that an erasure deletes or changes, whether this station made or received them.
 std::set<std::string> their_records(Connection& connection, const std::string& person_id) {
@@ -159,7 +137,7 @@ std::set<std::string> their_records(Connection& connection, const std::string& p
          "SELECT rating_id FROM rating_release WHERE rating_id IN " FULCRUM_THEIR_RATINGS}};
     std::set<std::string> names;
     for (const Source& source : sources) {
-        Query rows = with_person(connection, source.ids, person_id);
+        Query rows = about_person(connection, source.ids, person_id);
         while (rows.next()) names.insert(RecordName{source.kind, rows.text(0)}.text());
     }
     return names;
@@ -167,8 +145,8 @@ std::set<std::string> their_records(Connection& connection, const std::string& p
 
 void delete_rows(Connection& connection, const std::string& person_id) {
     WithoutGuards guards(connection);
-    for (const Deletion& one : deletions)
-        with_person(connection, std::string("DELETE FROM ") + one.table + " WHERE " + one.where, person_id)
+    for (const RowsAbout& one : deletions)
+        about_person(connection, std::string("DELETE FROM ") + one.table + " WHERE " + one.where, person_id)
             .run();
     guards.restore();
     // The same on every side, so that both sides agree, and above every version that a station may have.
@@ -187,6 +165,26 @@ void delete_rows(Connection& connection, const std::string& person_id) {
 }
 
 }  // namespace
+
+const std::vector<RowsAbout>& rows_about_people() {
+    return deletions;
+}
+
+Query about_person(Connection& connection, const std::string& sql, const std::string& person_id) {
+    Query query(connection, QString::fromStdString(sql));
+    for (const char c : sql)
+        if (c == '?') query.bind(person_id);
+    return query;
+}
+
+std::set<std::string> audit_objects_of(Connection& connection, const std::string& person_id) {
+    std::set<std::string> ids;
+    for (const char* sql : objects) {
+        Query rows = about_person(connection, sql, person_id);
+        while (rows.next()) ids.insert(rows.text(0));
+    }
+    return ids;
+}
 
 std::vector<std::string> with_merged(Connection& connection, const std::string& person_id) {
     std::vector<std::string> ids = {person_id};
@@ -208,10 +206,10 @@ std::vector<ErasedRows> rows_to_erase(Connection& connection, const std::string&
                     "errors", "give the id (UUID) that `fulcrum report --format json` and exports print"));
     }
     std::vector<ErasedRows> result;
-    for (const Deletion& one : deletions) {
+    for (const RowsAbout& one : deletions) {
         std::int64_t count = 0;
         for (const std::string& id : with_merged(connection, person_id)) {
-            Query rows = with_person(
+            Query rows = about_person(
                 connection, std::string("SELECT COUNT(*) FROM ") + one.table + " WHERE " + one.where, id);
             if (rows.next()) count += rows.integer(0);
         }
@@ -228,7 +226,7 @@ void erase_one_on_server(Connection& server, const std::string& person_id, std::
         .bind(person_id)
         .bind(time)
         .run();
-    for (const std::string& id : objects_of(server, person_id)) {
+    for (const std::string& id : audit_objects_of(server, person_id)) {
         Query(server,
               "INSERT INTO erased_payload SELECT p.station_id, p.sequence FROM audit_payload p JOIN "
               "audit_entry e ON "
@@ -273,7 +271,7 @@ bool erase_at_station(const Store& store, const std::string& person_id, const Se
     // What the erased payloads say of records that stay is said again.
     std::set<std::string> names = {RecordName{RecordKind::person, person_id}.text()};
     std::vector<std::int64_t> sequences;
-    for (const std::string& id : objects_of(connection, person_id)) {
+    for (const std::string& id : audit_objects_of(connection, person_id)) {
         Query rows(connection,
                    "SELECT p.sequence, p.payload FROM audit_payload p JOIN audit_entry e ON e.station_id = "
                    "p.station_id AND e.sequence = p.sequence WHERE e.station_id = ? AND e.object_id = ?");

@@ -4,6 +4,7 @@
 // "Erased person" stays where others' records name the person (who voided an attempt, who rated it).
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,18 @@
 #include "database/sync/programme_server.h"
 
 namespace fulcrum::database {
+
+/// Rows about people: each ? of `where` is the person.
+struct RowsAbout {
+    const char* table;
+    const char* where;
+};
+/// In the order in which an erasure deletes them; an export of a person's data reads the same.
+const std::vector<RowsAbout>& rows_about_people();
+/// A statement with the person in place of each ?.
+Query about_person(Connection& connection, const std::string& sql, const std::string& person_id);
+/// Ids of what audit rows are about when they are about this person.
+std::set<std::string> audit_objects_of(Connection& connection, const std::string& person_id);
 
 /// What an erasure would delete on this side, by table, without the empty ones. Throws
 /// StoreError not_found.

@@ -16,6 +16,8 @@ class ForwardingServices : public ui::ApplicationServices {
     database::Store* store() override { return own_->store(); }
     std::string store_path(bool demo) const override { return own_->store_path(demo); }
     void open_store(bool demo) override { own_->open_store(demo); }
+    void close_store() override { own_->close_store(); }
+    void choose_store(const std::string& path) override { own_->choose_store(path); }
     bool demo_is_built() const override { return own_->demo_is_built(); }
     bool unpack_demo(const ui::Progress& progress) override { return own_->unpack_demo(progress); }
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }

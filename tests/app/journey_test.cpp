@@ -319,6 +319,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
 
     // The director's files contain the values of the trainee's debrief.
     sign_in("dora", "dora's password");
+    expect_page("dashboard_page");
+    click(window, "rail_cohort");
     expect_page("cohort_page");
     page.step("director-grid", "The director's cohort: where each person stands, with the latest attempts");
     find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);

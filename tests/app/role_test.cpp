@@ -74,7 +74,7 @@ TEST_F(Roles, OnlyTraineesAreOfferedAttemptsAndOnlyTheirAttemptsAreAccepted) {
     take(false, "educator");
     switch_user();
     first_sign_in("dora", dora_once, "dora's password");
-    expect_page("cohort_page");
+    expect_page("dashboard_page");
     EXPECT_FALSE(offered()) << "director";
     take(false, "director");
     switch_user();

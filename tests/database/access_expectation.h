@@ -59,6 +59,7 @@ inline const Expected expected_table[] = {
     {Operation::rotate_key, "---p-"},
     {Operation::erase_person, "--p--"},
     {Operation::review_error, "-c---"},
+    {Operation::export_all, "--p--"},
 };
 
 inline Scope scope_of_letter(char letter) {

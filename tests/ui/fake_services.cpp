@@ -9,6 +9,7 @@
 #include "assessment/assets/assets.h"
 #include "database/records/curriculum_publishing.h"
 #include "database/records/people.h"
+#include "database/store/quick_check.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
@@ -341,12 +342,14 @@ std::vector<ObserverForm> FakeServices::forms() const {
 }
 
 std::string FakeServices::store_path(bool demo) const {
+    if (!demo && !chosen_store.empty()) return chosen_store;
     return folder_.filePath(demo ? QStringLiteral("demo.db") : QStringLiteral("fulcrum.db")).toStdString();
 }
 
 void FakeServices::open_store(bool demo) {
     const std::string path = store_path(demo);
     store_.reset();
+    if (!demo && database::Store::exists(path)) database::require_quick_check(path);
     store_ = std::make_unique<database::Store>(
         database::Store::exists(path) ? database::Store::open(path) : database::Store::create(path, demo));
 }

@@ -31,6 +31,8 @@ class FakeServices : public ApplicationServices {
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override;
     void open_store(bool demo) override;
+    void close_store() override { store_.reset(); }
+    void choose_store(const std::string& path) override { chosen_store = path; }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool unpack_demo(const Progress& progress) override;
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
@@ -153,6 +155,7 @@ class FakeServices : public ApplicationServices {
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;
     std::shared_ptr<Rig> device_rig;  ///< moves the hands; null: mouse and keyboard
+    std::string chosen_store;         ///< in place of the one in the test's folder
     Sentence trouble;                 ///< of the device in use
     std::optional<DeviceReadings> readings;
     std::map<std::string, double> scales, motions;

@@ -284,6 +284,9 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
 
     // The director's table, and the same values in every export.
     sign_in("dora", "dora's password");
+    expect_page("dashboard_page");
+    keep_picture(window, "14-dashboard");
+    click(window, "rail_cohort");
     expect_page("cohort_page");
     keep_picture(window, "14-cohort-grid");
     find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);

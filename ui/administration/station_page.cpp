@@ -53,6 +53,13 @@ QFrame* StationPage::build_backup() {
     backup_ = make_button(tr("Back up …"), "back_up", "primary");
     connect(backup_, &QPushButton::clicked, this, &StationPage::ask_backup);
     card_layout(card)->addWidget(backup_, 0, Qt::AlignLeft);
+    card_layout(card)->addWidget(
+        make_label(tr("A backup can take the place of the store. You are signed out for that; the backup's "
+                      "administrator signs in, and what is in the store now is kept under another name."),
+                   "muted"));
+    restore_ = make_button(tr("Restore a backup …"), "restore_a_backup");
+    connect(restore_, &QPushButton::clicked, this, [this] { emit this->context().restore_wanted(); });
+    card_layout(card)->addWidget(restore_, 0, Qt::AlignLeft);
     return card;
 }
 
@@ -148,6 +155,7 @@ void StationPage::enter() {
     stations_->look();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
+    restore_->setVisible(backup_->isVisible());
     check_->setVisible(context().allowed(database::Operation::check_store));
     (backup_->isVisible() ? backup_ : check_)->setFocus();
 }
@@ -162,6 +170,7 @@ void StationPage::start(BackgroundJob* job, const QString& line) {
     bar_->watch(job, line);
     check_->setEnabled(false);
     backup_->setEnabled(false);
+    restore_->setEnabled(false);
     server_->set_busy(true);
 }
 
@@ -169,6 +178,7 @@ void StationPage::ended() {
     job_ = nullptr;
     check_->setEnabled(true);
     backup_->setEnabled(true);
+    restore_->setEnabled(true);
     server_->set_busy(false);
     if (isVisible()) stations_->look();
 }
@@ -198,9 +208,10 @@ void StationPage::check() {
 }
 
 void StationPage::show_report(const database::CheckReport& report) {
-    verdict_->setText(report.ok ? tr("✓ The store is intact.")
-                                : tr("✕ The store is damaged. Copy the file away before anything else, then "
-                                     "restore the newest backup."));
+    verdict_->setText(report.ok
+                          ? tr("✓ The store is intact.")
+                          : tr("✕ The store is damaged. Restore the newest backup: what is in the store "
+                               "now is kept under another name."));
     set_tint(verdict_, report.ok ? Tint::good : Tint::bad);
     verdict_->show();
     items_->setRowCount(0);

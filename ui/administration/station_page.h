@@ -43,7 +43,7 @@ class StationPage : public Page {
     QTableWidget *items_, *keys_;
     QFrame* key_card_;
     QLineEdit* key_reason_;
-    QPushButton *check_, *backup_, *change_key_;
+    QPushButton *check_, *backup_, *restore_, *change_key_;
     JobBar* bar_;
     ServerCard* server_;
     StationsCard* stations_;

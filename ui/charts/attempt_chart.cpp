@@ -201,6 +201,28 @@ void AttemptChart::set_data(AttemptChartData shown) {
     selected_.clear();
     setAccessibleName(data_.y_title);
     update();
+    values_changed();
+}
+
+ChartTable AttemptChart::table() const {
+    ChartTable table;
+    table.columns = {{tr("Device")}, {tr("Attempt")}, {tr("Value"), data_.unit},
+                     {tr("Result")}, {tr("Counts")},  {tr("Fitted curve"), data_.unit}};
+    if (data_.limit) table.columns.push_back({data_.limit_name, data_.unit});
+    for (const AttemptSeries& series : data_.series) {
+        for (const AttemptPoint& point : series.points) {
+            std::optional<double> fitted;
+            for (const auto& [number, value] : series.curve)
+                if (number == point.number) fitted = value;
+            ChartRow row{{ChartCell::words(series.name), ChartCell::count(point.number),
+                          ChartCell::value(point.value), ChartCell::words(verdict(point.passed, false)),
+                          ChartCell::words(point.counting ? tr("yes") : tr("no")), ChartCell::value(fitted)},
+                         text(point.attempt_id)};
+            if (data_.limit) row.cells.push_back(ChartCell::value(data_.limit));
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
 }
 
 void AttemptChart::paintEvent(QPaintEvent*) {

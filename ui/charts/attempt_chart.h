@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/charts/chart_table.h"
 #include "ui/style/palette.h"
 
 class QPainter;
@@ -32,6 +33,7 @@ struct AttemptSeries {
 };
 struct AttemptChartData {
     QString y_title;
+    QString unit = {};  ///< of the values; the title has it too
     std::vector<AttemptSeries> series;
     std::optional<double> limit;
     QString limit_name;
@@ -45,12 +47,14 @@ struct AttemptChartData {
 void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptChartData& data,
                          const Palette& palette, double unit, const std::string& selected = {});
 
-class AttemptChart : public QWidget {
+class AttemptChart : public QWidget, public TabledChart {
     Q_OBJECT
   public:
     explicit AttemptChart(QWidget* parent = nullptr);
     void set_data(AttemptChartData shown);
     const AttemptChartData& shown() const { return data_; }
+    /// A row's key: the attempt's id.
+    ChartTable table() const override;
     QSize sizeHint() const override { return {640, 300}; }
     QSize minimumSizeHint() const override { return {320, 200}; }
 

@@ -90,6 +90,8 @@ void TimeChart::clear() {
     }
     bands_.clear();
     selected_from_ = selected_to_ = 0;
+    steps_.clear();
+    lanes_.clear();
     limits_.clear();
     marks_.clear();
     cursor_ = -1;
@@ -110,7 +112,7 @@ void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::Pen
 void TimeChart::add_band(const QString& name, QColor Palette::*colour, const std::vector<ChartBand>& band) {
     auto* low = new QLineSeries;
     auto* high = new QLineSeries;
-    Band added{new QAreaSeries(high, low), new QLineSeries, colour, 0, 0};
+    Band added{new QAreaSeries(high, low), new QLineSeries, colour, band, 0, 0};
     low->setParent(added.area);
     high->setParent(added.area);
     for (const ChartBand& at : band) {
@@ -143,6 +145,18 @@ void TimeChart::add_limit(const QString& name, double value) {
     limits_.emplace_back(name, value);
 }
 
+void TimeChart::set_steps(const QString& name, QColor Palette::*colour, std::vector<ChartStep> steps) {
+    steps_name_ = name;
+    steps_colour_ = colour;
+    steps_ = std::move(steps);
+    viewport()->update();
+}
+
+void TimeChart::add_lane(const QString& name, QColor Palette::*colour, std::vector<ChartSpan> spans) {
+    lanes_.push_back({name, colour, std::move(spans)});
+    viewport()->update();
+}
+
 void TimeChart::set_marks(std::vector<ChartMark> marks) {
     marks_ = std::move(marks);
     viewport()->update();
@@ -166,12 +180,22 @@ void TimeChart::show_all() {
         last_ = std::max(last_, band.last);
         high = std::max(high, band.highest);
     }
+    for (const ChartStep& step : steps_) {
+        last_ = std::max(last_, step.to);
+        low = std::min(low, step.value);
+        high = std::max(high, step.value);
+    }
     for (const auto& [name, value] : limits_) {
         if (value < 4 * high) high = std::max(high, value);
     }
     if (last_ <= first_) last_ = first_ + 1;
+    // Lanes alone have no values.
+    const bool values = !series_.empty() || !bands_.empty() || !steps_.empty();
+    y_axis_->setLabelsVisible(values);
+    y_axis_->setGridLineVisible(values);
     if (high <= low) high = low + 1;
-    y_axis_->setRange(low, low + (high - low) * 1.12);
+    // The lanes have the upper half.
+    y_axis_->setRange(low, low + (high - low) * (lanes_.empty() ? 1.12 : 2.2));
     y_axis_->applyNiceNumbers();
     show_range(first_, last_);
 }
@@ -214,6 +238,7 @@ std::size_t TimeChart::points_wanted() const {
 void TimeChart::resizeEvent(QResizeEvent* event) {
     const std::size_t before = points_wanted();
     QChartView::resizeEvent(event);
+    place_plot();
     if (points_wanted() != before) refresh();
 }
 
@@ -226,75 +251,22 @@ void TimeChart::refresh() {
         for (const ChartPoint& point : points) shown.push_back({point.x, point.y});
         series.line->replace(shown);
     }
+    describe();
     viewport()->update();
+    emit points_changed();
 }
 
 double TimeChart::time_at(const QPoint& position) const {
-    return chart()->mapToValue(chart()->mapFromScene(mapToScene(position))).x();
+    // By the axis: QChart knows the values of series alone, and there may be none.
+    const QRectF area = chart()->plotArea();
+    return x_axis_->min() + (mapToScene(position).x() - area.left()) * (x_axis_->max() - x_axis_->min()) /
+                                std::max(area.width(), 1.0);
 }
 
 double TimeChart::x_of(double time) const {
     const QRectF area = chart()->plotArea();
     return area.left() +
            area.width() * (time - x_axis_->min()) / std::max(x_axis_->max() - x_axis_->min(), 1e-9);
-}
-
-void TimeChart::draw_selection(QPainter& painter, const QRectF& area) const {
-    if (selected_to_ <= selected_from_) return;
-    const double left = std::max(area.left(), x_of(selected_from_)),
-                 right = std::min(area.right(), x_of(selected_to_));
-    if (right <= left) return;
-    QColor shade = colours().accent;
-    painter.setPen(QPen(shade, 1));
-    shade.setAlpha(36);
-    painter.setBrush(shade);
-    painter.drawRect(QRectF(left, area.top(), right - left, area.height()));
-}
-
-void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
-    QChartView::drawForeground(painter, rect);
-    const Palette& p = colours();
-    const QRectF area = chart()->plotArea();
-    painter->save();
-    painter->setClipRect(area.adjusted(-6, -14, 6, 2));
-    painter->setRenderHint(QPainter::Antialiasing);
-    draw_selection(*painter, area);
-    const double y_span = std::max(y_axis_->max() - y_axis_->min(), 1e-9);
-    for (const auto& [name, value] : limits_) {
-        if (value > y_axis_->max()) continue;
-        const double y = area.bottom() - area.height() * (value - y_axis_->min()) / y_span;
-        painter->setPen(QPen(p.limit, 1.4, Qt::DashDotLine));
-        painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-        // Above the line, or below it where there is no room; a long name in several lines.
-        constexpr int flags = Qt::AlignLeft | Qt::TextWordWrap;
-        QRectF words = painter->boundingRect(area.adjusted(6, 0, -6, 0), flags, name);
-        words.moveTop(y - area.top() < words.height() + 4 ? y + 2 : y - words.height() - 2);
-        painter->drawText(words, flags, name);
-    }
-    for (const ChartMark& mark : marks_) {
-        if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;
-        const double x = x_of(mark.time);
-        painter->setPen(QPen(p.*mark.colour, mark.severe ? 1.6 : 1.0));
-        painter->drawLine(QPointF(x, area.top() - 8),
-                          QPointF(x, mark.severe ? area.bottom() : area.top() + 2));
-        if (mark.severe) {
-            painter->setBrush(p.*mark.colour);
-            painter->drawPolygon(QPolygonF({QPointF(x - 5, area.top() - 10), QPointF(x + 5, area.top() - 10),
-                                            QPointF(x, area.top() - 1)}));
-        }
-    }
-    if (cursor_ >= x_axis_->min() && cursor_ <= x_axis_->max()) {
-        const double x = x_of(cursor_);
-        painter->setPen(QPen(p.text, 1.5));
-        painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    }
-    if (hasFocus()) {
-        painter->setClipping(false);
-        painter->setPen(QPen(p.accent, 1));
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRect(area);
-    }
-    painter->restore();
 }
 
 void TimeChart::zoom(double factor, double around) {
@@ -322,6 +294,26 @@ void TimeChart::show_names(bool shown) {
 
 void TimeChart::show_time_title(bool shown) {
     x_axis_->setTitleVisible(shown);
+}
+
+void TimeChart::show_time_axis(bool shown) {
+    x_axis_->setTitleVisible(shown);
+    x_axis_->setLabelsVisible(shown);
+    place_plot();
+}
+
+void TimeChart::set_compact(int left) {
+    compact_left_ = left;
+    y_axis_->setTitleVisible(false);
+    place_plot();
+}
+
+void TimeChart::place_plot() {
+    if (compact_left_ == 0) return;
+    const double line = fontMetrics().height();
+    const double top = 16, right = 14, bottom = x_axis_->labelsVisible() ? 3 * line : 0.6 * line;
+    chart()->setPlotArea(QRectF(compact_left_, top, std::max(1.0, width() - compact_left_ - right),
+                                std::max(1.0, height() - top - bottom)));
 }
 
 double TimeChart::first_shown() const {

@@ -30,12 +30,7 @@ constexpr int person_role = Qt::UserRole, task_role = Qt::UserRole + 1, cell_rol
 enum class Order { name, least_done, longest_ago };
 
 int tasks_done(const PersonStandings& person) {
-    return static_cast<int>(
-        std::count_if(person.tasks.begin(), person.tasks.end(), [](const PersonTask& task) {
-            const Standing standing = task.standing.standing;
-            return standing == Standing::proficient || standing == Standing::maintained ||
-                   standing == Standing::due || task.standing.met_provisionally;
-        }));
+    return static_cast<int>(std::count_if(person.tasks.begin(), person.tasks.end(), database::is_done));
 }
 
 }  // namespace

@@ -88,6 +88,28 @@ void LimitsChart::show_gates(std::vector<GateLimits> gates) {
     setToolTip(lines.join(QLatin1Char('\n')));
     updateGeometry();
     update();
+    values_changed();
+}
+
+ChartTable LimitsChart::table() const {
+    ChartTable table;
+    for (const char* title : {QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Gate"),
+                              QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Limit of the set or attempt"),
+                              QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Value"),
+                              QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Unit")})
+        table.columns.push_back({limits_words(title)});
+    const QString limit = limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "limit of set %1")),
+                  attempt = limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "attempt"));
+    for (const GateLimits& gate : gates_) {
+        const auto add = [&](const QString& of, const std::optional<double>& value) {
+            table.rows.push_back({{ChartCell::words(gate.name), ChartCell::words(of), ChartCell::value(value),
+                                   ChartCell::words(unit_text(plain(gate.unit)))},
+                                  {}});
+        };
+        for (std::size_t k = 0; k < gate.limits.size(); ++k) add(limit.arg(set_letter(k)), gate.limits[k]);
+        for (const double value : gate.values) add(attempt, value);
+    }
+    return table;
 }
 
 void LimitsChart::paint_gate(QPainter& painter, const GateLimits& gate, const QRectF& room) const {
@@ -152,8 +174,37 @@ GroupsChart::GroupsChart(QWidget* parent) : QWidget(parent) {
 
 void GroupsChart::show_groups(std::optional<GroupCurves> groups) {
     groups_ = std::move(groups);
-    setVisible(groups_.has_value());
     update();
+    values_changed();
+}
+
+ChartTable GroupsChart::table() const {
+    ChartTable table;
+    if (!groups_) return table;
+    const QString unit = unit_text(plain(groups_->unit));
+    const bool logarithmic = groups_->logarithmic;
+    table.columns = {
+        {limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Group"))},
+        {logarithmic ? limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Geometric mean, or mark"))
+                     : limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Mean, or mark")),
+         unit},
+        {logarithmic
+             ? limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Geometric standard deviation"))
+             : limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "Standard deviation")),
+         logarithmic ? QString() : unit}};
+    const auto value_of = [&](double x) { return logarithmic ? std::exp(x) : x; };
+    const auto add = [&](const QString& group, double place, std::optional<double> deviation) {
+        table.rows.push_back(
+            {{ChartCell::words(group), ChartCell::value(value_of(place)), ChartCell::value(deviation)}, {}});
+    };
+    add(limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "experts of the set")),
+        groups_->experts.mean, value_of(groups_->experts.deviation));
+    add(limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "attempts here")), groups_->others.mean,
+        value_of(groups_->others.deviation));
+    if (groups_->mark)
+        add(limits_words(QT_TRANSLATE_NOOP("fulcrum::ui::LimitsChart", "mark between them")),
+            groups_->mark->value, std::nullopt);
+    return table;
 }
 
 void GroupsChart::paintEvent(QPaintEvent*) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assessment/learning/contrasting_groups.h"
+#include "ui/charts/chart_table.h"
 
 namespace fulcrum::ui {
 
@@ -23,11 +24,13 @@ struct GateLimits {
     std::vector<double> values;                 ///< of attempts
 };
 
-class LimitsChart : public QWidget {
+class LimitsChart : public QWidget, public TabledChart {
   public:
     explicit LimitsChart(QWidget* parent = nullptr);
     void show_gates(std::vector<GateLimits> gates);
     const std::vector<GateLimits>& gates() const { return gates_; }
+    /// A row for each limit and for each value.
+    ChartTable table() const override;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {280, sizeHint().height()}; }
 
@@ -48,10 +51,11 @@ struct GroupCurves {
     std::optional<PassMark> mark;
 };
 
-class GroupsChart : public QWidget {
+class GroupsChart : public QWidget, public TabledChart {
   public:
     explicit GroupsChart(QWidget* parent = nullptr);
     void show_groups(std::optional<GroupCurves> groups);
+    ChartTable table() const override;
     QSize sizeHint() const override { return {360, 200}; }
     QSize minimumSizeHint() const override { return {260, 160}; }
 

@@ -13,7 +13,8 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
 #include "sim_core/scene/standard_names.h"
-#include "ui/dashboards/limits_chart.h"
+#include "ui/charts/chart_frame.h"
+#include "ui/dashboards/limit_rows.h"
 #include "ui/page/station_note.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
@@ -25,42 +26,8 @@ namespace {
 constexpr std::size_t most_sets = 4;
 constexpr std::size_t least_values = 8;  // for a spread that means something
 
-QString gate_name(const GateSpec& gate) {
-    QString name = metric_text(gate.metric);
-    if (!gate.hand.empty()) name += QStringLiteral(" · ") + hand_text(gate.hand);
-    if (!gate.tissue.empty()) name += QStringLiteral(" · ") + asset_text(gate.tissue);
-    return name;
-}
-
-/// What attempts are held against with this set: where it narrows an absolute limit, the narrower one.
-std::optional<double> limit_in(const BenchmarkSet& set, const GateSpec& gate) {
-    return judge_gate(gate, {}, &set).limit;
-}
-
-/// Gates on the experts' range, and absolute ones that one of the sets narrows.
-bool is_shown(const GateSpec& gate, const std::vector<const BenchmarkSet*>& sets) {
-    return gate.kind == GateKind::benchmark ||
-           std::any_of(sets.begin(), sets.end(), [&](const BenchmarkSet* set) {
-               return set->find(gate.metric, gate.hand, gate.tissue) != nullptr;
-           });
-}
-
-std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate) {
-    std::vector<double> values;
-    for (const TriedAttempt& attempt : attempts)
-        for (const database::GateRow& row : attempt.gates)
-            if (row.metric == gate.metric && row.hand == gate.hand && row.tissue == gate.tissue && row.value)
-                values.push_back(gated_value(*find_metric(gate.metric), *row.value));
-    return values;
-}
-
 bool same_key(const BenchmarkKey& a, const BenchmarkKey& b) {
     return benchmark_name(a) == benchmark_name(b);
-}
-
-QString share_of(int part, int all) {
-    return all == 0 ? QStringLiteral("–")
-                    : LimitsPage::tr("%1 of %2 (%3 %)").arg(part).arg(all).arg(qRound(100.0 * part / all));
 }
 
 }  // namespace
@@ -77,17 +44,15 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
                                  "muted"));
     layout->addWidget(make_choice());
     QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Limits of each benchmark set"), "heading"));
     count_ = make_label({}, "muted");
-    card_layout(card)->addWidget(count_);
     chart_ = new LimitsChart;
-    card_layout(card)->addWidget(chart_);
+    auto* frame = new ChartFrame(chart_, tr("Limits of each benchmark set"), "set_limits");
+    frame->set_below_title(count_);
+    card_layout(card)->addWidget(frame);
     layout->addWidget(card);
     QFrame* passes = make_card(8);
     card_layout(passes)->addWidget(make_label(tr("Who would pass with each set"), "heading"));
-    table_ = make_table(
-        {tr("Set"), tr("Made from"), tr("Experts"), tr("Experts pass"), tr("Would pass"), tr("People")},
-        "limits_table");
+    table_ = make_table(pass_columns(), "limits_table");
     card_layout(passes)->addWidget(table_);
     card_layout(passes)->addWidget(make_adding());
     layout->addWidget(passes);
@@ -150,7 +115,8 @@ QFrame* LimitsPage::make_groups() {
     metrics_->setAccessibleName(tr("Metric"));
     card_layout(card)->addWidget(metrics_, 0, Qt::AlignLeft);
     groups_ = new GroupsChart;
-    card_layout(card)->addWidget(groups_);
+    groups_frame_ = new ChartFrame(groups_, tr("Experts and attempts here"), "groups");
+    card_layout(card)->addWidget(groups_frame_);
     mark_ = make_label({});
     mark_->setObjectName(QStringLiteral("limits_mark"));
     card_layout(card)->addWidget(mark_);
@@ -236,19 +202,7 @@ void LimitsPage::fill() {
     if (task() != nullptr && !sets_.empty()) {
         std::vector<const BenchmarkSet*> compared;
         for (const Compared& one : sets_) compared.push_back(&one.set);
-        for (const GateSpec& gate : task()->gates) {
-            if (!is_shown(gate, compared)) continue;
-            GateLimits row;
-            row.name = gate_name(gate);
-            row.unit = text(find_metric(gate.metric)->unit);
-            if (gate.kind == GateKind::absolute)
-                row.name = tr("%1 (limit of the task: %2)")
-                               .arg(row.name, figure_with_unit(gate.limit, row.unit.toStdString()));
-            row.higher_is_better = find_metric(gate.metric)->direction == Direction::higher;
-            for (const Compared& one : sets_) row.limits.push_back(limit_in(one.set, gate));
-            row.values = values_of(attempts_, gate);
-            gates.push_back(std::move(row));
-        }
+        gates = gate_limits(*task(), compared, attempts_);
     }
     std::set<std::string> people;
     for (const TriedAttempt& attempt : attempts_) people.insert(attempt.person_id);
@@ -272,21 +226,14 @@ void LimitsPage::fill_table() {
     table_->setRowCount(static_cast<int>(sets_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const Compared& one = sets_[static_cast<std::size_t>(row)];
-        const TrialCount count = count_passes(*task(), attempts_, one.set);
-        QString passes = share_of(count.passed, count.attempts);
-        if (count.not_judged > 0) passes += tr(", not judged: %1").arg(count.not_judged);
         const QString name =
             set_letter(static_cast<std::size_t>(row)) + QStringLiteral(" · ") +
             (one.file.isEmpty() ? tr("in force (%1)") : tr("version %1")).arg(one.set.version);
-        const QString cells[] = {name,
-                                 asset_text(one.set.source),
-                                 QString::number(one.set.experts.size()),
-                                 QStringLiteral("%1 %").arg(qRound(100 * one.set.expert_pass_share)),
-                                 passes,
-                                 share_of(count.people_passed, count.people)};
+        const QStringList cells = pass_cells(name, one.set, *task(), attempts_);
         for (int column = 0; column < table_->columnCount(); ++column)
             table_->setItem(row, column, make_cell(cells[column]));
         table_->item(row, 0)->setToolTip(one.file.isEmpty() ? cells[0] : one.file);
+        if (!one.set.note.empty()) table_->item(row, 1)->setToolTip(text(one.set.note));
     }
     fit_columns(table_, {0, 4, 5});
     fit_rows(table_);
@@ -297,6 +244,7 @@ void LimitsPage::fill_table() {
 
 void LimitsPage::show_group() {
     groups_->show_groups(std::nullopt);
+    groups_frame_->hide();
     mark_->clear();
     if (metrics_->currentIndex() < 0 || sets_.empty()) return;
     const GateSpec& gate = task()->gates[static_cast<std::size_t>(metrics_->currentData().toInt())];
@@ -322,6 +270,7 @@ void LimitsPage::show_group() {
     }
     curves.mark = contrasting_groups(curves.experts, curves.others);
     groups_->show_groups(curves);
+    groups_frame_->show();
     if (!curves.mark) {
         mark_->setText(tr("No pass mark: the groups overlap."));
         return;

@@ -17,6 +17,7 @@ class QTableWidget;
 
 namespace fulcrum::ui {
 
+class ChartFrame;
 class GroupsChart;
 class LimitsChart;
 
@@ -53,6 +54,7 @@ class LimitsPage : public Page {
     QLabel *count_, *mark_;
     LimitsChart* chart_;
     GroupsChart* groups_;
+    ChartFrame* groups_frame_;
     QTableWidget* table_;
     StationNote* note_;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/charts/chart_frame.h"
 #include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -68,7 +69,7 @@ QString days_text(const SurvivalMedian& days, int people) {
 }
 
 /// One bar for each task, divided by standing. A part wide enough has the sign and the number in it.
-class OverviewChart : public QWidget {
+class OverviewChart : public QWidget, public TabledChart {
   public:
     OverviewChart() {
         setAccessibleName(OverviewView::tr("People in each standing, task by task"));
@@ -88,6 +89,25 @@ class OverviewChart : public QWidget {
         setToolTip(words.join(QLatin1Char('\n')));
         updateGeometry();
         update();
+        values_changed();
+    }
+    ChartTable table() const override {
+        ChartTable table;
+        table.columns.push_back({OverviewView::tr("Task")});
+        const auto title = [](const auto& row) {
+            return QCoreApplication::translate("fulcrum::standings", row.title);
+        };
+        for (const auto& row : standing_names)
+            table.columns.push_back({title(row), OverviewView::tr("people")});
+        for (const TaskOverview& task : tasks_) {
+            ChartRow row{{ChartCell::words(text(task.task))}};
+            for (const auto& standing : standing_names) {
+                const auto found = task.people.find(standing.kind);
+                row.cells.push_back(ChartCell::count(found == task.people.end() ? 0 : found->second));
+            }
+            table.rows.push_back(std::move(row));
+        }
+        return table;
     }
     QSize sizeHint() const override { return {400, static_cast<int>(tasks_.size()) * line() + 4}; }
     QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
@@ -166,7 +186,7 @@ OverviewView::OverviewView(QWidget* parent) : QWidget(parent), chart_(new Overvi
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 10, 10, 10);
     layout->setSpacing(10);
-    layout->addWidget(chart_);
+    layout->addWidget(new ChartFrame(chart_, tr("People in each standing"), "overview_chart"));
     table_ = make_table({tr("Task"), tr("Passed"), tr("First pass after"), tr("Proficient after")},
                         "cohort_overview");
     layout->addWidget(table_, 1);

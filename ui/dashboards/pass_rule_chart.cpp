@@ -113,6 +113,32 @@ PassRuleChart::PassRuleChart(QWidget* parent) : QWidget(parent) {
 void PassRuleChart::show_curves(PassRuleCurves curves) {
     curves_ = std::move(curves);
     update();
+    values_changed();
+}
+
+ChartTable PassRuleChart::table() const {
+    ChartTable table;
+    const QString percent = QStringLiteral("%");
+    const QString tried = words(QT_TRANSLATE_NOOP("fulcrum::ui::PassRuleChart", "passes %1 %")),
+                  in_force =
+                      words(QT_TRANSLATE_NOOP("fulcrum::ui::PassRuleChart", "passes %1 %, rule in force"));
+    table.columns.push_back({words(QT_TRANSLATE_NOOP("fulcrum::ui::PassRuleChart", "attempts"))});
+    for (const double share : designer_trainees)
+        table.columns.push_back({tried.arg(qRound(100 * share)), percent});
+    for (const double share : designer_trainees)
+        if (curves_.changed) table.columns.push_back({in_force.arg(qRound(100 * share)), percent});
+    const auto add = [](ChartRow& row, const std::vector<double>& curve, std::size_t t) {
+        row.cells.push_back(
+            ChartCell::value(t < curve.size() ? std::optional<double>(100 * curve[t]) : std::nullopt));
+    };
+    for (std::size_t t = 0; t < static_cast<std::size_t>(designer_attempts); ++t) {
+        ChartRow row{{ChartCell::count(static_cast<long long>(t) + 1)}};
+        for (const auto& curve : curves_.tried) add(row, curve, t);
+        for (const auto& curve : curves_.in_force)
+            if (curves_.changed) add(row, curve, t);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
 }
 
 void PassRuleChart::paintEvent(QPaintEvent*) {

@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include "ui/charts/chart_table.h"
+
 namespace fulcrum::ui {
 
 /// Of three trainees, the share of attempts that each passes.
@@ -20,11 +22,12 @@ struct PassRuleCurves {
     bool changed = false;  ///< the two differ; else only one is drawn
 };
 
-class PassRuleChart : public QWidget {
+class PassRuleChart : public QWidget, public TabledChart {
   public:
     explicit PassRuleChart(QWidget* parent = nullptr);
     void show_curves(PassRuleCurves curves);
     const PassRuleCurves& curves() const { return curves_; }
+    ChartTable table() const override;
     QSize sizeHint() const override { return {520, 300}; }
     QSize minimumSizeHint() const override { return {320, 220}; }
 

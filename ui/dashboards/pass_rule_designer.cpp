@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "ui/charts/chart_frame.h"
 #include "ui/dashboards/pass_rule_chart.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -76,8 +77,7 @@ PassRuleDesigner::PassRuleDesigner(QWidget* parent)
         layout->addWidget(dial->row);
     words_ = make_label({}, "muted");
     words_->setObjectName(QStringLiteral("rule_words"));
-    layout->addWidget(make_label(tr("Chance of being declared proficient"), "heading"));
-    layout->addWidget(chart_, 1);
+    layout->addWidget(new ChartFrame(chart_, tr("Chance of being declared proficient"), "rule_chances"), 1);
     layout->addWidget(words_);
     QStringList heads{tr("Passes")};
     for (const int attempts : within) heads << tr("%1 attempts").arg(attempts);

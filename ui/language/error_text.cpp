@@ -53,6 +53,7 @@ constexpr WordsOf operations[] = {
     {"import_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "import a trace for this person")},
     {"rotate_key", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change the station's key")},
     {"erase_person", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "erase this person")},
+    {"export_all", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "export all that is stored about this person")},
     {"review_error", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "confirm or strike this error")},
     {"act_as", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "act in this role")},
     {"demo_session", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "use this demonstration account")},

@@ -12,10 +12,12 @@ QString words(const char* source) {
 
 }  // namespace
 
+std::string words_in_use(const char* context, const char* source) {
+    return QCoreApplication::translate(context, source).toStdString();
+}
+
 QString sentence_text(const Sentence& sentence) {
-    return QString::fromStdString(sentence.words([](const char* context, const char* source) {
-        return QCoreApplication::translate(context, source).toStdString();
-    }));
+    return QString::fromStdString(sentence.words(words_in_use));
 }
 
 QString role_text(const std::string& role) {

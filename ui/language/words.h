@@ -26,6 +26,8 @@ QString words_in(const WordsOf (&table)[N], const std::string& name, const char*
     return {};
 }
 
+/// As Sentence::words() takes it.
+std::string words_in_use(const char* context, const char* source);
 /// What an error says, in the reader's language.
 QString sentence_text(const Sentence& sentence);
 QString role_text(const std::string& role);

@@ -82,6 +82,8 @@ class Context : public QObject {
     /// The page that explains the metrics, at this one; from there back to a moment of an attempt ("": none).
     void metric_wanted(const QString& metric_id, const QString& attempt_id, double time_s);
     void switch_user_wanted();
+    /// A backup is to take the store's place.
+    void restore_wanted();
     /// From the page of settings; appearance_changed() follows once the window has it.
     void theme_wanted(fulcrum::ui::Theme theme);
     void text_size_wanted(int percent);

@@ -105,12 +105,12 @@ void gates(Sheet& sheet, const database::ScoreRow& score) {
                      gate.passed ? (*gate.passed ? ReportTexts::tr("met") : ReportTexts::tr("not met"))
                                  : ReportTexts::tr("not judged")});
     }
-    sheet.skip(4);
+    sheet.skip(2);
 }
 
 /// Where the foot of a page begins.
 double foot_of(const Sheet& sheet) {
-    return sheet.height() - Sheet::mm(24);
+    return sheet.height() - Sheet::mm(footer_mm + 3);
 }
 
 /// `turn`: begins a new page, with a foot on the one before.
@@ -128,7 +128,7 @@ void pathology(Sheet& sheet, const PathologyReport& report, const std::function<
     }
     paint_specimen_map(sheet.painter(), QPointF(0, sheet.y()), sheet.width(), report, paper_palette(), unit);
     sheet.to(sheet.y() + map);
-    sheet.skip(3);
+    sheet.skip(1.5);
     for (const PathologyLine& line : pathology_lines(report)) {
         sheet.font(8.5, true, paper_palette().muted);
         const double top = sheet.y();
@@ -139,12 +139,12 @@ void pathology(Sheet& sheet, const PathologyReport& report, const std::function<
         sheet.painter().drawText(room, Qt::TextWordWrap, line.words, &used);
         sheet.to(used.bottom() + Sheet::mm(0.8));
     }
-    sheet.skip(3);
+    sheet.skip(1.5);
     const std::vector<QStringList> rows = pathology_rows(report);
     sheet.font(8);
     // The table, its head and its legend stay together.
     const double table =
-        static_cast<double>(rows.size() + 2) * (sheet.line_height() + Sheet::mm(0.6)) + Sheet::mm(15);
+        static_cast<double>(rows.size() + 2) * (sheet.line_height() + Sheet::mm(0.6)) + Sheet::mm(13);
     if (sheet.y() + table > foot_of(sheet)) turn();
     Columns columns(sheet, {0.06, 0.10, 0.10, 0.105, 0.10, 0.10, 0.105, 0.105, 0.125, 0.10}, 2);
     sheet.font(6.2, true, paper_palette().muted);
@@ -276,10 +276,7 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
     paper.report =
         database::Reports(store).attempt_report(session, attempt_id, database::ReportPurpose::exported);
     paper.provenance = provenance_of(store, session, program_version);
-    paper.provenance.metric_versions = paper.report.metric_versions;
-    paper.provenance.benchmark_sets = paper.report.benchmark_sets;
-    paper.provenance.program_versions = paper.report.program_versions;
-    paper.provenance.audit_head = paper.report.audit_head;
+    take_basis(paper.provenance, paper.report);
     paper.provenance.attempt_key = database::Audit(store).signer_of(attempt_id);
     paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
     for (const TaskDefinition& task : tasks)

@@ -74,7 +74,7 @@ void write_certificate(const database::Store& store, const database::Session& se
                 say(QT_TRANSLATE_NOOP("fulcrum::ui::certificate", "Certificate of %1"))
                     .arg(text(certificate.person_name)));
     sheet.new_page();
-    const double bottom = sheet.height() - Sheet::mm(25);  // the foot follows
+    const double bottom = sheet.height() - Sheet::mm(footer_mm + 4);  // the foot follows
     frame(sheet, bottom);
     sheet.skip(12);
     sheet.font(12, false, paper_palette().muted);

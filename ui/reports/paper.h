@@ -73,6 +73,12 @@ class Sheet {
     bool started_ = false;
 };
 
+/// Where the foot of a page begins.
+double bottom_of(const Sheet& sheet);
+/// A new page down to where its content begins.
+void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& kind,
+               const std::string& title, const QString& line, bool synthetic, bool provisional);
+inline constexpr double footer_mm = 25;  ///< its height; the page's content ends 3 mm above it
 void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n);
 
 }  // namespace fulcrum::ui

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/report.h"
 
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QFile>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "database/records/people.h"
 #include "database/store/audit.h"
+#include "database/store/store_owner.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/output_file.h"
 #include "ui/reports/report_rows.h"
@@ -51,6 +55,27 @@ void fail_output(const std::string& path, const std::system_error& error) {
         QT_TRANSLATE_NOOP("errors", "choose another folder or free some space"));
 }
 
+namespace {
+
+/// Read once: it is the same as long as the program runs.
+const std::string& program_digest() {
+    static const std::string digest = [] {
+        QFile program(QStringLiteral("/proc/self/exe"));
+        QCryptographicHash hash(QCryptographicHash::Sha256);
+        return program.open(QIODevice::ReadOnly) && hash.addData(&program)
+                   ? QString::fromLatin1(hash.result().toHex()).toStdString()
+                   : std::string();
+    }();
+    return digest;
+}
+
+}  // namespace
+
+std::string tamper_evidence(const ReportProvenance& provenance) {
+    return provenance.tamper_evident ? "a service account owns the store"
+                                     : "not tamper-evident: see Who can change the store in docs/MANUAL.md";
+}
+
 ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
                                const std::string& program_version) {
     ReportProvenance provenance;
@@ -61,6 +86,8 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
     provenance.made_as = database::role_name(session.role());
     provenance.demo = store.is_demo();
     provenance.station_key = database::Audit(store).signing_key();
+    provenance.program_digest = program_digest();
+    provenance.tamper_evident = database::owned_by_service_account(store);
     return provenance;
 }
 
@@ -87,10 +114,7 @@ PersonReport report_of(database::PersonData data, ReportProvenance provenance,
                        const std::vector<TaskDefinition>& tasks) {
     PersonReport report;
     report.provenance = std::move(provenance);
-    report.provenance.audit_head = std::move(data.audit_head);
-    report.provenance.metric_versions = std::move(data.metric_versions);
-    report.provenance.benchmark_sets = std::move(data.benchmark_sets);
-    report.provenance.program_versions = std::move(data.program_versions);
+    take_basis(report.provenance, data);
     report.person_id = std::move(data.person_id);
     report.login = std::move(data.login);
     report.name = std::move(data.name);
@@ -115,7 +139,8 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, PeoplePages people,
-                                          const Progress& progress, const Curriculum* curriculum) {
+                                          const Progress& progress, const Curriculum* curriculum,
+                                          int plan_weeks) {
     CohortReport report;
     report.provenance = provenance_of(store, session, program_version);
     database::CohortTableOptions options;
@@ -125,10 +150,14 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
         database::Reports(store).cohort_table(session, cohort_id, options, database::ReportPurpose::exported);
     report.tasks = titles_of(report.table.tasks, tasks);
     report.provenance.as_of = report.table.as_of;
-    report.provenance.audit_head = report.table.audit_head;
-    report.provenance.metric_versions = report.table.metric_versions;
-    report.provenance.benchmark_sets = report.table.benchmark_sets;
-    report.provenance.program_versions = report.table.program_versions;
+    take_basis(report.provenance, report.table);
+    report.curriculum = curriculum;
+    if (curriculum != nullptr) {
+        const std::int64_t at = report.table.as_of;
+        const int offset_s = QDateTime::fromMSecsSinceEpoch(at).offsetFromUtc();
+        report.dashboard =
+            database::dashboard_of(report.table.standings, *curriculum, {at, offset_s / 60, plan_weeks});
+    }
     if (people == PeoplePages::none) return report;
     database::PersonDataOptions pages;
     pages.tasks = ids_of(tasks);
@@ -179,7 +208,7 @@ ReportFiles ReportWriter::write_attempt(const AttemptPaper&, const ReportRequest
 std::optional<CohortReport> gather_cohort(const ReportSource& source, const ReportRequest& request,
                                           PeoplePages people, const Progress& progress) {
     return gather_cohort(source.store, source.session, request.cohort_id, source.tasks,
-                         source.program_version, people, progress, request.curriculum);
+                         source.program_version, people, progress, request.curriculum, request.plan_weeks);
 }
 
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,

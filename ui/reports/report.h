@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "assessment/task/task.h"
+#include "database/records/cohort_dashboard.h"
 #include "database/records/ratings.h"
 #include "database/records/report_data.h"
 #include "database/rows/csv_text.h"
@@ -27,10 +28,16 @@ struct ReportProvenance {
     /// knows.
     std::optional<std::string> attempt_key = {};
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
-    std::int64_t as_of = 0;        ///< UTC ms
-    std::string made_by, made_as;  ///< who asked for it, in which role
-    bool demo = false;             ///< watermark
+    std::vector<database::AssetFile> assets;  ///< task, scene, set and curriculum of the assessed attempts
+    std::string program_digest;               ///< SHA-256 of the program that wrote the report
+    bool tamper_evident = false;              ///< a service account owns the store
+    std::int64_t as_of = 0;                   ///< UTC ms
+    std::string made_by, made_as;             ///< who asked for it, in which role
+    bool demo = false;                        ///< watermark
 };
+
+/// In English, for files: "not tamper-evident", with where to read more, unless it is.
+std::string tamper_evidence(const ReportProvenance& provenance);
 
 struct ReportTask {
     std::string id, title, stage;
@@ -50,7 +57,9 @@ struct CohortReport {
     ReportProvenance provenance;
     std::vector<ReportTask> tasks;
     database::CohortTable table;
-    std::vector<PersonReport> people;  ///< pages of their own
+    const Curriculum* curriculum = nullptr;  ///< of the standings; outlives the report
+    database::CohortDashboard dashboard;     ///< where there is one
+    std::vector<PersonReport> people;        ///< pages of their own
 };
 
 /// One attempt.
@@ -109,7 +118,8 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, PeoplePages people,
                                           const Progress& progress = {},
-                                          const Curriculum* curriculum = nullptr);
+                                          const Curriculum* curriculum = nullptr,
+                                          int plan_weeks = database::usual_plan_weeks);
 
 std::string person_json(const PersonReport& report);
 std::string cohort_json(const CohortReport& report);
@@ -126,8 +136,9 @@ struct ReportRequest {
     std::string person_id, cohort_id, attempt_id;  ///< exactly one
     ReportFormat format = ReportFormat::pdf;
     std::string path;
-    std::string home_page;                   ///< for xapi: the address that the ids of people belong to
-    const Curriculum* curriculum = nullptr;  ///< null: the report has no standings
+    std::string home_page;                        ///< for xapi: the address that the ids of people belong to
+    const Curriculum* curriculum = nullptr;       ///< null: the report has no standings
+    int plan_weeks = database::usual_plan_weeks;  ///< of the pictures of a cohort
 };
 /// Gathers and writes; a CSV of a person or cohort gets its dictionary next to it
 /// (FILE.dictionary.csv). Returns the files, none

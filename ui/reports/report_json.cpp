@@ -86,6 +86,9 @@ Json point_json(const database::ProgressPoint& point) {
 }  // namespace
 
 Json provenance_json(const ReportProvenance& provenance) {
+    Json assets = Json::array();
+    for (const database::AssetFile& file : provenance.assets)
+        assets.push_back({{"file", file.name}, {"sha256", file.digest}});
     return {{"programme", provenance.programme},
             {"as_of", database::iso_utc(provenance.as_of)},
             {"made_by", provenance.made_by},
@@ -94,6 +97,10 @@ Json provenance_json(const ReportProvenance& provenance) {
             {"program_versions", provenance.program_versions},
             {"metric_versions", provenance.metric_versions},
             {"benchmark_sets", provenance.benchmark_sets},
+            {"assets", assets},
+            {"program_sha256", or_null(provenance.program_digest)},
+            {"tamper_evident", provenance.tamper_evident},
+            {"tamper_evidence", tamper_evidence(provenance)},
             {"audit_head", provenance.audit_head},
             {"station_key", or_null(provenance.station_key)},
             {"demo", provenance.demo}};
@@ -212,6 +219,38 @@ Json overview_json(const database::CohortTable& table) {
     return tasks;
 }
 
+/// The values behind the pictures of the cohort, apart from those of `overview`.
+Json dashboard_json(const CohortReport& report) {
+    const database::CohortDashboard& dashboard = report.dashboard;
+    const auto& people = report.table.standings;
+    Json plan = Json::array(), weeks = Json::array(), checks = Json::array(), stages = Json::array();
+    for (const database::PlanPoint& one : dashboard.plan)
+        plan.push_back({{"person_id", people[one.person].person_id},
+                        {"weeks", one.weeks},
+                        {"tasks_done", one.done},
+                        {"tasks_planned", one.planned}});
+    for (const database::PracticeWeek& week : dashboard.weeks)
+        weeks.push_back({{"monday", database::iso_utc(week.monday * 86'400'000).substr(0, 10)},
+                         {"attempts", week.attempts},
+                         {"people", week.people.size()}});
+    for (const database::CheckSlot& slot : dashboard.checks)
+        for (const database::DashboardPerson& check : slot.checks)
+            checks.push_back({{"person_id", people[check.person].person_id},
+                              {"task", check.task},
+                              {"due_utc", database::iso_utc(check.at)},
+                              {"due", slot.kind == database::CheckSlot::Kind::due ||
+                                          slot.kind == database::CheckSlot::Kind::overdue},
+                              {"overdue", slot.kind == database::CheckSlot::Kind::overdue}});
+    for (const database::StageStep& step : dashboard.stages)
+        stages.push_back(
+            {{"stage", step.stage}, {"step", step.done ? "done" : "begun"}, {"people", step.people.size()}});
+    return {{"plan_weeks", dashboard.plan_weeks},
+            {"plan", std::move(plan)},
+            {"weeks", std::move(weeks)},
+            {"checks", std::move(checks)},
+            {"stages", std::move(stages)}};
+}
+
 }  // namespace
 
 std::string person_json(const PersonReport& report) {
@@ -252,6 +291,7 @@ std::string cohort_json(const CohortReport& report) {
     for (const database::CohortRow& row : report.table.rows) document["rows"].push_back(row_json(row));
     document["curriculum"] = or_null(report.table.curriculum);
     document["overview"] = overview_json(report.table);
+    document["dashboard"] = report.curriculum == nullptr ? Json(nullptr) : dashboard_json(report);
     document["standings"] = Json::array();
     for (const database::PersonStandings& person : report.table.standings)
         document["standings"].push_back(standings_json(person));

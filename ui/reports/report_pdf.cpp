@@ -10,6 +10,7 @@
 #include "ui/charts/attempt_chart.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/rating_words.h"
+#include "ui/reports/report_dashboard.h"
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_texts.h"
 #include "ui/reports/report_writer.h"
@@ -76,32 +77,6 @@ void cell_lines(Sheet& sheet, double x, double width, const QStringList& lines) 
         sheet.cell(x, width, lines[line]);
     }
     sheet.to(top);
-}
-
-// Where the foot of a page begins.
-double bottom_of(const Sheet& sheet) {
-    return sheet.height() - Sheet::mm(24);
-}
-
-// A new page down to where its table begins.
-void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& kind,
-               const std::string& title, const QString& line, bool synthetic, bool provisional) {
-    sheet.new_page();
-    if (provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
-    sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(join_with_dots({text(provenance.programme), capital(kind)}));
-    sheet.font(17, true);
-    sheet.paragraph(text(title));
-    sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(line);
-    sheet.font(9, true, paper_palette().bad);
-    if (synthetic) sheet.paragraph(ReportTexts::tr("Synthetic: the people in this report are not real."));
-    if (provisional) {
-        sheet.paragraph(ReportTexts::tr(
-            "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-            "proficiency or a certificate."));
-    }
-    sheet.skip(2);
 }
 
 // Charts in rows from where the sheet is; on pages of their own where they would be too low to read there.
@@ -285,6 +260,33 @@ QString cohort_cell(const database::CohortTable& table, const std::string& perso
     return lines.join(QLatin1Char('\n'));
 }
 
+/// One is named at the head, several in each cell.
+std::set<DeviceClass> devices_of(const CohortReport& report) {
+    std::set<DeviceClass> devices;
+    for (const database::CohortRow& row : report.table.rows)
+        if (row.device_class) devices.insert(*row.device_class);
+    return devices;
+}
+
+/// Who the report is of, and from which data.
+QString cohort_line(const CohortReport& report) {
+    const std::set<DeviceClass> devices = devices_of(report);
+    const int left_out = report.table.left_out_synthetic;
+    return join_with_dots(
+        {ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)),
+         ReportTexts::tr("people: n = %1").arg(report.table.people),
+         devices.size() == 1 ? device_class_text(*devices.begin()) : QString(),
+         left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
+}
+
+void dashboard_page(Sheet& sheet, const CohortReport& report) {
+    if (report.curriculum == nullptr || report.dashboard.people == 0) return;
+    page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name,
+              cohort_line(report), false, any_provisional(report.table.rows));
+    paint_dashboard(sheet, report);
+    footer(sheet, report.provenance, ReportTexts::tr("people: n = %1").arg(report.table.people));
+}
+
 void cohort_pages(Sheet& sheet, const CohortReport& report) {
     std::vector<std::pair<std::string, std::string>> people;
     for (const database::CohortRow& row : report.table.rows) {
@@ -295,14 +297,8 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const double task_width =
         (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
     const QString n = ReportTexts::tr("people: n = %1").arg(report.table.people);
-    std::set<DeviceClass> devices;  // one is named at the head, several in each cell
-    for (const database::CohortRow& row : report.table.rows)
-        if (row.device_class) devices.insert(*row.device_class);
-    const int left_out = report.table.left_out_synthetic;
-    const QString line = join_with_dots(
-        {ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)), n,
-         devices.size() == 1 ? device_class_text(*devices.begin()) : QString(),
-         left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
+    const bool with_device = devices_of(report).size() > 1;
+    const QString line = cohort_line(report);
     const auto head = [&] {
         page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name, line,
                   false, any_provisional(report.table.rows));
@@ -329,7 +325,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         for (const ReportTask& task : report.tasks) {
             QStringList cell;
             for (const QString& part :
-                 cohort_cell(report.table, person, task.id, devices.size() > 1).split(QLatin1Char('\n'))) {
+                 cohort_cell(report.table, person, task.id, with_device).split(QLatin1Char('\n'))) {
                 for (const QString& piece :
                      wrapped(sheet, part, QStringLiteral(" · "), task_width - Sheet::mm(3)))
                     cell << wrapped(sheet, piece, QStringLiteral(" "), task_width - Sheet::mm(3));
@@ -363,6 +359,7 @@ void write_person_pdf(const PersonReport& report, const std::string& path) {
 bool write_cohort_pdf(const CohortReport& report, const std::string& path, const Progress& progress) {
     Sheet sheet(path, report.tasks.size() > 4,
                 ReportTexts::tr("Cohort %1").arg(text(report.table.cohort_name)));
+    dashboard_page(sheet, report);
     cohort_pages(sheet, report);
     for (std::size_t i = 0; i < report.people.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(report.people.size());

@@ -16,6 +16,17 @@ nlohmann::ordered_json rating_json(const database::RatingRow& rating);
 nlohmann::ordered_json metric_json(const database::MetricRow& metric);
 /// With a blank between them.
 std::string joined(const std::vector<std::string>& parts);
+/// "tasks/A2.json sha256:9f86…", with a blank between them.
+std::string joined_assets(const std::vector<database::AssetFile>& files);
+/// What the values of a report are based on.
+template <typename Source>
+void take_basis(ReportProvenance& provenance, const Source& from) {
+    provenance.audit_head = from.audit_head;
+    provenance.metric_versions = from.metric_versions;
+    provenance.benchmark_sets = from.benchmark_sets;
+    provenance.program_versions = from.program_versions;
+    provenance.assets = from.assets;
+}
 /// Null where the table has no standing of this person in this task.
 const TaskStanding* standing_in(const database::CohortTable& table, const std::string& person_id,
                                 const std::string& task_id);

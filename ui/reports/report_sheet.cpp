@@ -38,6 +38,11 @@ const std::vector<SheetColumn>& cohort_columns() {
         {"next_check_utc", "-", "when the next retention check is due, ISO 8601 UTC"},
         {"metric_versions", "-", "metric@version of every metric behind the values"},
         {"benchmark_sets", "-", "benchmark sets behind the values"},
+        {"assets", "-",
+         "files of tasks, scenes, benchmark sets and curricula of the assessed attempts, with their SHA-256"},
+        {"program_sha256", "-", "SHA-256 of the program that wrote this"},
+        {"tamper_evidence", "-",
+         "whether an edit of the store by its owner would be evident, and where to read more"},
         {"n_people", "1", "people in the table"},
         {"synthetic", "1", "1: the store is the demonstration, every person is synthetic"},
     };
@@ -186,6 +191,12 @@ void add_ratings(std::vector<SheetCell>& row, const database::ProgressPoint& poi
 
 }  // namespace
 
+std::string joined_assets(const std::vector<database::AssetFile>& files) {
+    std::vector<std::string> parts;
+    for (const database::AssetFile& file : files) parts.push_back(file.name + " sha256:" + file.digest);
+    return joined(parts);
+}
+
 std::string joined(const std::vector<std::string>& parts) {
     std::string all;
     for (const std::string& part : parts) all += (all.empty() ? "" : " ") + part;
@@ -232,6 +243,9 @@ DataSheet cohort_sheet(const CohortReport& report) {
              time_cell(standing == nullptr ? 0 : standing->next_check),
              word_cell(joined(report.table.metric_versions)),
              word_cell(joined(report.table.benchmark_sets)),
+             word_cell(joined_assets(report.table.assets)),
+             word_cell(report.provenance.program_digest),
+             word_cell(tamper_evidence(report.provenance)),
              count_cell(report.table.people),
              flag_cell(report.provenance.demo)});
         for (const auto& [form, form_title] : forms) {

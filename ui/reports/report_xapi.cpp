@@ -128,9 +128,18 @@ void add_result(JsonText& json, const database::ProgressPoint& point) {
     json.end_object().end_object();
 }
 
+/// Which profile describes the statement.
+void add_profile(JsonText& json) {
+    json.key("contextActivities").begin_object().key("category").begin_array().begin_object();
+    json.member("objectType", "Activity").member("id", xapi_profile_version);
+    json.key("definition").begin_object().member("type", "http://adlnet.gov/expapi/activities/profile");
+    json.end_object().end_object().end_array().end_object();
+}
+
 void add_context(JsonText& json, const Parts& parts, DeviceClass device_class,
                  const database::ProgressPoint& point) {
     json.key("context").begin_object().member("platform", parts.report.provenance.program_version);
+    add_profile(json);
     json.member("language", "en").key("extensions").begin_object();
     json.member(term("device-class"), row_of(device_classes, device_class).name);
     json.member(term("mode"), row_of(attempt_modes, point.mode).name);
@@ -195,6 +204,7 @@ XapiStatement rating_statement(const Parts& parts, const database::ProgressPoint
     json.key("context").begin_object();
     add_reference(json.key("statement"), statement_id(parts.home_page, point.attempt_id));
     json.member("platform", parts.report.provenance.program_version).member("language", "en");
+    add_profile(json);
     json.key("extensions").begin_object().member(term("form"), rating.form.name());
     json.member(term("blinding"), row_of(database::blindings, rating.blinding).name);
     json.member(term("synthetic"), parts.synthetic()).end_object();
@@ -214,6 +224,8 @@ XapiStatement voiding(const Parts& parts, const std::string& what, const std::st
     parts.write_actor(json.key("actor"), "fulcrum");
     add_verb(json, "voided");
     add_reference(json.key("object"), id);
+    add_profile(json.key("context").begin_object());
+    json.end_object();
     add_end(json, at);
     made.text = json.take();
     return made;

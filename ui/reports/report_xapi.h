@@ -12,7 +12,15 @@
 
 #include "ui/reports/report.h"
 
+namespace fulcrum {
+/// assets/schemas/xapi_profile.jsonld, embedded by the build: the terms and the kinds of statements.
+extern const char* const xapi_profile_text;
+}  // namespace fulcrum
+
 namespace fulcrum::ui {
+
+/// Named by every statement.
+inline constexpr const char* xapi_profile_version = "urn:fulcrum:xapi:profile:1";
 
 /// Throws InputError unless it is an http or https address.
 void require_home_page(const std::string& home_page);

@@ -59,6 +59,7 @@ namespace {
 struct ChunkPart {
     std::vector<double> time;
     std::array<std::vector<float>, hand_count> force;
+    std::array<std::vector<ChartSpan>, hand_count> energy;
     std::array<std::vector<PathPoint>, hand_count> path;
     std::vector<double> raster;  ///< s, of every speed_raster-th sample
     std::array<std::vector<Vector3>, hand_count> tip;
@@ -83,6 +84,7 @@ ChunkPart part_of(const database::TraceOverview& overview, double tick) {
                          fz = signed_count(hand.force[2][i]);
             part.force[h][i] = static_cast<float>(std::sqrt(fx * fx + fy * fy + fz * fz) * sample_force_unit);
         }
+        part.energy[h] = spans_of_flag(part.time, hand.flags, hand_energy, tick);
         std::vector<PathPoint>& path = part.path[h];
         for (std::size_t i = 0; i < count; ++i) {
             const bool inside = (hand.flags[i] & hand_inside) != 0, on_raster = i % speed_raster == 0;
@@ -117,6 +119,7 @@ void join(const std::vector<ChunkPart>& parts, AttemptModel& model) {
             time.insert(time.end(), part.time.begin(), part.time.end());
             force.insert(force.end(), part.force[h].begin(), part.force[h].end());
             path.insert(path.end(), part.path[h].begin(), part.path[h].end());
+            append_spans(model.energy[h], part.energy[h]);
         }
         std::vector<double> raster;
         std::vector<Vector3> tip;
@@ -160,6 +163,8 @@ void take_events(const std::vector<Event>& events, AttemptModel& model) {
                        is_penalty(event.kind), is_critical(event.kind)};
         if (!line.words.isEmpty()) model.events.push_back(std::move(line));
     }
+    model.traction = traction_course(events, model.tick, model.duration);
+    model.heat = heat_course(events, model.tick, model.duration);
 }
 
 /// The columns of samples that are in memory.

@@ -15,6 +15,7 @@
 #include "database/records/report_data.h"
 #include "sim_core/scene/scene.h"
 #include "ui/charts/decimation.h"
+#include "ui/review/attempt_course.h"
 #include "ui/services/application_services.h"
 
 namespace fulcrum::ui {
@@ -46,9 +47,12 @@ struct AttemptModel {
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> force;  ///< N over s
     /// mm/s over s, every 10 samples; the mean over speed_window samples.
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> speed;
-    std::array<std::vector<PathPoint>, hand_count> path;       ///< at most 4,000 points each
-    std::vector<EventLine> events;                             ///< those worth a line, by time
-    std::vector<int> goals_done;                               ///< indices of the task's goals, as they ended
+    TractionCourse traction;                                ///< while tissue was divided
+    std::array<std::vector<ChartSpan>, hand_count> energy;  ///< when it was on
+    std::shared_ptr<const MinMaxPyramid> heat;              ///< mm2 over s; null where nothing was recorded
+    std::array<std::vector<PathPoint>, hand_count> path;    ///< at most 4,000 points each
+    std::vector<EventLine> events;                          ///< those worth a line, by time
+    std::vector<int> goals_done;                            ///< indices of the task's goals, as they ended
     std::vector<std::pair<std::string, double>> force_limits;  ///< tissue label, N
     std::vector<std::string> tissues;
     double tick = 1e-3;        ///< s

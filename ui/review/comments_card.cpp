@@ -68,7 +68,10 @@ void CommentsCard::fill() {
     for (const database::Comment& comment : comments) {
         const bool draft = comment.sent == 0;
         QString head = tr("%1 · %2").arg(clock_text(comment.time_s), text(comment.author_name));
-        if (draft) head += tr(" · draft, visible only to you");
+        const bool reason = database::is_begun_reason(comment);
+        if (draft)
+            head += reason ? tr(" · reason for an error, not given yet, visible only to you")
+                           : tr(" · draft, visible only to you");
         if (!draft && own && comment.read == 0) head += tr(" · new");
         QPushButton* jump = make_button(head, "comment_moment", "link");
         connect(jump, &QPushButton::clicked, this, [this, time = comment.time_s] { emit time_chosen(time); });
@@ -80,14 +83,16 @@ void CommentsCard::fill() {
         if (draft && comment.author_id == context_.session().person_id()) {
             auto* row = new QHBoxLayout;
             QPushButton* send = make_button(tr("Send"), "draft_send");
+            send->setHidden(reason);  // it is given with the error
             QPushButton* remove = make_button(tr("Delete"), "draft_delete");
             connect(send, &QPushButton::clicked, this, [this, id = comment.id] {
                 context_.guarded([&] { database::Reviews(context_.store()).send(context_.session(), id); });
                 fill();
             });
             connect(remove, &QPushButton::clicked, this, [this, id = comment.id] {
-                context_.guarded(
-                    [&] { database::Reviews(context_.store()).delete_draft(context_.session(), id); });
+                if (context_.guarded(
+                        [&] { database::Reviews(context_.store()).delete_draft(context_.session(), id); }))
+                    emit draft_deleted(id);
                 fill();
             });
             row->addWidget(send);

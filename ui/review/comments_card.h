@@ -25,9 +25,12 @@ class CommentsCard : public QFrame {
     void set_moment(double time);
     /// What was typed and not sent becomes a draft of its author.
     void keep_unsent();
+    /// Reads the comments again; what is being typed stays.
+    void refresh() { fill(); }
 
   signals:
     void time_chosen(double time);
+    void draft_deleted(const std::string& id);
 
   private:
     void fill();

@@ -2,11 +2,11 @@
 // What the page of a comparison reads and computes in the background.
 #include <QPushButton>
 
-#include "database/scoring/range_metrics.h"
 #include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
 #include "ui/review/compare_page.h"
 #include "ui/review/comparison_table.h"
+#include "ui/review/part_choice.h"
 #include "ui/review/replay_panel.h"
 #include "ui/style/text.h"
 
@@ -144,40 +144,17 @@ void ComparePage::load_cohort(const std::string& id) {
         tr("Reading the attempts of the cohort …"));
 }
 
-void ComparePage::measure_range() {
+void ComparePage::measure_part() {
     table_->clear();
     const TaskDefinition* task = context().task(own_->model.summary.meta.task_id);
     if (task == nullptr || !own_->scene) return;
-    struct Measured {
-        std::vector<ComparedMetric> own, other;
+    const auto of = [](const ComparedSide& side, double from, double to) {
+        return MeasuredPart{side.model.trace, side.scene, side.model.summary.meta.seed, from, to};
     };
-    auto measured = std::make_shared<Measured>();
-    const auto other = other_ != nullptr && other_->has_trace() && other_->scene ? other_ : nullptr;
-    const double other_from = pair_ ? pair_->map.to_second(from_) : 0,
-                 other_to = pair_ ? pair_->map.to_second(to_) : 0;
-    range_job_ = BackgroundJob::run(
-        this,
-        [measured, own = own_, other, task = *task, from = from_, to = to_, other_from, other_to,
-         one = one_range_](const Progress& progress) {
-            // A range that was chosen before lets go first: a long one takes hundreds of megabytes.
-            const std::lock_guard alone(*one);
-            RangeOptions options;
-            options.stop = [&progress] { return !progress(0, {}); };
-            const auto of = [&task, &options](const ComparedSide& side, double begin, double end) {
-                return compared_metrics(metrics_of_range(*side.scene, task, side.model.summary.meta.seed,
-                                                         *side.model.trace, begin, end, options));
-            };
-            measured->own = of(*own, from, to);
-            if (other != nullptr) measured->other = of(*other, other_from, other_to);
-        },
-        [this, measured] {
-            range_job_ = nullptr;
-            table_->show_pair(measured->own, measured->other);
-        },
-        [this](const QString& why) {
-            range_job_ = nullptr;
-            context().complain(why);
-        });
+    std::vector<MeasuredPart> parts{of(*own_, part_->from(), part_->to())};
+    if (other_ != nullptr && other_->has_trace())
+        parts.push_back(of(*other_, pair_->map.to_second(part_->from()), pair_->map.to_second(part_->to())));
+    measure_->measure(std::move(parts), *task);
 }
 
 }  // namespace fulcrum::ui

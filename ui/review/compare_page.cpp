@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/time_chart.h"
+#include "ui/charts/chart_frame.h"
+#include "ui/charts/time_charts.h"
 #include "ui/page/background_job.h"
 #include "ui/review/comparison_table.h"
+#include "ui/review/part_choice.h"
 #include "ui/review/replay_panel.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
@@ -21,7 +23,6 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr double play_speeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10};
-constexpr double least_range_s = 0.2;
 
 QString compared_words(const ComparedSide& side) {
     const database::AttemptSummary& attempt = side.model.summary;
@@ -65,7 +66,9 @@ ComparePage::ComparePage(Context& context) : Page(context, "compare_page") {
     steering_ = new QWidget;
     steering_->setLayout(build_steering());
     content->addWidget(steering_);
-    content->addLayout(build_range());
+    part_ = new PartChoice(QStringLiteral("compare"));
+    measure_ = new PartMeasure(this);
+    content->addWidget(part_);
     content->addWidget(build_tabs(), 1);
     layout->addWidget(content_, 1);
     layout->addStretch(1);
@@ -130,51 +133,30 @@ QLayout* ComparePage::build_steering() {
     return column;
 }
 
-QLayout* ComparePage::build_range() {
-    auto* row = new FlowRow;
-    QLabel* name = make_label(tr("Part"));
-    name->setWordWrap(false);
-    row->add(name);
-    step_ = make_narrow_choice("compare_step", tr("Part of the attempt"), 14);
-    row->add(step_, 1, with_text(180));
-    begin_ = make_button(tr("Start part here"), "range_begin");
-    end_ = make_button(tr("End part here"), "range_end");
-    whole_ = make_button(tr("Whole attempt"), "range_whole");
-    for (QPushButton* button : {begin_, end_, whole_}) row->add(button);
-    range_words_ = make_label({}, "muted");
-    range_words_->setObjectName(QStringLiteral("range_words"));
-    row->add(range_words_, 2, with_text(220));
-    connect(step_, QOverload<int>::of(&QComboBox::activated), this, &ComparePage::choose_step);
-    connect(begin_, &QPushButton::clicked, this, [this] {
-        const double end = to_ > from_ ? to_ : own_->model.duration;
-        select(moment(), std::max(end, moment() + least_range_s));
-    });
-    connect(end_, &QPushButton::clicked, this,
-            [this] { select(std::min(from_, moment() - least_range_s), moment()); });
-    connect(whole_, &QPushButton::clicked, this, [this] { select(0, 0); });
-    return row;
-}
-
 QWidget* ComparePage::build_tabs() {
     tabs_ = new QTabWidget;
     tabs_->setObjectName(QStringLiteral("compare_tabs"));
     auto* traces = new QWidget;
     auto* layout = new QVBoxLayout(traces);
     layout->setSpacing(4);
-    auto* row = new FlowRow;
+    auto* tools = new QWidget;
+    auto* row = new FlowRow(tools);
     quantity_ = make_narrow_choice("compare_quantity", tr("What is drawn"), 8);
     quantity_->addItems({tr("Force"), tr("Speed")});
     row->add(quantity_);
     row->add(make_label(tr("Hold Shift and drag to choose a part."), "muted"), 1, with_text(200));
-    layout->addLayout(row);
     for (std::size_t h = 0; h < hand_count; ++h) {
         charts_[h] = new TimeChart(h == 0 ? tr("left hand") : tr("right hand"));
         charts_[h]->setObjectName(h == 0 ? QStringLiteral("compare_left") : QStringLiteral("compare_right"));
         charts_[h]->setMinimumHeight(11 * fontMetrics().height());
         charts_[h]->offer_selection(true);
         charts_[h]->show_time_title(h == 1);
-        layout->addWidget(charts_[h], 1);
     }
+    auto* drawn = new TimeCharts(tr("Force and speed"));
+    drawn->add(charts_[0], tr("left hand"));
+    drawn->add(charts_[1], tr("right hand"));
+    frame_ = new ChartFrame(drawn, tr("Force and speed"), "compared_traces", tools);
+    layout->addWidget(frame_, 1);
     tabs_->addTab(traces, tr("Force and speed"));
     table_ = new ComparisonTable;
     auto* metrics = new QWidget;
@@ -196,11 +178,19 @@ void ComparePage::connect_parts() {
     connect(quantity_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ComparePage::show_charts);
     connect(own_replay_, &ReplayPanel::time_changed, this, &ComparePage::time_changed);
     for (TimeChart* chart : charts_) {
-        TimeChart* twin = chart == charts_[0] ? charts_[1] : charts_[0];
         connect(chart, &TimeChart::time_chosen, this, &ComparePage::seek);
-        connect(chart, &TimeChart::range_changed, twin, &TimeChart::show_range);
-        connect(chart, &TimeChart::range_selected, this, &ComparePage::select);
+        connect(chart, &TimeChart::range_selected, part_, &PartChoice::choose);
     }
+    connect(part_, &PartChoice::part_changed, this, &ComparePage::show_part);
+    connect(part_, &PartChoice::step_begins, this, &ComparePage::seek);
+    connect(measure_, &PartMeasure::failed, this, [this](const QString& why) { context().complain(why); });
+    connect(measure_, &PartMeasure::measured, this, [this](const auto& of) {
+        table_->show_pair(of[0], of.size() > 1 ? of[1] : std::vector<ComparedMetric>());
+    });
+}
+
+bool ComparePage::is_ready() const {
+    return own_ != nullptr && job_ == nullptr && !measure_->is_running() && !begins_next_;
 }
 
 void ComparePage::open(const std::string& attempt_id) {
@@ -237,18 +227,18 @@ void ComparePage::enter() {
 }
 
 void ComparePage::leave() {
-    for (BackgroundJob* job : {job_, range_job_})
-        if (job != nullptr) job->cancel();
-    job_ = range_job_ = nullptr;
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+    measure_->cancel();
     own_replay_->close();
     other_replay_->close();
     for (TimeChart* chart : charts_) chart->clear();
+    frame_->show_chart();
     own_.reset();
     other_.reset();
     expert_.reset();
     pair_.reset();
     cohort_.reset();
-    from_ = to_ = 0;
     begins_next_ = false;
     content_->hide();
 }
@@ -266,7 +256,8 @@ void ComparePage::own_loaded() {
     const QSignalBlocker quiet(slider_);
     slider_->setRange(0, std::max(1, static_cast<int>(std::ceil(own_->model.duration * 100))));
     slider_->setPageStep(std::max(1, slider_->maximum() / 20));
-    fill_steps();
+    part_->open(own_->moments, context().task(own_->model.summary.meta.task_id), own_->model.duration,
+                own_->has_trace());
     if (own_->has_trace()) {
         const auto model = std::make_shared<const AttemptModel>(own_->model);
         own_replay_->open(model, context().task(own_->model.summary.meta.task_id));
@@ -278,7 +269,7 @@ void ComparePage::own_loaded() {
         notes_->setText(tr("There is nothing to compare this attempt with."));
         other_side_->hide();
         show_charts();
-        show_range();
+        show_part();
         return;
     }
     with_->setCurrentIndex(0);
@@ -306,7 +297,7 @@ void ComparePage::other_loaded() {
     if (cohort_) notes = comparison_notes(*own_, *cohort_);
     notes_->setText(notes.join(QLatin1Char('\n')));
     show_charts();
-    show_range();
+    show_part();
     time_changed(moment());
 }
 
@@ -328,6 +319,8 @@ void ComparePage::show_charts() {
         chart.setAccessibleName(
             h == 0 ? (force ? tr("Force of the left hand (N)") : tr("Speed of the left hand (mm/s)"))
                    : (force ? tr("Force of the right hand (N)") : tr("Speed of the right hand (mm/s)")));
+        chart.set_unit(force ? QStringLiteral("N") : QStringLiteral("mm/s"));
+        chart.show_peaks(force);
         chart.set_y_title(h == 0 ? (force ? tr("left (N)") : tr("left (mm/s)"))
                                  : (force ? tr("right (N)") : tr("right (mm/s)")));
         if (cohort_) {
@@ -343,79 +336,30 @@ void ComparePage::show_charts() {
                          force ? own_->model.force[h] : own_->model.speed[h]);
         chart.set_marks(marks);
         chart.set_length(own_->model.duration);
-        chart.set_selection(from_, to_);
+        chart.set_selection(part_->from(), part_->to());
         chart.show_all();
         chart.set_cursor(moment());
     }
 }
 
-void ComparePage::fill_steps() {
-    const QSignalBlocker quiet(step_);
-    step_->clear();
-    step_->addItem(tr("Whole attempt"));
-    const TaskDefinition* task = context().task(own_->model.summary.meta.task_id);
-    double from = own_->moments.begin;
-    std::vector<std::pair<double, int>> in_order;
-    for (const auto& [goal, time] : own_->moments.met) in_order.emplace_back(time, goal);
-    std::sort(in_order.begin(), in_order.end());
-    for (const auto& [time, goal] : in_order) {
-        const bool known =
-            task != nullptr && goal >= 0 && static_cast<std::size_t>(goal) < task->goals.size();
-        if (!known || time - from < least_range_s) continue;
-        step_->addItem(
-            tr("Step %1: %2").arg(goal + 1).arg(asset_text(task->goals[static_cast<std::size_t>(goal)].text)),
-            QPointF(from, time));
-        from = time;
-    }
-    for (QWidget* control : std::initializer_list<QWidget*>{step_, begin_, end_, whole_})
-        control->setEnabled(own_->has_trace());
-}
-
-void ComparePage::choose_step(int index) {
-    const QPointF part = step_->itemData(index).toPointF();
-    select(part.x(), part.y());
-    if (to_ > from_) seek(from_);
-}
-
-void ComparePage::select(double from, double to) {
-    if (own_ == nullptr || !own_->has_trace()) return;
-    from_ = std::clamp(from, 0.0, own_->model.duration);
-    to_ = std::clamp(to, 0.0, own_->model.duration);
-    if (to_ - from_ < least_range_s) from_ = to_ = 0;
-    const int known = to_ > from_ ? step_->findData(QPointF(from_, to_)) : 0;
-    if (known >= 0) {
-        step_->setCurrentIndex(known);
-    } else if (step_->itemData(step_->count() - 1).isNull() && step_->count() > 1) {
-        step_->setCurrentIndex(step_->count() - 1);
-    } else {
-        step_->addItem(tr("Own range"));
-        step_->setCurrentIndex(step_->count() - 1);
-    }
-    for (TimeChart* chart : charts_) chart->set_selection(from_, to_);
-    show_range();
-}
-
-void ComparePage::show_range() {
-    const bool part = to_ > from_;
-    QString words;
-    if (part) {
-        words = tr("%1 to %2").arg(clock_text(from_), clock_text(to_));
-        if (pair_ && other_->has_trace())
-            words += tr("; other attempt %1 to %2")
-                         .arg(clock_text(pair_->map.to_second(from_)), clock_text(pair_->map.to_second(to_)));
-        const bool measurable =
-            context().task(own_->model.summary.meta.task_id) != nullptr && own_->scene.has_value();
-        if (!measurable)
-            words += tr("; no metrics of a part, because this program does not have the task");
-        else if (cohort_)
-            words += tr("; metrics of this attempt alone");
-    }
-    range_words_->setText(words);
-    range_words_->setVisible(!words.isEmpty());
-    whole_->setEnabled(part);
-    if (range_job_ != nullptr) range_job_->cancel();
-    range_job_ = nullptr;
-    part ? measure_range() : show_metrics();
+void ComparePage::show_part() {
+    if (own_ == nullptr) return;
+    for (TimeChart* chart : charts_) chart->set_selection(part_->from(), part_->to());
+    measure_->cancel();
+    if (!part_->is_part()) return show_metrics();
+    QString note;
+    if (pair_ && other_->has_trace())
+        note += tr("; other attempt %1 to %2")
+                    .arg(clock_text(pair_->map.to_second(part_->from())),
+                         clock_text(pair_->map.to_second(part_->to())));
+    const bool measurable =
+        context().task(own_->model.summary.meta.task_id) != nullptr && own_->scene.has_value();
+    if (!measurable)
+        note += tr("; no metrics of a part, because this program does not have the task");
+    else if (cohort_)
+        note += tr("; metrics of this attempt alone");
+    part_->set_note(note);
+    measure_part();
 }
 
 void ComparePage::show_metrics() {
@@ -438,6 +382,7 @@ void ComparePage::time_changed(double time) {
     if (own_ == nullptr) return;
     const QSignalBlocker quiet(slider_);
     slider_->setValue(static_cast<int>(std::lround(time * 100)));
+    part_->set_moment(time);
     for (TimeChart* chart : charts_) chart->set_cursor(time);
     QString words = QStringLiteral("%1 / %2").arg(clock_text(time), clock_text(own_->model.duration));
     if (pair_ && other_->has_trace()) {

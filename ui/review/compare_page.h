@@ -6,7 +6,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +22,13 @@ class QTabWidget;
 namespace fulcrum::ui {
 
 class BackgroundJob;
+class ChartFrame;
 class ComparisonTable;
 class JobBar;
+class PartChoice;
+class PartMeasure;
 class ReplayPanel;
 class TimeChart;
-struct ComparedMetric;
 
 class ComparePage : public Page {
     Q_OBJECT
@@ -38,9 +39,7 @@ class ComparePage : public Page {
     void enter() override;
     void leave() override;
     /// What was chosen is shown, or said to be absent.
-    bool is_ready() const {
-        return own_ != nullptr && job_ == nullptr && range_job_ == nullptr && !begins_next_;
-    }
+    bool is_ready() const;
     const std::vector<ComparisonChoice>& choices() const { return choices_; }
     const ComparedPair* pair() const { return pair_ ? &*pair_ : nullptr; }
     const CohortSide* cohort() const { return cohort_ ? &*cohort_ : nullptr; }
@@ -49,7 +48,6 @@ class ComparePage : public Page {
   private:
     QWidget* build_sides();
     QLayout* build_steering();
-    QLayout* build_range();
     QWidget* build_tabs();
     void connect_parts();
     /// Runs `work` in the background in place of what runs; `done` on this thread.
@@ -63,12 +61,9 @@ class ComparePage : public Page {
     void other_loaded();
     std::unique_ptr<ReplaySource> picture_of(const ComparedSide& side, QString& why);
     void show_charts();
-    void fill_steps();
-    void choose_step(int index);
-    void select(double from, double to);
-    void show_range();
+    void show_part();
     void show_metrics();
-    void measure_range();
+    void measure_part();
     void seek(double time);
     void time_changed(double time);
 
@@ -78,21 +73,22 @@ class ComparePage : public Page {
     std::shared_ptr<const ExpertAttempt> expert_;  ///< what `other_` was made of, where it is one
     std::optional<ComparedPair> pair_;
     std::optional<CohortSide> cohort_;
-    double from_ = 0, to_ = 0;  ///< s, the range; to_ <= from_: the whole attempt
-    BackgroundJob *job_ = nullptr, *range_job_ = nullptr;
-    const std::shared_ptr<std::mutex> one_range_ = std::make_shared<std::mutex>();  ///< measured at a time
+    BackgroundJob* job_ = nullptr;
     bool begins_next_ = false;  ///< what is compared with is loaded as soon as the bar is free
     JobBar* job_bar_;
     QPushButton* back_;
     QWidget* content_;
-    QLabel *title_, *notes_, *own_words_, *other_words_, *clock_, *range_words_;
-    QComboBox *with_, *speed_, *step_, *quantity_;
+    QLabel *title_, *notes_, *own_words_, *other_words_, *clock_;
+    QComboBox *with_, *speed_, *quantity_;
     QWidget *sides_, *other_side_, *steering_;
     ReplayPanel *own_replay_, *other_replay_;
     QSlider* slider_;
-    QPushButton *play_, *begin_, *end_, *whole_;
+    QPushButton* play_;
+    PartChoice* part_;
+    PartMeasure* measure_;
     QTabWidget* tabs_;
     TimeChart* charts_[hand_count];
+    ChartFrame* frame_;
     ComparisonTable* table_;
 };
 

@@ -91,13 +91,13 @@ std::vector<ComparedMetric> compared_metrics(const std::vector<MetricResult>& ro
     return shown;
 }
 
-ComparisonTable::ComparisonTable(QWidget* parent) : QWidget(parent) {
+ComparisonTable::ComparisonTable(const char* name, QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     table_ = make_table({CompareWords::tr("Metric"), CompareWords::tr("Hand"),
                          CompareWords::tr("This attempt"), CompareWords::tr("Other attempt"),
                          CompareWords::tr("Difference"), CompareWords::tr("This attempt is")},
-                        "comparison_table");
+                        name);
     table_->setAccessibleName(CompareWords::tr("Differences of the metrics"));
     table_->setMinimumHeight(12 * fontMetrics().height());
     layout->addWidget(table_);
@@ -169,8 +169,20 @@ void ComparisonTable::show_cohort(const std::vector<ComparedMetric>& own, const 
     fit_columns(table_);
 }
 
-void ComparisonTable::show_own(const std::vector<ComparedMetric>& own) {
-    show_pair(own, {});
+void ComparisonTable::show_part(const std::vector<ComparedMetric>& part,
+                                const std::vector<ComparedMetric>& whole) {
+    clear();
+    for (const int column : {difference_column, verdict_column}) table_->setColumnHidden(column, true);
+    for (const ComparedMetric& metric : part) {
+        const ComparedMetric* all = find_compared(whole, metric);
+        if (!metric.value && (all == nullptr || !all->value)) continue;
+        const int row = add_row(metric);
+        if (all != nullptr) table_->setItem(row, other_column, value_cell(*all));
+    }
+    table_->horizontalHeaderItem(own_column)->setText(CompareWords::tr("Part"));
+    table_->horizontalHeaderItem(other_column)->setText(CompareWords::tr("Whole attempt"));
+    table_->setAccessibleName(CompareWords::tr("Metrics of the part"));
+    fit_columns(table_);
 }
 
 }  // namespace fulcrum::ui

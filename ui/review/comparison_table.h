@@ -33,11 +33,12 @@ using MetricSpreads = std::map<std::pair<std::string, std::string>, Spread>;
 
 class ComparisonTable : public QWidget {
   public:
-    explicit ComparisonTable(QWidget* parent = nullptr);
+    explicit ComparisonTable(const char* name = "comparison_table", QWidget* parent = nullptr);
     /// Rows that both lack are left out.
     void show_pair(const std::vector<ComparedMetric>& own, const std::vector<ComparedMetric>& other);
     void show_cohort(const std::vector<ComparedMetric>& own, const MetricSpreads& cohort);
-    void show_own(const std::vector<ComparedMetric>& own);
+    /// A part next to the whole of one attempt; neither is better than the other.
+    void show_part(const std::vector<ComparedMetric>& part, const std::vector<ComparedMetric>& whole);
     void clear();
 
   private:

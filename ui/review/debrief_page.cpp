@@ -14,6 +14,7 @@
 #include "ui/review/error_review_bar.h"
 #include "ui/review/gates_card.h"
 #include "ui/review/metrics_table.h"
+#include "ui/review/part_card.h"
 #include "ui/review/path_view.h"
 #include "ui/review/pathology_card.h"
 #include "ui/review/ratings_card.h"
@@ -58,6 +59,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     });
     card_layout(no_trace_)->addWidget(fetch_again_, 0, Qt::AlignLeft);
     content->addWidget(no_trace_);
+    part_ = new PartCard;
+    content->addWidget(part_);
     ratings_ = new RatingsCard(context);
     content->addWidget(ratings_);
     comments_ = new CommentsCard(context);
@@ -147,7 +150,17 @@ void DebriefPage::connect_parts() {
     connect(error_bar_, &ErrorReviewBar::reviewed, this, [this] {
         read_reviews();
         show_notes();
+        comments_->refresh();  // the draft of the reason was one of them
     });
+    connect(comments_, &CommentsCard::draft_deleted, error_bar_, &ErrorReviewBar::forget);
+    connect(traces_, &TracePanel::part_selected, part_, &PartCard::choose);
+    connect(part_, &PartCard::part_changed, traces_, &TracePanel::set_part);
+    connect(part_, &PartCard::part_changed, this, [this](double from, double to) {
+        if (to <= from) traces_->zoom_to(0, 0);
+    });
+    connect(part_, &PartCard::zoom_wanted, traces_, &TracePanel::zoom_to);
+    connect(part_, &PartCard::time_chosen, this, &DebriefPage::go_to);
+    connect(part_, &PartCard::failed, this, [this](const QString& why) { this->context().complain(why); });
     connect(path_, &PathView::time_chosen, this, &DebriefPage::show_moment);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::show_moment);
     connect(ratings_, &RatingsCard::handed_in, this, &DebriefPage::lift_blinding);
@@ -271,42 +284,7 @@ void DebriefPage::show_parts() {
     blind_head_->setVisible(blind_);
     for (QWidget* part : {head_, static_cast<QWidget*>(comments_), static_cast<QWidget*>(tabs_)})
         part->setVisible(!blind_);
-}
-
-void DebriefPage::load() {
-    std::optional<Scene> scene;
-    database::AttemptSummary attempt;
-    if (!context().guarded([&] {
-            attempt = database::Attempts(context().store()).read(context().session(), attempt_id_);
-            const database::Ratings ratings(context().store());
-            blind_ = blind_ || ratings.is_blind(context().session(), attempt_id_);
-            if (!blind_) ratings.note_seen(context().session(), attempt_id_);
-        })) {
-        return;
-    }
-    if (context().task(attempt.meta.task_id) != nullptr) {
-        context().guarded([&] { scene = context().services().scene_of(context().session(), attempt); });
-    }
-    auto loaded = std::make_shared<std::optional<AttemptModel>>();
-    auto missing = std::make_shared<TraceElsewhere>();
-    job_ = BackgroundJob::run(
-        this,
-        [loaded, missing, scene, attempt_id = attempt_id_, path = context().store().path(),
-         session = context().session()](const Progress& progress) {
-            *loaded = load_with_trace(path, session, attempt_id, scene, progress, *missing);
-        },
-        [this, loaded, missing] {
-            job_ = nullptr;
-            if (!*loaded) return;
-            elsewhere_ = *missing;
-            model_ = std::make_shared<const AttemptModel>(std::move(**loaded));
-            show_model();
-        },
-        [this](const QString& why) {
-            job_ = nullptr;
-            context().complain(why);
-        });
-    job_bar_->watch(job_, tr("Reading the attempt …"));
+    part_->setVisible(!blind_ && model_->summary.meta.keep_trace);  // its metrics are those of the score
 }
 
 void DebriefPage::enter() {
@@ -314,7 +292,9 @@ void DebriefPage::enter() {
 }
 
 void DebriefPage::keep_comment() {
-    if (model_) comments_->keep_unsent();
+    if (!model_) return;
+    comments_->keep_unsent();
+    error_bar_->keep_unsent();
 }
 
 void DebriefPage::leave() {
@@ -323,6 +303,7 @@ void DebriefPage::leave() {
     job_ = nullptr;
     ratings_->leave();
     replay_->close();
+    part_->close();
     model_.reset();
     content_->hide();
 }
@@ -340,8 +321,10 @@ void DebriefPage::show_model() {
                              : database::is_external_task(model_->summary.meta.task_id)
                                  ? external_trace_text(model_->summary.meta.device)
                                  : trace_not_kept_text());
-    traces_->open(model_);
-    error_bar_->open(attempt_id_, model_->summary.meta.person_id);
+    const TaskDefinition* task = context().task(model_->summary.meta.task_id);
+    traces_->open(model_, task);
+    part_->open(model_, task);
+    error_bar_->open(attempt_id_, model_->summary.meta.person_id, model_->events);
     read_reviews();
     fit_replay();
     fill_head();
@@ -353,57 +336,9 @@ void DebriefPage::show_model() {
     comments_->open(attempt_id_, model_->summary.meta.person_id);
     ratings_->open(model_->summary);
     show_parts();
-    replay_->open(model_, context().task(model_->summary.meta.task_id));
+    replay_->open(model_, task);
     go_to(std::max(0.0, wanted_time_));
     read_record();
-}
-
-void DebriefPage::read_record() {
-    auto trace = std::make_shared<database::Trace>();
-    if (!model_->summary.meta.keep_trace) {
-        show_record(trace);
-        return;
-    }
-    job_ = BackgroundJob::run(
-        this,
-        [trace, id = attempt_id_, path = context().store().path(),
-         session = context().session()](const Progress&) {
-            database::StoreOptions options;
-            options.read_only = true;
-            const database::Store store = database::Store::open(path, options);
-            *trace = database::Attempts(store).read_packed_trace(session, id);
-        },
-        [this, trace] {
-            job_ = nullptr;
-            show_record(trace);
-        },
-        [this](const QString& why) {
-            job_ = nullptr;
-            replay_->set_record(model_, nullptr, tr("No picture: %1").arg(why));
-            context().complain(why);
-        });
-}
-
-void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
-    auto model = std::make_shared<AttemptModel>(*model_);
-    model->trace = std::move(trace);
-    model_ = std::move(model);
-    std::unique_ptr<ReplaySource> source;
-    QString why;
-    if (model_->trace->tick_count() == 0) {
-        why = tr("Nothing was recorded.");
-    } else {
-        try {
-            source = context().services().open_replay(context().session(), model_->summary, model_->trace);
-        } catch (const std::exception& error) {
-            why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
-        }
-    }
-    replay_->offer_practice(source != nullptr &&
-                            context().allowed(database::Operation::perform_attempt,
-                                              database::Subject::person(context().session().person_id())));
-    replay_->set_record(model_, std::move(source), why);
-    emit ready();
 }
 
 void DebriefPage::fill_head() {
@@ -483,6 +418,7 @@ void DebriefPage::show_moment(double time) {
 void DebriefPage::time_changed(double time) {
     traces_->set_time(time);
     path_->set_cursor(time);
+    part_->set_moment(time);
     comments_->set_moment(time);
 }
 

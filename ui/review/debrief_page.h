@@ -27,6 +27,7 @@ class ErrorReviewBar;
 class GatesCard;
 class JobBar;
 class MetricsTable;
+class PartCard;
 class PathView;
 class PathologyCard;
 class RatingsCard;
@@ -43,7 +44,8 @@ class DebriefPage : public Page {
     void open_to_rate(const std::string& attempt_id);
     void enter() override;
     void leave() override;
-    /// A comment that was not sent: before the session ends, or the screen is locked.
+    /// A comment that was not sent, a reason that was not given: before the session ends, or the screen is
+    /// locked.
     void keep_comment();
     /// The charts stand; the replay may still be waiting for the rest of the record.
     bool has_charts() const { return model_ != nullptr; }
@@ -88,7 +90,8 @@ class DebriefPage : public Page {
     std::shared_ptr<const AttemptModel> model_;
     std::string attempt_id_;
     double wanted_time_ = -1;
-    bool blind_ = false;  ///< name and score stay hidden
+    bool blind_ = false;          ///< name and score stay hidden
+    std::optional<Scene> scene_;  ///< of the attempt; none where the program lacks the task
     BackgroundJob* job_ = nullptr;
     JobBar* job_bar_;
     QWidget *content_, *head_, *blind_head_;
@@ -107,6 +110,7 @@ class DebriefPage : public Page {
     MetricsTable* metrics_;
     ReplayPanel* replay_;
     TracePanel* traces_;
+    PartCard* part_;
     PathView* path_;
     CommentsCard* comments_;
     ErrorReviewBar* error_bar_;

@@ -4,7 +4,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <algorithm>
+#include <cmath>
 
+#include "database/records/reviews.h"
 #include "sim_core/telemetry/event_errors.h"
 #include "ui/review/attempt_model.h"
 #include "ui/style/flow_row.h"
@@ -46,15 +49,81 @@ ErrorReviewBar::ErrorReviewBar(Context& context, QWidget* parent) : QWidget(pare
     clear();
 }
 
-void ErrorReviewBar::open(const std::string& attempt_id, const std::string& person_id) {
+void ErrorReviewBar::open(const std::string& attempt_id, const std::string& person_id,
+                          const std::vector<EventLine>& events) {
     attempt_id_ = attempt_id;
+    person_id_ = person_id;
+    author_id_ = context_.session().person_id();
+    draft_id_.clear();
     reason_->clear();
     clear();
-    setVisible(context_.allowed(database::Operation::review_error, database::Subject::person(person_id)));
+    setVisible(may_review());
+    if (!isHidden()) take_up_draft(events);
+}
+
+bool ErrorReviewBar::may_review() const {
+    return context_.allowed(database::Operation::review_error, database::Subject::person(person_id_));
+}
+
+void ErrorReviewBar::take_up_draft(const std::vector<EventLine>& events) {
+    std::vector<database::Comment> comments;
+    if (!context_.guarded([&] {
+            comments = database::Reviews(context_.store()).comments(context_.session(), attempt_id_);
+        }))
+        return;
+    const auto draft = std::find_if(comments.begin(), comments.end(), database::is_begun_reason);
+    if (draft == comments.end()) return;
+    draft_id_ = draft->id;
+    for (const EventLine& line : events)
+        if (is_error(line.event.kind) && std::abs(line.time - draft->time_s) < 1e-6) {
+            choose(line);
+            break;
+        }
+    reason_->setText(text(draft->text.substr(sizeof(database::begun_reason_mark) - 1)));
+}
+
+const database::Comment* ErrorReviewBar::find_draft(const std::vector<database::Comment>& comments) const {
+    const auto draft = std::find_if(comments.begin(), comments.end(), [this](const database::Comment& one) {
+        return one.id == draft_id_ && one.sent == 0;
+    });
+    return draft == comments.end() ? nullptr : &*draft;
+}
+
+void ErrorReviewBar::keep_unsent() {
+    if (attempt_id_.empty() || !context_.signed_in() || context_.session().person_id() != author_id_ ||
+        !may_review())
+        return;
+    const std::string reason = plain(reason_->text().trimmed());
+    if (reason.empty() && draft_id_.empty()) return;
+    bool written = false;
+    context_.guarded([&] {
+        const database::Reviews reviews(context_.store());
+        const std::vector<database::Comment> comments = reviews.comments(context_.session(), attempt_id_);
+        const database::Comment* draft = find_draft(comments);
+        const std::string kept = database::begun_reason_mark + reason;
+        if (reason.empty()) {
+            if (draft != nullptr) reviews.delete_draft(context_.session(), draft_id_);
+            draft_id_.clear();
+        } else if (draft == nullptr) {
+            draft_id_ = reviews.write(context_.session(), attempt_id_, time_, kept, false);
+            written = true;
+        } else if (draft->text != kept || draft->time_s != time_) {
+            reviews.edit_draft(context_.session(), draft_id_, time_, kept);
+            written = true;
+        }
+    });
+    if (written) context_.say(tr("Your reason was kept as a draft of %1.").arg(clock_text(time_)));
+}
+
+void ErrorReviewBar::forget(const std::string& draft_id) {
+    if (draft_id_ != draft_id) return;
+    draft_id_.clear();
+    reason_->clear();
 }
 
 void ErrorReviewBar::clear() {
     event_.reset();
+    time_ = 0;
     chosen_->setText(tr("Choose an error in the list to confirm or strike it."));
     confirm_->setEnabled(false);
     strike_->setEnabled(false);
@@ -66,6 +135,7 @@ void ErrorReviewBar::choose(const EventLine& line) {
         return;
     }
     event_ = line.event;
+    time_ = line.time;
     chosen_->setText(tr("Chosen: %1, %2").arg(clock_text(line.time), line.words));
     confirm_->setEnabled(true);
     strike_->setEnabled(true);
@@ -84,6 +154,12 @@ void ErrorReviewBar::add(database::ErrorVerdict verdict) {
                 .add(context_.session(), attempt_id_, *event_, verdict, reason);
         }))
         return;  // the words stay
+    context_.guarded([&] {
+        const database::Reviews reviews(context_.store());
+        const auto comments = reviews.comments(context_.session(), attempt_id_);
+        if (find_draft(comments) != nullptr) reviews.delete_draft(context_.session(), draft_id_);
+    });
+    draft_id_.clear();
     reason_->clear();
     reason_->setFocus();  // a button that is disabled would hand it on to another card
     clear();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Below the list of events, for an educator: the error that was chosen there is confirmed or struck, with a
-// reason. The replay moves the list's cursor, not the choice.
+// reason. The replay moves the list's cursor, not the choice. A reason that was begun and not given is kept
+// as a draft of its author, and is there again when the attempt is opened.
 #pragma once
 
 #include <QString>
 #include <QWidget>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "database/records/error_reviews.h"
 #include "ui/page/context.h"
@@ -26,10 +28,16 @@ class ErrorReviewBar : public QWidget {
     Q_OBJECT
   public:
     explicit ErrorReviewBar(Context& context, QWidget* parent = nullptr);
-    /// Nothing is chosen. `person_id`: whose attempt it is; the bar is hidden from whoever may not review it.
-    void open(const std::string& attempt_id, const std::string& person_id);
+    /// Nothing is chosen, unless a reason was begun. `person_id`: whose attempt it is; the bar is hidden from
+    /// whoever may not review it.
+    void open(const std::string& attempt_id, const std::string& person_id,
+              const std::vector<EventLine>& events);
     /// An event that is no error leaves nothing chosen.
     void choose(const EventLine& line);
+    /// What was typed becomes a draft of its author.
+    void keep_unsent();
+    /// The draft was deleted elsewhere: it does not come back.
+    void forget(const std::string& draft_id);
 
   signals:
     void reviewed();
@@ -37,9 +45,15 @@ class ErrorReviewBar : public QWidget {
   private:
     void clear();
     void add(database::ErrorVerdict verdict);
+    bool may_review() const;
+    void take_up_draft(const std::vector<EventLine>& events);
+    /// Still there: another window may have deleted or used it.
+    const database::Comment* find_draft(const std::vector<database::Comment>& comments) const;
     Context& context_;
-    std::string attempt_id_;
+    std::string attempt_id_, person_id_, author_id_;  ///< person: whose attempt; author: who types
     std::optional<Event> event_;
+    double time_ = 0;       ///< s, of the event
+    std::string draft_id_;  ///< "": what is typed has no draft yet
     QLabel* chosen_;
     QLineEdit* reason_;
     QPushButton *confirm_, *strike_;

@@ -5,8 +5,10 @@
 #include <QListWidget>
 #include <QPainter>
 #include <map>
+#include <set>
 
-#include "ui/charts/time_chart.h"
+#include "ui/charts/chart_frame.h"
+#include "ui/charts/time_charts.h"
 #include "ui/review/attempt_model.h"
 #include "ui/review/error_review_bar.h"
 #include "ui/style/text.h"
@@ -21,6 +23,12 @@ constexpr int index_role = Qt::UserRole + 1;  ///< of a line: in the model's eve
 class HandsLegend : public QWidget {
   public:
     HandsLegend() { setFixedHeight(fontMetrics().height() + 4); }
+    QSize sizeHint() const override { return {minimumSizeHint().width(), height()}; }
+    QSize minimumSizeHint() const override {
+        return {2 * 44 + fontMetrics().horizontalAdvance(TracePanel::tr("left hand") +
+                                                         TracePanel::tr("right hand")),
+                height()};
+    }
 
   protected:
     void paintEvent(QPaintEvent*) override {
@@ -46,24 +54,9 @@ TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    charts_ = new QWidget;
-    auto* charts = new QVBoxLayout(charts_);
-    charts->setContentsMargins(0, 0, 0, 0);
-    charts->setSpacing(2);
-    force_ = new TimeChart(tr("force (N)"));
-    force_->setObjectName(QStringLiteral("force_chart"));
-    speed_ = new TimeChart(tr("mm/s"));
-    speed_->setAccessibleName(tr("speed (mm/s)"));
-    speed_->setObjectName(QStringLiteral("speed_chart"));
-    force_->show_time_title(false);
-    charts->addWidget(new HandsLegend);
-    for (TimeChart* chart : {force_, speed_}) {
-        chart->show_names(false);
-        chart->setMinimumHeight(7 * fontMetrics().height());
-        chart->setToolTip(
-            tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything."));
-        charts->addWidget(chart, 1);
-    }
+    auto* charts = new TimeCharts(tr("Force, speed, traction and energy"));
+    build_charts(*charts);
+    charts_ = new ChartFrame(charts, tr("Force, speed, traction and energy"), "traces", new HandsLegend);
     layout->addWidget(charts_, 3);
     layout->addWidget(make_label(tr("What happened"), "heading"));
     penalties_only_ = new QCheckBox(tr("Penalties only"));
@@ -80,6 +73,30 @@ TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
     connect_parts();
 }
 
+void TracePanel::build_charts(TimeCharts& charts) {
+    // `name`: before the names of the hands in the table.
+    const auto add = [&](const char* object, const QString& title, const QString& accessible_name,
+                         const QString& unit, const QString& name) {
+        auto* chart = new TimeChart(title);
+        chart->setObjectName(QLatin1String(object));
+        chart->setAccessibleName(accessible_name);
+        chart->set_unit(unit);
+        chart->show_names(false);
+        chart->offer_selection(true);
+        chart->setToolTip(
+            tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything; "
+               "hold Shift and drag to choose a part."));
+        charts.add(chart, name);
+        return chart;
+    };
+    force_ = add("force_chart", tr("force (N)"), tr("force (N)"), QStringLiteral("N"), tr("force"));
+    force_->show_peaks(true);
+    speed_ = add("speed_chart", tr("speed (mm/s)"), tr("speed (mm/s)"), QStringLiteral("mm/s"), tr("speed"));
+    traction_ = add("traction_chart", QString(), QString(), QString(), QString());
+    energy_ = add("energy_chart", QString(), QString(), QStringLiteral("mm²"), QString());
+    all_charts_ = {force_, speed_, traction_, energy_};
+}
+
 void TracePanel::connect_parts() {
     connect(penalties_only_, &QCheckBox::toggled, this, &TracePanel::fill_events);
     const auto jump = [this](QListWidgetItem* item) {
@@ -91,25 +108,45 @@ void TracePanel::connect_parts() {
     connect(events_, &QListWidget::itemActivated, this, &TracePanel::choose);
     connect(events_, &QListWidget::itemClicked, this, &TracePanel::choose);
     connect(events_, &QListWidget::currentItemChanged, this, &TracePanel::choose);
-    for (TimeChart* chart : {force_, speed_})
+    for (TimeChart* chart : all_charts_) {
         connect(chart, &TimeChart::time_chosen, this, &TracePanel::time_chosen);
-    connect(force_, &TimeChart::range_changed, speed_, &TimeChart::show_range);
-    connect(speed_, &TimeChart::range_changed, force_, &TimeChart::show_range);
+        connect(chart, &TimeChart::range_selected, this, &TracePanel::part_selected);
+    }
 }
 
-void TracePanel::open(std::shared_ptr<const AttemptModel> model) {
+void TracePanel::align_charts() {
+    TimeChart* last = nullptr;
+    for (TimeChart* chart : all_charts_)
+        if (!chart->isHidden()) last = chart;
+    const int line = fontMetrics().height();
+    for (TimeChart* chart : all_charts_) {
+        chart->show_time_axis(chart == last);
+        chart->setMinimumHeight((chart == last ? 8 : 5) * line);
+        chart->set_compact(fontMetrics().horizontalAdvance(QStringLiteral("00000")) + 10);
+    }
+}
+
+void TracePanel::open(std::shared_ptr<const AttemptModel> model, const TaskDefinition* task) {
     model_ = std::move(model);
     reviews_.clear();
     time_ = 0;
+    charts_->show_chart();
     charts_->setVisible(!model_->scope_alone);  // they are of the hands
-    fill_charts();
+    fill_charts(task);
     fill_events();
+}
+
+void TracePanel::set_part(double from, double to) {
+    for (TimeChart* chart : all_charts_) chart->set_selection(from, to);
+}
+
+void TracePanel::zoom_to(double from, double to) {
+    for (TimeChart* chart : all_charts_) to > from ? chart->show_range(from, to) : chart->show_all();
 }
 
 void TracePanel::set_time(double time) {
     time_ = time;
-    force_->set_cursor(time);
-    speed_->set_cursor(time);
+    for (TimeChart* chart : all_charts_) chart->set_cursor(time);
     mark_event(time);
 }
 
@@ -142,6 +179,7 @@ void TracePanel::show_reviews(std::vector<database::ErrorReview> reviews) {
     const int row = events_->currentRow();
     const QVariant chosen = row < 0 ? QVariant() : events_->item(row)->data(index_role);
     fill_events();
+    fill_marks();
     // The line that was chosen stays chosen, wherever it is now.
     const QSignalBlocker quiet(events_);
     for (int i = 0; chosen.isValid() && i < events_->count(); ++i)
@@ -205,30 +243,82 @@ void TracePanel::fill_events() {
     mark_event(time_);
 }
 
-void TracePanel::fill_charts() {
-    std::vector<ChartMark> marks;
-    for (const EventLine& line : model_->events) {
-        marks.push_back({line.time, line.words,
-                         line.critical ? &Palette::bad
-                         : line.severe ? &Palette::warning
-                                       : &Palette::neutral,
-                         line.severe});
+void TracePanel::fill_charts(const TaskDefinition* task) {
+    for (TimeChart* chart : all_charts_) {
+        chart->clear();
+        chart->set_length(model_->duration);
     }
     for (TimeChart* chart : {force_, speed_}) {
         const auto& hands = chart == force_ ? model_->force : model_->speed;
-        chart->clear();
         chart->add_series(tr("left hand"), &Palette::left_hand, Qt::SolidLine, hands[0]);
         chart->add_series(tr("right hand"), &Palette::right_hand, Qt::DashLine, hands[1]);
-        chart->set_marks(marks);
-        chart->set_length(model_->duration);
     }
     // Tissues that bear the same share a line, and its name.
     std::map<double, QStringList> limits;
     for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << asset_text(tissue);
     for (const auto& [limit, tissues] : limits)
         force_->add_limit(tr("limit, %1").arg(tissues.join(QStringLiteral(", "))), limit);
-    speed_->show_all();
-    force_->show_all();
+    fill_traction(task);
+    fill_energy();
+    fill_marks();
+    zoom_to(0, 0);
+    align_charts();
+}
+
+void TracePanel::fill_traction(const TaskDefinition* task) {
+    const TractionCourse& course = model_->traction;
+    traction_->setVisible(!course.steps.empty());
+    if (course.steps.empty()) return;
+    traction_->set_y_title(course.per_length ? tr("traction (N/m)") : tr("tension (N)"));
+    traction_->setAccessibleName(course.per_length ? tr("traction across the cut (N/m)")
+                                                   : tr("tension of a band as it was divided (N)"));
+    traction_->set_unit(course.per_length ? QStringLiteral("N/m") : QStringLiteral("N"));
+    traction_->set_steps(course.per_length ? tr("traction across the cut") : tr("tension of a band"),
+                         &Palette::accent, course.steps);
+    if (!course.per_length || task == nullptr) return;
+    std::set<std::pair<double, double>> bands;
+    for (const Goal& goal : task->goals)
+        if (goal.traction_high_n_m > goal.traction_low_n_m)
+            bands.emplace(goal.traction_low_n_m, goal.traction_high_n_m);
+    for (const auto& [low, high] : bands) {
+        traction_->add_limit(tr("traction, at least"), low);
+        traction_->add_limit(tr("traction, at most"), high);
+    }
+}
+
+void TracePanel::fill_energy() {
+    const bool used = !model_->energy[0].empty() || !model_->energy[1].empty();
+    energy_->setVisible(used || model_->heat != nullptr);
+    if (energy_->isHidden()) return;
+    energy_->add_lane(tr("energy, left hand"), &Palette::left_hand, model_->energy[0]);
+    energy_->add_lane(tr("energy, right hand"), &Palette::right_hand, model_->energy[1]);
+    energy_->set_y_title(model_->heat != nullptr ? tr("energy; heat (mm²)") : tr("energy"));
+    energy_->setAccessibleName(
+        model_->heat != nullptr
+            ? tr("energy of each hand; tissue reached by heat that was not meant for it (mm²)")
+            : tr("energy of each hand"));
+    if (model_->heat != nullptr)
+        energy_->add_series(tr("tissue reached by heat"), &Palette::warning, Qt::SolidLine, model_->heat);
+}
+
+/// A struck error differs from a confirmed one here too, and says why.
+void TracePanel::fill_marks() {
+    if (!model_) return;
+    std::vector<ChartMark> marks;
+    for (const EventLine& line : model_->events) {
+        ChartMark mark{line.time, line.words,
+                       line.critical ? &Palette::bad
+                       : line.severe ? &Palette::warning
+                                     : &Palette::neutral,
+                       line.severe};
+        if (const database::ErrorReview* review = review_of(line.event)) {
+            mark.review = review->verdict == database::ErrorVerdict::struck ? MarkReview::struck
+                                                                            : MarkReview::confirmed;
+            mark.text += QStringLiteral(". ") + review_words(*review);
+        }
+        marks.push_back(std::move(mark));
+    }
+    for (TimeChart* chart : all_charts_) chart->set_marks(marks);
 }
 
 }  // namespace fulcrum::ui

@@ -53,8 +53,13 @@ class StoreService {
     virtual database::Store* store() = 0;
     /// Where the store is or would be. `demo`: the demonstration programme's own file.
     virtual std::string store_path(bool demo) const = 0;
-    /// Opens the store (creates it when missing) and makes it the current one. Throws database::StoreError.
+    /// Opens the store (creates it when missing) and makes it the current one; a store of a programme is
+    /// looked at before (database/store/quick_check.h). Throws database::StoreError.
     virtual void open_store(bool demo) = 0;
+    /// There is none until the next open_store(). Nobody may be signed in.
+    virtual void close_store() = 0;
+    /// The programme's store is this file from now on, until the program ends.
+    virtual void choose_store(const std::string& path) = 0;
     virtual bool demo_is_built() const = 0;
     /// Unpacks the delivered demonstration store. Called on a worker thread; false when stopped, leaving
     /// nothing.

@@ -40,13 +40,6 @@ QWidget* FirstStartPage::build_choice() {
     layout->addWidget(
         make_label(tr("A simulator for laparoscopic rectal surgery with its training programme: tasks, "
                       "scores with their evidence, reviews and reports.")));
-    trouble_ = make_label({}, "bad");
-    trouble_->hide();
-    layout->addWidget(trouble_);
-    again_ = make_button(tr("Try again"), "try_again");
-    again_->hide();
-    connect(again_, &QPushButton::clicked, this, &FirstStartPage::try_again);
-    layout->addWidget(again_, 0, Qt::AlignLeft);
     auto* row = new QHBoxLayout;
     row->setSpacing(18);
     QFrame* create = make_card(12);
@@ -97,6 +90,15 @@ QFrame* FirstStartPage::build_join() {
     });
     row->add(start_join_);
     card_layout(card)->addWidget(holder);
+    auto* restore_holder = new QWidget;
+    auto* restore_row = new FlowRow(restore_holder);
+    restore_row->add(
+        make_label(tr("Is there a backup of a programme, from this machine or another one?"), "muted"), 1,
+        300);
+    QPushButton* restore = make_button(tr("Restore a backup"), "first_restore");
+    connect(restore, &QPushButton::clicked, this, &FirstStartPage::restore_wanted);
+    restore_row->add(restore);
+    card_layout(card)->addWidget(restore_holder);
     return card;
 }
 
@@ -182,14 +184,6 @@ QWidget* FirstStartPage::build_recovery() {
 void FirstStartPage::enter() {
     steps_->setCurrentIndex(0);
     start_create_->setFocus();
-}
-
-void FirstStartPage::show_trouble(const QString& problem, const QString& hint) {
-    trouble_->setText(problem + QStringLiteral("\n") + hint);
-    trouble_->setVisible(!problem.isEmpty());
-    again_->setVisible(!problem.isEmpty());
-    start_create_->setEnabled(problem.isEmpty());
-    start_join_->setEnabled(problem.isEmpty());
 }
 
 void FirstStartPage::create() {

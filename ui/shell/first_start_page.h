@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first screen where no programme exists: make one, join one, or look around in the demo. Also shows what
-// went wrong with a store and the way on.
+// The first screen where no programme exists: make one, join one, restore one, or look around in the demo.
 #pragma once
 
 #include "ui/page/context.h"
@@ -21,11 +20,10 @@ class FirstStartPage : public Page {
   public:
     explicit FirstStartPage(Context& context);
     void enter() override;
-    /// A store is there but cannot be used.
-    void show_trouble(const QString& problem, const QString& hint);
+    void look_around();
 
   signals:
-    void try_again();
+    void restore_wanted();
     void programme_created();
     /// The programme of a server is here.
     void programme_joined();
@@ -38,13 +36,11 @@ class FirstStartPage : public Page {
     QFrame* build_join();
     QWidget* build_recovery();
     void create();
-    void look_around();
     void open_demo();
 
     QStackedWidget* steps_;
-    QLabel *trouble_ = nullptr, *problem_ = nullptr, *code_ = nullptr;
-    QPushButton *again_ = nullptr, *create_ = nullptr, *continue_ = nullptr, *start_create_ = nullptr,
-                *start_join_ = nullptr;
+    QLabel *problem_ = nullptr, *code_ = nullptr;
+    QPushButton *create_ = nullptr, *continue_ = nullptr, *start_create_ = nullptr, *start_join_ = nullptr;
     QLineEdit *programme_ = nullptr, *name_ = nullptr, *login_ = nullptr, *password_ = nullptr,
               *repeat_ = nullptr;
     JoinForm* join_ = nullptr;

@@ -17,6 +17,7 @@
 #include "ui/shell/lock_page.h"
 #include "ui/shell/page_table.h"
 #include "ui/shell/password_page.h"
+#include "ui/shell/repair_page.h"
 #include "ui/shell/settings_page.h"
 #include "ui/shell/sign_in_page.h"
 #include "ui/style/appearance.h"
@@ -115,6 +116,7 @@ void MainWindow::connect_context() {
     connect(&context_, &Context::input_seen, &idle_, &IdleWatch::note_input);
     connect(&context_, &Context::home_wanted, this, &MainWindow::show_home);
     connect(&context_, &Context::switch_user_wanted, this, &MainWindow::switch_user);
+    connect(&context_, &Context::restore_wanted, this, &MainWindow::show_restore);
     connect(&context_, &Context::briefing_wanted, this,
             [this](const QString& task_id, const QString& variant, int goal, bool ghost) {
                 page<BriefingPage>()->set_task(plain(task_id), plain(variant), goal, ghost);
@@ -182,12 +184,16 @@ void MainWindow::connect_lock_page() {
 
 void MainWindow::connect_first_pages() {
     auto* first = page<FirstStartPage>();
-    connect(first, &FirstStartPage::try_again, this, &MainWindow::start, Qt::UniqueConnection);
+    connect(first, &FirstStartPage::restore_wanted, this, &MainWindow::show_restore, Qt::UniqueConnection);
     connect(first, &FirstStartPage::programme_joined, this, &MainWindow::show_sign_in, Qt::UniqueConnection);
     connect(first, &FirstStartPage::demo_opened, this, &MainWindow::show_sign_in, Qt::UniqueConnection);
     connect(first, &FirstStartPage::programme_created, this, &MainWindow::show_home, Qt::UniqueConnection);
     auto* sign_in = page<SignInPage>();
     connect(sign_in, &SignInPage::leave_demo, this, &MainWindow::start, Qt::UniqueConnection);
+    auto* repair = page<RepairPage>();
+    connect(repair, &RepairPage::try_again, this, &MainWindow::start, Qt::UniqueConnection);
+    connect(repair, &RepairPage::restored, this, &MainWindow::start_restored, Qt::UniqueConnection);
+    connect(repair, &RepairPage::look_around_wanted, this, &MainWindow::look_around, Qt::UniqueConnection);
 }
 
 void MainWindow::show_banner() {
@@ -209,7 +215,6 @@ void MainWindow::start() {
             context_.services().open_store(false);
         const bool ready = context_.services().store() != nullptr && !context_.store().is_demo() &&
                            context_.store().has_administrator();
-        first->show_trouble({}, {});
         if (on_server()) {
             context_.set_session(database::People(context_.store()).account_session());
             show_home();
@@ -219,12 +224,37 @@ void MainWindow::start() {
             show_page(first);
         }
     } catch (const database::StoreError& error) {
-        first->show_trouble(sentence_text(error.problem_sentence()), sentence_text(error.hint_sentence()));
-        show_page(first);
+        show_trouble(sentence_text(error.problem_sentence()), sentence_text(error.hint_sentence()),
+                     error.kind() == database::StoreErrorKind::corrupt ||
+                         error.kind() == database::StoreErrorKind::not_a_store);
     } catch (const database::SignInRefused& error) {
-        first->show_trouble(error_text(error), {});
-        show_page(first);
+        show_trouble(error_text(error), {}, false);
     }
+}
+
+void MainWindow::show_trouble(const QString& problem, const QString& hint, bool damaged) {
+    context_.services().close_store();
+    page<RepairPage>()->show_trouble(problem, hint, damaged);
+    show_page(page<RepairPage>());
+}
+
+void MainWindow::show_restore() {
+    keep_comment_on(current_page());
+    if (context_.signed_in()) context_.sign_out();
+    context_.services().close_store();
+    connect_first_pages();
+    page<RepairPage>()->show_restore();
+    show_page(page<RepairPage>());
+}
+
+void MainWindow::start_restored(const QString& line) {
+    start();
+    show_message(line, false);
+}
+
+void MainWindow::look_around() {
+    show_page(page<FirstStartPage>());
+    page<FirstStartPage>()->look_around();
 }
 
 Page* MainWindow::current_page() const {
@@ -303,7 +333,8 @@ void MainWindow::session_changed() {
     if (!context_.signed_in()) {
         // Nothing of one person's screens stays for the next.
         for (auto& [type, old] : pages_) {
-            if (old == page<FirstStartPage>() || old == page<SignInPage>()) continue;
+            if (old == page<FirstStartPage>() || old == page<SignInPage>() || old == page<RepairPage>())
+                continue;
             old->leave();
             stack_->removeWidget(old);
             old->deleteLater();
@@ -311,6 +342,7 @@ void MainWindow::session_changed() {
         std::map<std::type_index, Page*> kept;
         kept[typeid(FirstStartPage)] = page<FirstStartPage>();
         kept[typeid(SignInPage)] = page<SignInPage>();
+        kept[typeid(RepairPage)] = page<RepairPage>();
         pages_ = std::move(kept);
         clear_layout(rail_layout_);
         rail_buttons_.clear();

@@ -76,6 +76,11 @@ class MainWindow : public QMainWindow {
     void show_page(Page* page);
     void show_home();
     void show_sign_in();
+    /// Nobody is signed in and no store is open then.
+    void show_restore();
+    void start_restored(const QString& line);
+    void show_trouble(const QString& problem, const QString& hint, bool damaged);
+    void look_around();
     void show_banner();
     /// Which has signed in the person whose account its address names.
     bool on_server() { return context_.services().store() != nullptr && context_.store().is_server(); }

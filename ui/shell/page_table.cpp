@@ -7,11 +7,14 @@
 #include "ui/administration/audit_page.h"
 #include "ui/administration/cohorts_page.h"
 #include "ui/administration/people_page.h"
+#include "ui/administration/personal_data_page.h"
 #include "ui/administration/station_page.h"
 #include "ui/administration/tissues_page.h"
 #include "ui/dashboards/attempts_page.h"
+#include "ui/dashboards/benchmark_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/dashboards/curriculum_page.h"
+#include "ui/dashboards/dashboard_page.h"
 #include "ui/dashboards/limits_page.h"
 #include "ui/dashboards/schedules_page.h"
 #include "ui/dashboards/to_rate_page.h"
@@ -47,17 +50,20 @@ const std::vector<PageEntry>& page_table() {
         entry<HomePage>    ("rail_home",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Home"),           {trainee}, station_only),
         entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My progress"),    {trainee}),
         entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My attempts"),    {trainee}),
+        entry<DashboardPage>("rail_dashboard", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Dashboard"),    {director}),
         entry<CohortPage>  ("rail_cohort",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Cohorts"),        {educator, director}),
         entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Attempts"),       {educator, director}),
         entry<ToRatePage>  ("rail_rate",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Rate"),           {educator, director}, station_only),
         entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Progress"),       {educator, director}),
         entry<CurriculumPage>("rail_curriculum", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Curriculum"), {educator, director}),
         entry<LimitsPage>  ("rail_limits",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Limits"),         {educator, director}),
+        entry<BenchmarkPage>("rail_benchmark", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Build limits"), {educator}, station_only),
         entry<MetricsPage> ("rail_metrics",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Metrics"),        {trainee, educator, director}),
         entry<PeoplePage>  ("rail_people",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "People"),         {administrator}, station_only),
         entry<StationPage> ("rail_station",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Station"),        {administrator}, station_only),
         entry<AuditPage>   ("rail_audit",    QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Audit log"),      {administrator}, station_only),
         entry<CohortsPage> ("rail_assign",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Assign cohorts"), {director}, station_only),
+        entry<PersonalDataPage>("rail_data", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Personal data"), {director}, station_only),
         entry<SchedulesPage>("rail_schedules", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Reports"),      {director}, station_only),
         entry<TissuesPage> ("rail_tissues",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Tissue"),         {educator, director}, station_only),
         entry<SettingsPage>("rail_settings", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Settings"),       {trainee, educator, director, administrator}),

@@ -66,6 +66,9 @@ QLineEdit, QPlainTextEdit, QTextEdit, QComboBox, QSpinBox, QDoubleSpinBox { back
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus { border: 2px solid @accent; padding: 5px 7px; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px; height: 12px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 22px; border: none; background: transparent; }
+QAbstractSpinBox::up-arrow { image: url(:/style/icons/arrow_up_@theme.svg); width: 10px; height: 10px; }
+QAbstractSpinBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: @card; selection-background-color: @accent; selection-color: @accent_text; border: 1px solid @line; }
 QTableWidget, QTableView, QListWidget { background: @card; alternate-background-color: @raised; border: 1px solid @line; border-radius: 8px; gridline-color: @line; selection-background-color: @accent; selection-color: @accent_text; }
 QTableView::item { border: none; padding: 4px 5px; }

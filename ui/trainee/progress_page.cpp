@@ -10,6 +10,7 @@
 #include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "ui/charts/attempt_chart.h"
+#include "ui/charts/chart_frame.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
@@ -66,7 +67,8 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     card_layout(card)->addWidget(curve_);
     chart_ = new AttemptChart;
     chart_->setMinimumHeight(280);
-    card_layout(card)->addWidget(chart_);
+    frame_ = new ChartFrame(chart_, tr("Attempts"), "progress_chart");
+    card_layout(card)->addWidget(frame_);
     card_layout(card)->addWidget(
         make_label(tr("● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has "
                       "its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % "
@@ -82,6 +84,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->addWidget(table_);
     layout->addWidget(curriculum_);
     layout->addStretch(1);
+    connect(frame_, &ChartFrame::row_chosen, chart_, &AttemptChart::attempt_chosen);
     connect(chart_, &AttemptChart::attempt_chosen, this,
             [this](const QString& id) { emit this->context().debrief_wanted(id, -1); });
     connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
@@ -256,6 +259,7 @@ void ProgressPage::draw() {
                 }
                 if (!unit.empty() && !unit_text(unit).isEmpty()) {
                     drawn.y_title = metric_->currentText() + QStringLiteral(" (%1)").arg(unit_text(unit));
+                    drawn.unit = unit_text(unit);
                 }
                 mark.tip = tr("attempt %1, %2: %3, %4")
                                .arg(point.number)

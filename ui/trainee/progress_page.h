@@ -18,6 +18,7 @@ class QTableWidget;
 namespace fulcrum::ui {
 
 class AttemptChart;
+class ChartFrame;
 class CertificateCard;
 struct AttemptChartData;
 struct AttemptSeries;
@@ -67,6 +68,7 @@ class ProgressPage : public Page {
     GoalsCard* goals_;
     CurriculumCard* curriculum_;
     AttemptChart* chart_;
+    ChartFrame* frame_;
     QTableWidget* table_;
 };
 

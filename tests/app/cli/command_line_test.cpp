@@ -162,6 +162,41 @@ TEST_F(CommandLine, ErasesPeopleAsTheTableSays) {
         }
 }
 
+TEST_F(CommandLine, ExportsAllOfAPersonAndSetsTheTimeForKeepingDataAsTheTableSays) {
+    int number = 0;
+    for (const Role role : all_roles) {
+        for (const Target* target : {&programme.ann, &programme.eve}) {
+            const std::string name = cell(Operation::export_all, role, *target);
+            const bool expected =
+                expected_allowed(Operation::export_all, role, programme.relation(role, *target));
+            EXPECT_EQ(allowed({"people", "export", target->login, "--dry-run"}, role, name), expected)
+                << name;
+            const std::string folder = file("export-" + std::to_string(++number));
+            EXPECT_EQ(allowed({"people", "export", target->login, "-o", folder}, role, name), expected)
+                << name;
+            EXPECT_EQ(QFile::exists(QString::fromStdString(folder + "/index.html")), expected) << name;
+        }
+        const std::string name = std::string("retention as ") + role_name(role);
+        const bool may = expected_allowed(Operation::erase_person, role, {});
+        EXPECT_EQ(allowed({"people", "retention"}, role, name), may) << name;
+        EXPECT_EQ(allowed({"people", "retention", "--months", "24"}, role, name), may) << name;
+    }
+}
+
+TEST_F(CommandLine, CopiesADamagedStoreAsTheTableSays) {
+    for (const Role role : all_roles) {
+        const std::string copy = file(std::string("copy-") + role_name(role) + ".db"),
+                          name = std::string("backup --damaged as ") + role_name(role);
+        const bool expected = expected_allowed(Operation::backup, role, {});
+        EXPECT_EQ(allowed({"db", "backup", copy, "--damaged"}, role, name), expected) << name;
+        EXPECT_FALSE(QFile::exists(QString::fromStdString(copy)));
+        EXPECT_EQ(QFile::exists(QString::fromStdString(
+                      file(std::string("copy-") + role_name(role) + "-unverified.db"))),
+                  expected)
+            << name;
+    }
+}
+
 TEST_F(CommandLine, ChangesTheStationsKeyAsTheTableSays) {
     const database::test::KeysOfOneTest keys;
     for (const Role role : all_roles) {

@@ -16,9 +16,11 @@
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
 #include "database/roster/csv_rows.h"
+#include "tests/support/xapi_profile.h"
 #include "tests/ui/reports/pdf_pages.h"
 #include "tests/ui/reports/workbook_cells.h"
 #include "ui/reports/report.h"
+#include "ui/reports/report_xapi.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::app {
@@ -174,7 +176,10 @@ TEST_F(DemonstrationReports, HaveTheValuesOfTheScreenAsStatements) {
     for (const auto& [key, said] : wanted) found[key] = {"open", said.standing, 0, 0, {}};
     std::size_t counted = 0;
     const std::string task_start = std::string(reports_home) + "/task/", terms = "urn:fulcrum:xapi:";
+    const nlohmann::json profile = nlohmann::json::parse(xapi_profile_text);
     for (const nlohmann::json& one : json_in(write("cohort.xapi", ui::ReportFormat::xapi))) {
+        const std::vector<std::string> problems = fulcrum::test::profile_problems(profile, one);
+        ASSERT_TRUE(problems.empty()) << problems.front() << '\n' << one.dump(1);
         const nlohmann::json extensions = one.contains("context")
                                               ? one["context"].value("extensions", nlohmann::json::object())
                                               : nlohmann::json::object();

@@ -245,14 +245,17 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
         }
     };
     look();
-    for (const char* rail : {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign",
-                             "rail_cohort", "rail_attempts", "rail_rate", "rail_progress", "rail_tissues"}) {
+    for (const char* rail :
+         {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign", "rail_cohort",
+          "rail_attempts", "rail_rate", "rail_progress", "rail_tissues", "rail_benchmark", "rail_data"}) {
         if (!sees(*window, rail)) continue;
         click(*window, rail);
         if (auto* people = window->current_page()->findChild<QTableWidget*>("people_table"))
             people->selectRow(0);
         if (auto* cohorts = window->current_page()->findChild<QListWidget*>("cohort_list"))
             cohorts->setCurrentRow(0);
+        if (auto* person = window->current_page()->findChild<QComboBox*>("data_person"))
+            person->setCurrentIndex(1);
         if (std::string(rail) == "rail_attempts" && allowed_at_all(Operation::recompute_score)) {
             EXPECT_TRUE(wait_for([&] { return sees(*window, "recompute_scores"); }, 60000));
         }

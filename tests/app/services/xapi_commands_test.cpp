@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QTemporaryDir>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "app/services/program.h"
 #include "tests/app/access_programme.h"
 #include "tests/database/xapi/fake_record_store.h"
+#include "tests/support/support.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -83,6 +85,19 @@ TEST_F(XapiCommands, SendTheStatementsOfACohortOnceAndListWhatIsLeft) {
     lrs.instead = [](const database::test::HttpRequest&) { return 0; };
     EXPECT_EQ(send({}, 1)["sent"], 0) << "quarantined stays so";
     EXPECT_EQ(send({"--again"}, 0)["sent"], 1);
+}
+
+TEST(XapiProfileCommand, WritesTheProfileThatIsDelivered) {
+    QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("profile.jsonld")).toStdString();
+    ASSERT_EQ(run_command({"xapi", "profile", "-o", path}), 0);
+    std::ifstream written(path), delivered(fulcrum::test::source_path("assets/schemas/xapi_profile.jsonld"));
+    std::ostringstream one, other;
+    one << written.rdbuf();
+    other << delivered.rdbuf();
+    EXPECT_EQ(one.str(), other.str());
+    EXPECT_EQ(nlohmann::json::parse(one.str())["type"], "Profile");
+    EXPECT_THROW(run_command({"xapi", "profile", "-o", folder.path().toStdString()}), InputError);
 }
 
 TEST_F(XapiCommands, RefuseOthersThanDirectorsAndCredentialsThatOthersCanRead) {

@@ -131,7 +131,7 @@ TEST(BenchmarkBuilder, MakesASetThatItsExpertsPass) {
     const TaskDefinition task = small_task();
     const BenchmarkRequest request = request_of(1);
     const BenchmarkBuild build = build_benchmark(task, request);
-    ASSERT_TRUE(build.set) << build.refusal;
+    ASSERT_TRUE(build.set) << build.refusal.words();
     const BenchmarkSet& set = *build.set;
     EXPECT_NEAR(set.expert_pass_share, 0.875, 0.05);
     EXPECT_GE(set.k, 1.0);
@@ -168,7 +168,7 @@ TEST(BenchmarkBuilder, NeverAsksForMoreThanPeopleCanRepeat) {
     for (std::size_t i = 0; i < request.experts.size(); ++i)
         request.experts[i].metrics[0].value = 60 + 0.1 * static_cast<double>(i % 3);  // 0.2 % apart
     const BenchmarkBuild build = build_benchmark(small_task(), request);
-    ASSERT_TRUE(build.set) << build.refusal;
+    ASSERT_TRUE(build.set) << build.refusal.words();
     EXPECT_EQ(build.set->version, 7);
     EXPECT_EQ(build.set->levels[0].deviation, find_metric("time")->least_deviation);
     EXPECT_GE(build.set->levels[0].deviation, 0.09);
@@ -194,7 +194,7 @@ TEST(BenchmarkBuilder, GivesBothHandsOneLimitWhereTheyDoTheSame) {
                                        {}});
     const auto levels = [&] {
         const BenchmarkBuild build = build_benchmark(task, request);
-        EXPECT_TRUE(build.set) << build.refusal;
+        EXPECT_TRUE(build.set) << build.refusal.words();
         return build.set ? build.set->levels : std::vector<BenchmarkLevel>(2);
     };
     const std::vector<BenchmarkLevel> apart = levels();
@@ -214,7 +214,7 @@ TEST(BenchmarkBuilder, TakesTheKWhoseExpertsPassNearestToTheMiddleOfTheBand) {
     for (unsigned seed = 1; seed < 40; ++seed) {
         const BenchmarkRequest request = request_of(seed);
         const BenchmarkBuild build = build_benchmark(task, request);
-        ASSERT_TRUE(build.set) << build.refusal;
+        ASSERT_TRUE(build.set) << build.refusal.words();
         ASSERT_EQ(build.trials.size(), 21U);  // 1.0 to 3.0
         double before = -1, least = 1;
         std::vector<double> nearest;
@@ -239,7 +239,7 @@ TEST(BenchmarkBuilder, FreshExpertsPassAboutAsOftenAsTheSetSays) {
         BenchmarkRequest request = request_of(seed);
         request.experts = attempts_of("expert ", 32, 4.0, -1.5, seed);
         const BenchmarkBuild build = build_benchmark(task, request);
-        ASSERT_TRUE(build.set) << build.refusal;
+        ASSERT_TRUE(build.set) << build.refusal.words();
         for (const BenchmarkAttempt& fresh : attempts_of("fresh ", 20, 4.0, -1.5, 5000 + seed)) {
             passed += score_attempt(ScoreInput{task, fresh.metrics, &*build.set}).passed == true ? 1 : 0;
             ++all;
@@ -255,7 +255,7 @@ TEST(BenchmarkBuilder, RefusesWhatItsOwnExpertsFail) {
     const BenchmarkBuild build = build_benchmark(small_task(), request);
     EXPECT_FALSE(build.set);
     EXPECT_EQ(build.trials.size(), 21U);  // 1.0 to 3.0
-    EXPECT_NE(build.refusal.find("75.0 %"), std::string::npos) << build.refusal;
+    EXPECT_NE(build.refusal.words().find("75.0 %"), std::string::npos) << build.refusal.words();
     bool named = false;
     for (const std::string& line : build.log)
         named = named || line.find("f_max left not met by 6") != std::string::npos;
@@ -265,10 +265,10 @@ TEST(BenchmarkBuilder, RefusesWhatItsOwnExpertsFail) {
 TEST(BenchmarkBuilder, RefusesTooFewExpertsOrAttempts) {
     BenchmarkRequest request = request_of(1);
     request.experts.resize(21);
-    EXPECT_EQ(build_benchmark(small_task(), request).refusal, "7 experts where 8 are needed");
+    EXPECT_EQ(build_benchmark(small_task(), request).refusal.words(), "7 experts where 8 are needed");
     request = request_of(1);
     request.experts.pop_back();
-    EXPECT_EQ(build_benchmark(small_task(), request).refusal,
+    EXPECT_EQ(build_benchmark(small_task(), request).refusal.words(),
               "expert 7 has 2 counted attempts where 3 are needed");
     request = request_of(1);
     request.familiarisation = 2;
@@ -279,7 +279,8 @@ TEST(BenchmarkBuilder, RefusesTooFewExpertsOrAttempts) {
     for (BenchmarkAttempt& attempt : request.experts)
         if (attempt.person > "expert 4")
             attempt.metrics[1] = test::missing("sparc", "right", Absence::not_done);
-    EXPECT_NE(build_benchmark(small_task(), request).refusal.find("fewer than 6 experts"), std::string::npos);
+    EXPECT_NE(build_benchmark(small_task(), request).refusal.words().find("fewer than 6 experts"),
+              std::string::npos);
 }
 
 TEST(BenchmarkBuilder, LeavesOutAndLogsAnOutlier) {
@@ -306,7 +307,7 @@ TEST(BenchmarkBuilder, CountsAndSteadyFiguresBecomeAbsoluteGates) {
                  AttemptState::completed,
                  {}});
     const BenchmarkBuild build = build_benchmark(task, request);
-    ASSERT_TRUE(build.set) << build.refusal;
+    ASSERT_TRUE(build.set) << build.refusal.words();
     EXPECT_EQ(build.set->levels[0].absolute_limit, 2.0);
     EXPECT_NEAR(build.set->levels[1].absolute_limit.value_or(0), 0.502, 1e-12);
     EXPECT_FALSE(build.set->levels[0].z_novice);

@@ -191,12 +191,12 @@ TEST(OwnLimits, OfTheBuilderTellIntermediatesFromExperts) {
     request.source = "synthetic operators";
     request.experts = people("expert ", 24, 4.0, -1.5, -0.2, 1);
     const BenchmarkBuild without = build_benchmark(small_task(), request);
-    ASSERT_TRUE(without.set) << without.refusal;
+    ASSERT_TRUE(without.set) << without.refusal.words();
 
     // Few pass: the set is the same as without them.
     request.intermediates = people("intermediate ", 16, 4.28, -1.55, 0.4, 2);
     BenchmarkBuild with = build_benchmark(small_task(), request);
-    ASSERT_TRUE(with.set) << with.refusal;
+    ASSERT_TRUE(with.set) << with.refusal.words();
     EXPECT_TRUE(surely_within(with.set->intermediate_pass_share.value_or(1), 48));
     EXPECT_EQ(with.set->intermediates.size(), 16U);
     with.set->intermediates.clear();
@@ -206,7 +206,7 @@ TEST(OwnLimits, OfTheBuilderTellIntermediatesFromExperts) {
     // As quick and smooth as experts, but rough: their force tells them apart.
     request.intermediates = people("intermediate ", 16, 4.05, -1.52, 0.55, 3);
     const BenchmarkBuild rough = build_benchmark(small_task(), request);
-    ASSERT_TRUE(rough.set) << rough.refusal;
+    ASSERT_TRUE(rough.set) << rough.refusal.words();
     EXPECT_TRUE(surely_within(rough.set->intermediate_pass_share.value_or(1), 48));
     const BenchmarkLevel* force = rough.set->find("f_max", "left", "");
     ASSERT_NE(force, nullptr);

@@ -13,6 +13,7 @@
 #include "database/rows/connection.h"
 #include "database/store/accepted_assets.h"
 #include "database/store/signing_keys.h"
+#include "database/sync/person_data.h"
 #include "database/sync/programme_server.h"
 #include "database/sync/station_erasure.h"
 #include "database/sync/sync.h"
@@ -234,6 +235,8 @@ class EveryCell : public ::testing::Test {
                 };
             case Operation::erase_person:
                 return [=] { erase_person(*asked(), session, target.person, "asked for it", true); };
+            case Operation::export_all:
+                return [=] { export_person_data(*asked(), session, target.person, {}, {}); };
             case Operation::rotate_key:
                 return [=] { rotate_station_key(*asked(), session, "planned"); };
             case Operation::manage_settings:

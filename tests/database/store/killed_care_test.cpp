@@ -9,6 +9,7 @@
 #include "database/rows/connection.h"
 #include "database/schema/migration.h"
 #include "database/store/backup_rotation.h"
+#include "database/store/damaged_copy.h"
 #include "database/store/store_restore.h"
 #include "tests/database/cut_off_process.h"
 #include "tests/database/programme_fixture.h"
@@ -45,7 +46,7 @@ class KilledCare : public ::testing::Test {
             files::copy_file(entry.path(), in(entry.path().filename().string()));
     }
     static bool is_temporary(const std::string& name) {
-        for (const char* mark : {".restoring-", ".part-"})
+        for (const char* mark : {".restoring-", ".part-", ".backups"})
             if (name.find(mark) != std::string::npos) return true;
         for (const char* ending : {"-wal", "-shm", "-journal"})
             if (QString::fromStdString(name).endsWith(ending)) return true;
@@ -225,6 +226,59 @@ TEST_F(KilledCare, OfARotationLeavesTheOlderBackupsUntilTheNewOneIsWhole) {
     EXPECT_GT(kills, 0);
     EXPECT_GT(unfinished, 0);
     std::printf("rotation killed at %d of %d changes to files\n", kills, whole.changes);
+}
+
+TEST_F(KilledCare, OfPuttingAsideLeavesTheFileUnderOneNameOrBoth) {
+    if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
+    const auto deed = [this] { put_aside(programme.path, programme.clock.options()); };
+    const CutOff whole = cut_off(0, deed);
+    ASSERT_EQ(whole.status, 0);
+    int kills = 0;
+    for (const int point : cut_off_points(whole.changes, 12)) {
+        put_back();
+        const CutOff cut = cut_off(point, deed);
+        if (!cut.killed) continue;
+        ++kills;
+        const std::string when = at(point, cut);
+        int whole_ones = 0;
+        for (const std::string& name : names()) {
+            if (is_temporary(name) || name == "backup.db") continue;
+            EXPECT_EQ(attempts_in_sound(in(name), when), (std::set<std::string>{attempt, later}))
+                << name << " " << when;
+            ++whole_ones;
+        }
+        EXPECT_GE(whole_ones, 1) << when;
+        if (HasFailure()) break;
+    }
+    EXPECT_GT(kills, 0);
+    std::printf("putting aside killed at %d of %d changes to files\n", kills, whole.changes);
+}
+
+TEST_F(KilledCare, OfACopyOfADamagedStoreLeavesAWholeCopyOrNone) {
+    if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
+    const auto deed = [this] {
+        copy_damaged(programme.path, in("copy.db"),
+                     [](const Store& store) { return People(store).sign_in("administrator", password); });
+    };
+    const CutOff whole = cut_off(0, deed);
+    ASSERT_EQ(whole.status, 0);
+    int kills = 0;
+    for (const int point : cut_off_points(whole.changes, 8)) {
+        put_back();
+        const CutOff cut = cut_off(point, deed);
+        if (!cut.killed) continue;
+        ++kills;
+        const std::string when = at(point, cut);
+        EXPECT_EQ(attempts_in_sound(programme.path, when), (std::set<std::string>{attempt, later})) << when;
+        if (files::exists(in("copy-unverified.db"))) {
+            EXPECT_EQ(attempts_in_sound(in("copy-unverified.db"), when),
+                      (std::set<std::string>{attempt, later}))
+                << when;
+        }
+        if (HasFailure()) break;
+    }
+    EXPECT_GT(kills, 0);
+    std::printf("copy of a damaged store killed at %d of %d changes to files\n", kills, whole.changes);
 }
 
 }  // namespace

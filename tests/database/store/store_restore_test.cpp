@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -241,6 +242,73 @@ TEST(Migrate, ChecksCopiesAndReplacesAnOlderStore) {
     StoreOptions impatient;
     impatient.busy_timeout_ms = 100;
     EXPECT_EQ(error_kind([&] { migrate_store(path, impatient); }), StoreErrorKind::locked);
+}
+
+TEST_F(Restore, SaysHowFarItIsAndCanBeStoppedUntilTheEnd) {
+    const auto sign_in = [](const Store& copy) { return People(copy).sign_in("administrator", password); };
+    std::vector<double> seen;
+    int stop_after = 1000000;
+    const StoreProgress progress = [&](double done, const std::string&) {
+        seen.push_back(done);
+        return static_cast<int>(seen.size()) < stop_after;
+    };
+    for (const int after : {1, 3, 8}) {
+        seen.clear();
+        stop_after = after;
+        const Replaced done =
+            restore_store(backup, programme.path, sign_in, programme.clock.options(), progress);
+        EXPECT_TRUE(done.stopped) << after;
+        EXPECT_TRUE(done.kept.empty());
+        EXPECT_TRUE(has(later)) << "nothing was changed";
+        for (const std::string& name : names())
+            EXPECT_EQ(name.find(".restoring-"), std::string::npos) << name;
+    }
+    seen.clear();
+    stop_after = 1000000;
+    EXPECT_FALSE(restore_store(backup, programme.path, sign_in, programme.clock.options(), progress).stopped);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    EXPECT_GT(seen.size(), 10U);
+    EXPECT_GT(seen.back(), 0.95);
+    EXPECT_FALSE(has(later));
+}
+
+TEST_F(Restore, ReplacesAStoreWhoseFirstPageIsGarbageWhereItIsKnownToBeTheStore) {
+    for (const char* ending : {"-wal", "-shm"}) files::remove(programme.path + ending);
+    std::fstream(programme.path, std::ios::in | std::ios::out | std::ios::binary) << std::string(200, 'x');
+    EXPECT_EQ(error_kind([&] { restore(backup); }), StoreErrorKind::not_a_store)
+        << "it may be the wrong file";
+    const Replaced done = restore_store(
+        backup, programme.path,
+        [](const Store& copy) { return People(copy).sign_in("administrator", password); },
+        programme.clock.options(), {}, ReplacedFile::any);
+    EXPECT_TRUE(has(attempt));
+    std::ifstream kept(done.kept, std::ios::binary);
+    std::string start(200, ' ');
+    kept.read(start.data(), 200);
+    EXPECT_EQ(start, std::string(200, 'x')) << "the damaged file is still there";
+}
+
+TEST_F(Restore, PuttingAsideKeepsTheFileAndFreesItsName) {
+    {
+        const Store open = Store::open(programme.path, programme.clock.options());
+        EXPECT_EQ(error_kind([&] { put_aside(programme.path, programme.clock.options()); }),
+                  StoreErrorKind::locked);
+    }
+    const std::string kept = put_aside(programme.path, programme.clock.options());
+    EXPECT_NE(kept.find("fulcrum.db.damaged-2026"), std::string::npos) << kept;
+    EXPECT_FALSE(Store::exists(programme.path));
+    for (const std::string& name : names()) EXPECT_NE(name, "fulcrum.db-wal");
+    {
+        const Store store = Store::open(kept, programme.clock.options());
+        Query rows(store.connection(), "SELECT COUNT(*) FROM attempt");
+        ASSERT_TRUE(rows.next());
+        EXPECT_EQ(rows.integer(0), 2);
+    }
+    restore(backup);
+    EXPECT_TRUE(has(attempt)) << "the name is free for a backup";
+    std::ofstream(programme.path) << "a letter";
+    EXPECT_NE(put_aside(programme.path, programme.clock.options()), kept);
+    EXPECT_EQ(error_kind([&] { put_aside(programme.path); }), StoreErrorKind::missing);
 }
 
 }  // namespace

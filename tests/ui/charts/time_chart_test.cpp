@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QChart>
+#include <QPainter>
 #include <QXYSeries>
 #include <cmath>
 
-#include "ui/charts/time_chart.h"
+#include "tests/ui/painted_words.h"
+#include "ui/charts/time_charts.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -80,6 +82,89 @@ TEST(TimeChart, ShowsEverySampleBeforeItsFirstLayoutAndWithoutSamples) {
     chart.show_range(333.0, 333.5);
     EXPECT_GE(shown(chart).points, 500);
     EXPECT_EQ(shown(chart).highest, 9);
+}
+
+TEST(TimeChart, LabelsTheTruePeakOfWhatIsInView) {
+    TimeChart chart("force (N)");
+    chart.resize(500, 300);
+    chart.grab();
+    chart.set_unit("N");
+    chart.show_peaks(true);
+    chart.add_series("left hand", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
+    chart.show_all();
+    const auto painted = [&] {
+        window_test::WordsDevice device(chart.size());
+        QPainter painter(&device);
+        chart.render(&painter);
+        painter.end();
+        QStringList words;
+        for (const window_test::PaintedWords& one : device.words()) words << one.words.trimmed();
+        return words;
+    };
+    const QString label = QStringLiteral("9%1N").arg(QChar(0x202F));
+    ASSERT_TRUE(chart.peak_of(0));
+    EXPECT_DOUBLE_EQ(chart.peak_of(0)->y, 9);
+    EXPECT_DOUBLE_EQ(chart.peak_of(0)->x, 333.333);
+    EXPECT_EQ(painted().count(label), 1) << painted().join("|").toStdString();
+    EXPECT_TRUE(chart.accessibleDescription().contains(label)) << chart.accessibleDescription().toStdString();
+    // The outlier is one sample beyond the view: the peak is that of the view.
+    chart.show_range(300, 333.332);
+    ASSERT_TRUE(chart.peak_of(0));
+    EXPECT_LT(chart.peak_of(0)->y, 2.1);
+    EXPECT_EQ(painted().count(label), 0);
+    chart.show_peaks(false);
+    chart.show_all();
+    EXPECT_EQ(painted().count(label), 0);
+}
+
+TEST(TimeCharts, ShareOneTableOfWhatTheyDraw) {
+    TimeCharts charts("Force and speed");
+    auto* force = new TimeChart("force (N)");
+    auto* speed = new TimeChart("mm/s");
+    force->set_unit("N");
+    speed->set_unit("mm/s");
+    charts.add(force, "force");
+    charts.add(speed, "speed");
+    charts.resize(500, 500);
+    charts.grab();
+    EXPECT_TRUE(charts.table().rows.empty());
+    force->add_series("left hand", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
+    speed->add_series(
+        "left hand", &Palette::left_hand, Qt::SolidLine,
+        std::make_shared<MinMaxPyramid>(std::vector<double>{0, 333.3333, 400}, std::vector<float>{1, 5, 2}));
+    force->add_band("cohort", &Palette::limit, {{0, 1, 2, 3}, {400, 5, 6, 7}});
+    int changes = 0;
+    charts.when_changed([&changes] { ++changes; });
+    force->show_all();
+    speed->show_all();
+    EXPECT_GT(changes, 0);
+    const ChartTable table = charts.table();
+    ASSERT_EQ(table.columns.size(), 1U + 4 + 1);
+    EXPECT_EQ(column_title(table.columns[0]), "Time (s)");
+    EXPECT_EQ(column_title(table.columns[1]), "force, left hand (N)");
+    EXPECT_EQ(column_title(table.columns[3]), "force, cohort, middle (N)");
+    EXPECT_EQ(column_title(table.columns[5]), "speed, left hand (mm/s)");
+    bool peak = false;
+    double before = -1;
+    for (const ChartRow& row : table.rows) {
+        ASSERT_EQ(row.cells.size(), table.columns.size());
+        const double time = std::stod(row.cells[0].copied);
+        EXPECT_GT(time, before);
+        before = time;
+        peak = peak || row.cells[1].copied == "9";
+        if (time == 200) {
+            EXPECT_NEAR(std::stod(row.cells[3].copied), 4, 1e-9) << "half way along the band";
+        }
+        if (time > 400) {
+            EXPECT_EQ(row.cells[3].copied, "") << "the band has ended";
+            EXPECT_EQ(row.cells[5].copied, "") << "and the speed";
+        }
+    }
+    EXPECT_TRUE(peak) << "the peak is among the rows";
+    EXPECT_LT(table.rows.size(), 2 * chart_point_limit);
+    // Zoomed in one, moved in both.
+    emit force->range_changed(100, 101);
+    EXPECT_NEAR(speed->first_shown(), 100, 1e-9);
 }
 
 }  // namespace

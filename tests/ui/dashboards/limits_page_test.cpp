@@ -19,6 +19,7 @@
 #include "sim_core/numerics/output_file.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/processor_time.h"
+#include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
 #include "ui/dashboards/limits_chart.h"

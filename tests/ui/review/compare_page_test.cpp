@@ -229,7 +229,7 @@ TEST_F(Comparing, APartHasTheMetricsOfBothByTheSameFunction) {
     QTest::keyClick(step, Qt::Key_Down);
     QTest::keyClick(step, Qt::Key_Down);  // the second step: 2 to 5 s, in the other one 4 to 10 s
     ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
-    EXPECT_EQ(find<QLabel>(*window, "range_words")->text(),
+    EXPECT_EQ(find<QLabel>(*window, "compare_part_words")->text(),
               "0:02.0 to 0:05.0; other attempt 0:04.0 to 0:10.0");
     EXPECT_NEAR(page.moment(), 2, 1e-3);
     const QStringList force = line("Largest force", "left");
@@ -270,8 +270,8 @@ TEST_F(Comparing, APartHasTheMetricsOfBothByTheSameFunction) {
     ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
     EXPECT_EQ(step->currentText(), "Own range");
     keep("compare-range");
-    click(*window, "range_whole");
-    EXPECT_FALSE(sees(*window, "range_words"));
+    click(*window, "compare_part_whole");
+    EXPECT_FALSE(sees(*window, "compare_part_words"));
     EXPECT_EQ(line("Time")[0], "6 s");
     (void)earlier;
 }
@@ -295,7 +295,7 @@ TEST_F(Comparing, SaysWhatCannotBeCompared) {
     EXPECT_FALSE(sees(*window, "compare_slider"));
     EXPECT_FALSE(sees(*window, "compare_own_replay"));
     EXPECT_EQ(line("Time")[0], "6 s");
-    EXPECT_FALSE(find<QAbstractButton>(*window, "range_begin")->isEnabled());
+    EXPECT_FALSE(find<QAbstractButton>(*window, "compare_part_begin")->isEnabled());
     EXPECT_TRUE(again.is_ready());
 }
 
@@ -388,10 +388,10 @@ TEST_F(Comparing, APartOutlivesHastyChoicesAThemeAndTheErasureOfItsTrainee) {
     QTest::keyClick(step, Qt::Key_Down);  // the first step: to 2 s
     ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
     EXPECT_EQ(line("Time")[0], "2 s") << "of the part that was chosen last";
-    const QString words = find<QLabel>(*window, "range_words")->text();
+    const QString words = find<QLabel>(*window, "compare_part_words")->text();
     for (const Theme theme : {Theme::dark, Theme::light}) {
         window->set_theme(theme);
-        EXPECT_EQ(find<QLabel>(*window, "range_words")->text(), words);
+        EXPECT_EQ(find<QLabel>(*window, "compare_part_words")->text(), words);
         EXPECT_EQ(line("Time")[0], "2 s");
     }
     // The trainee is erased by another program: what is read is shown until the page is left.
@@ -422,12 +422,12 @@ TEST_F(Comparing, APartOfATaskThatIsNotThereHasNoMetricsInsteadOfThoseOfTheWhole
     auto* slider = find<QSlider>(*window, "compare_slider");
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_PageUp);
-    click(*window, "range_begin");
+    click(*window, "compare_part_begin");
     ASSERT_TRUE(wait_for([&] { return page.is_ready(); }));
-    EXPECT_TRUE(find<QLabel>(*window, "range_words")->text().contains("no metrics of a part"))
-        << find<QLabel>(*window, "range_words")->text().toStdString();
+    EXPECT_TRUE(find<QLabel>(*window, "compare_part_words")->text().contains("no metrics of a part"))
+        << find<QLabel>(*window, "compare_part_words")->text().toStdString();
     EXPECT_TRUE(line("Time").isEmpty());
-    click(*window, "range_whole");
+    click(*window, "compare_part_whole");
     EXPECT_EQ(line("Time")[0], "6 s");
 }
 

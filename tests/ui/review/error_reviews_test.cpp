@@ -6,15 +6,18 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <cmath>
 #include <map>
 
 #include "database/records/attempts.h"
 #include "database/records/error_reviews.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
+#include "database/records/reviews.h"
 #include "database/sync/station_erasure.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/charts/time_chart.h"
 #include "ui/language/language.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
@@ -235,6 +238,102 @@ TEST_F(ErrorReviewPages, ARaterWhoIsBlindReadsOwnReviewsOnly) {
     EXPECT_TRUE(sees(*window, "rating_blind_notice")) << "still blind";
     click(*window, "lift_blinding");
     EXPECT_TRUE(shown().contains("Tara has told me."));
+}
+
+TEST_F(ErrorReviewPages, TheMarksInTheChartsShowWhatWasStruckAndConfirmed) {
+    debrief("ed");
+    const auto mark = [&](double time) {
+        for (const ChartMark& one : find<TimeChart>(*window, "force_chart")->marks())
+            if (std::abs(one.time - time) < 1e-6) return one;
+        ADD_FAILURE() << "no mark at " << time;
+        return ChartMark();
+    };
+    EXPECT_EQ(mark(0.6).review, MarkReview::none);
+    choose("slipped");
+    say("The flap was torn before.", "review_error_strike");
+    choose("Too much force");
+    say("Seen.", "review_error_confirm");
+    EXPECT_EQ(mark(0.6).review, MarkReview::struck);
+    EXPECT_TRUE(mark(0.6).text.contains("struck by Ed Educator: The flap was torn before."));
+    EXPECT_EQ(mark(1.2).review, MarkReview::confirmed);
+    EXPECT_EQ(mark(0.2).review, MarkReview::none) << "a grasp is no error";
+    keep_picture(*window, "error-review-marks-light");
+    emit window->context().theme_wanted(Theme::dark);
+    keep_picture(*window, "error-review-marks-dark");
+    debrief("tara");
+    EXPECT_EQ(mark(0.6).review, MarkReview::struck);
+    choose("slipped");
+    debrief("ed");
+    choose("slipped");
+    say("I looked again.", "review_error_confirm");
+    EXPECT_EQ(mark(0.6).review, MarkReview::confirmed) << "the newest counts";
+}
+
+TEST_F(ErrorReviewPages, AReasonThatWasBegunIsThereAgain) {
+    const auto reason = [&] { return find<QLineEdit>(*window, "review_error_reason"); };
+    const auto drafts = [&](const char* login) {
+        std::vector<std::string> all;
+        for (const auto& one : database::Reviews(*services.store()).comments(sessions.at(login), attempt))
+            if (is_begun_reason(one)) all.push_back(one.text);
+        return all;
+    };
+    const auto away = [&] { choose_page(*window, "rail_metrics"); };
+    const auto begin = [&](const char* words) {
+        choose("Too much force");
+        QTest::mouseClick(reason(), Qt::LeftButton);
+        QTest::keyClicks(reason(), words);
+    };
+    debrief("ed");
+    begin("The cam");
+    away();
+    ASSERT_EQ(drafts("ed").size(), 1U) << "the page was left";
+    EXPECT_TRUE(drafts("ida").empty()) << "of its author alone";
+    EXPECT_TRUE(reviews().empty());
+    debrief("ed");
+    EXPECT_EQ(reason()->text(), "The cam");
+    EXPECT_TRUE(label("review_error_chosen").contains("Too much force")) << "of the error that it is about";
+    EXPECT_TRUE(find<QAbstractButton>(*window, "review_error_strike")->isEnabled());
+    EXPECT_FALSE(sees(*window, "draft_send")) << "it is not for sending";
+    // Typed on: it stays one draft, also in another language and when the screen is locked.
+    QTest::keyClicks(reason(), "era was");
+    emit window->context().language_wanted(Language::german);
+    debrief("ed");
+    EXPECT_EQ(reason()->text(), "The camera was");
+    ASSERT_EQ(drafts("ed").size(), 1U);
+    emit window->context().language_wanted(Language::english);
+    debrief("ed");
+    QTest::keyClicks(reason(), " off");
+    away();
+    debrief("ida");
+    EXPECT_TRUE(reason()->text().isEmpty());
+    begin("Hers");
+    away();
+    debrief("tara");
+    EXPECT_TRUE(drafts("tara").empty());
+    debrief("ed");
+    EXPECT_EQ(reason()->text(), "The camera was off");
+    bring(*find<QAbstractButton>(*window, "review_error_strike"));
+    click(*window, "review_error_strike");
+    ASSERT_EQ(reviews().size(), 1U);
+    EXPECT_EQ(reviews()[0].reason, "The camera was off");
+    EXPECT_EQ(reviews()[0].tick, force_tick);
+    EXPECT_TRUE(drafts("ed").empty()) << "it was given";
+    EXPECT_EQ(drafts("ida").size(), 1U);
+    EXPECT_FALSE(sees(*window, "draft_delete"));
+    // Emptied is dropped; deleted among the comments it does not come back.
+    debrief("ida");
+    reason()->selectAll();
+    QTest::keyClick(reason(), Qt::Key_Delete);
+    debrief("ida");
+    EXPECT_TRUE(drafts("ida").empty());
+    EXPECT_TRUE(reason()->text().isEmpty());
+    begin("Once more");
+    debrief("ida");
+    bring(*find<QAbstractButton>(*window, "draft_delete"));
+    click(*window, "draft_delete");
+    EXPECT_TRUE(reason()->text().isEmpty());
+    debrief("ida");
+    EXPECT_TRUE(drafts("ida").empty());
 }
 
 TEST_F(ErrorReviewPages, AVoidTakesNothingBackAndAnErasedAttemptIsRefused) {

@@ -1313,6 +1313,70 @@
         <source>TO is a folder: write a file named by the time, and keep the newest N backups of this station there; older ones are removed.</source>
         <translation>TO ist ein Ordner: schreibt dort eine nach der Zeit benannte Datei und behält die neuesten N Sicherungen dieser Station; ältere werden entfernt.</translation>
     </message>
+    <message>
+        <source>Copy a store that does not pass the check, as it is. The name of the copy ends in -unverified.db; it replaces no backup.</source>
+        <translation>Einen Datenbestand, der die Prüfung nicht besteht, so kopieren, wie er ist. Der Name der Kopie endet auf -unverified.db; sie ersetzt keine Sicherung.</translation>
+    </message>
+    <message>
+        <source>Only what the window looks at when it starts, within a second.</source>
+        <translation>Nur das, was das Fenster beim Start ansieht, innerhalb einer Sekunde.</translation>
+    </message>
+    <message>
+        <source>Writes all that is stored about a person to a folder; needs --as, a director.</source>
+        <translation>Schreibt alles, was über eine Person gespeichert ist, in einen Ordner; braucht --as, eine Programmleitung.</translation>
+    </message>
+    <message>
+        <source>A new folder; index.html says what is in it.</source>
+        <translation>Ein neuer Ordner; index.html sagt, was darin ist.</translation>
+    </message>
+    <message>
+        <source>Only count what would be written.</source>
+        <translation>Nur zählen, was geschrieben würde.</translation>
+    </message>
+    <message>
+        <source>LOGIN is a login or an id. Attempts with scores and recordings, comments, observer forms, decisions, goals and what the audit log has of the person are written as tables (CSV) and recordings (CSV, gzip), with those of accounts that were merged into the person. The audit log says that it was done.</source>
+        <translation>ANMELDENAME ist ein Anmeldename oder eine Kennung. Versuche mit Bewertungen und Aufzeichnungen, Kommentare, Beurteilungsbögen, Entscheidungen, Ziele und was das Protokoll über die Person enthält, werden als Tabellen (CSV) und Aufzeichnungen (CSV, gzip) geschrieben, auch die der Konten, die mit dem der Person zusammengeführt wurden. Das Protokoll vermerkt es.</translation>
+    </message>
+    <message>
+        <source>Shows or sets how long data of trainees are kept, and who is due to be erased.</source>
+        <translation>Zeigt oder legt fest, wie lange Daten von Lernenden aufbewahrt werden und wer zu löschen ist.</translation>
+    </message>
+    <message>
+        <source>Keep data for so many months after the last practice or sign-in.</source>
+        <translation>Daten so viele Monate nach der letzten Übung oder Anmeldung aufbewahren.</translation>
+    </message>
+    <message>
+        <source>Set no end.</source>
+        <translation>Kein Ende festlegen.</translation>
+    </message>
+    <message>
+        <source>Erase the N people who are due; N as the list has it.</source>
+        <translation>Die N Personen löschen, deren Zeit abgelaufen ist; N wie in der Liste.</translation>
+    </message>
+    <message>
+        <source>Needs --as, a director. Trainees with no other role are due, nobody else. Nobody is erased without --erase; it does what `people erase` does. A programme with a server erases there (`server erase`).</source>
+        <translation>Braucht --as, eine Programmleitung. Nur Lernende ohne andere Rolle werden aufgeführt, niemand sonst. Ohne --erase wird niemand gelöscht; es tut dasselbe wie `people erase`. Ein Programm mit einem Server löscht dort (`server erase`).</translation>
+    </message>
+    <message>
+        <source>Simulate so many attempts again from their inputs, drawn by chance, however long it takes; 0: none. Without it: 3, in 20 seconds.</source>
+        <translation>So viele zufällig gezogene Versuche aus ihren Eingaben noch einmal simulieren, wie lange es auch dauert; 0: keinen. Ohne diese Angabe: 3, in 20 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Draw the attempts that a check with this seed has drawn.</source>
+        <translation>Die Versuche ziehen, die eine Prüfung mit diesem Startwert gezogen hat.</translation>
+    </message>
+    <message>
+        <source>Of a cohort as pdf or json: the plan gives so many weeks for all tasks.</source>
+        <translation>Einer Gruppe als pdf oder json: der Plan sieht so viele Wochen für alle Aufgaben vor.</translation>
+    </message>
+    <message>
+        <source>Writes the xAPI profile of the statements: their terms and kinds, as JSON-LD.</source>
+        <translation>Schreibt das xAPI-Profil der Aussagen: ihre Begriffe und Arten, als JSON-LD.</translation>
+    </message>
+    <message>
+        <source>Write it to this file.</source>
+        <translation>In diese Datei schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -8048,6 +8112,278 @@
         <source>%1: this is not a part of a Fulcrum store</source>
         <translation>%1: das gehört nicht zu einem Fulcrum-Datenspeicher</translation>
     </message>
+    <message>
+        <source>restore the newest backup; nothing was changed (`fulcrum db check` lists all damage)</source>
+        <translation>stellen Sie die neueste Sicherung wieder her; nichts wurde geändert (`fulcrum db check` führt alle Schäden auf)</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>accounts</source>
+        <translation>Konten</translation>
+    </message>
+    <message>
+        <source>criteria of the scores</source>
+        <translation>Kriterien der Bewertungen</translation>
+    </message>
+    <message>
+        <source>measured values</source>
+        <translation>gemessene Werte</translation>
+    </message>
+    <message>
+        <source>critical errors</source>
+        <translation>kritische Fehler</translation>
+    </message>
+    <message>
+        <source>reports on specimens</source>
+        <translation>Befunde zu Präparaten</translation>
+    </message>
+    <message>
+        <source>parts of recordings</source>
+        <translation>Teile von Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>results of attempts, such as specimens</source>
+        <translation>Ergebnisse von Versuchen, etwa Präparate</translation>
+    </message>
+    <message>
+        <source>files that attempts were performed with</source>
+        <translation>Dateien, mit denen Versuche durchgeführt wurden</translation>
+    </message>
+    <message>
+        <source>states that practice began with</source>
+        <translation>Zustände, mit denen Übungen begannen</translation>
+    </message>
+    <message>
+        <source>recordings that are being made</source>
+        <translation>laufende Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>voided attempts</source>
+        <translation>für ungültig erklärte Versuche</translation>
+    </message>
+    <message>
+        <source>attempts that were assigned to another person</source>
+        <translation>Versuche, die einer anderen Person zugeordnet wurden</translation>
+    </message>
+    <message>
+        <source>comments by and about the person</source>
+        <translation>Kommentare der Person und über sie</translation>
+    </message>
+    <message>
+        <source>confirmed and struck errors</source>
+        <translation>bestätigte und gestrichene Fehler</translation>
+    </message>
+    <message>
+        <source>requests for a correction</source>
+        <translation>Bitten um Berichtigung</translation>
+    </message>
+    <message>
+        <source>observer forms</source>
+        <translation>Beurteilungsbögen</translation>
+    </message>
+    <message>
+        <source>items of observer forms</source>
+        <translation>Punkte der Beurteilungsbögen</translation>
+    </message>
+    <message>
+        <source>released observer forms</source>
+        <translation>freigegebene Beurteilungsbögen</translation>
+    </message>
+    <message>
+        <source>reviews that were seen before a rating</source>
+        <translation>Auswertungen, die vor einer Beurteilung angesehen wurden</translation>
+    </message>
+    <message>
+        <source>decisions on the standing</source>
+        <translation>Entscheidungen über den Stand</translation>
+    </message>
+    <message>
+        <source>moves to another curriculum</source>
+        <translation>Umstellungen auf ein anderes Curriculum</translation>
+    </message>
+    <message>
+        <source>personal goals that were dropped</source>
+        <translation>aufgegebene persönliche Ziele</translation>
+    </message>
+    <message>
+        <source>statements for a learning record store</source>
+        <translation>Aussagen für einen Learning Record Store</translation>
+    </message>
+    <message>
+        <source>passwords (stored as verifiers)</source>
+        <translation>Passwörter (als Prüfwerte gespeichert)</translation>
+    </message>
+    <message>
+        <source>roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>memberships of cohorts</source>
+        <translation>Zugehörigkeiten zu Gruppen</translation>
+    </message>
+    <message>
+        <source>cohorts that the person teaches</source>
+        <translation>Gruppen, die die Person ausbildet</translation>
+    </message>
+    <message>
+        <source>last sign-in at each station</source>
+        <translation>letzte Anmeldung an jedem Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>audit log: what was done to and by the person</source>
+        <translation>Protokoll: was an der Person und von ihr getan wurde</translation>
+    </message>
+    <message>
+        <source>%1: another export is being written there</source>
+        <translation>%1: Dorthin wird gerade ein anderer Export geschrieben</translation>
+    </message>
+    <message>
+        <source>wait until it is complete, or choose another name</source>
+        <translation>warten Sie, bis er vollständig ist, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>What %1 has stored about a person</source>
+        <translation>Was %1 über eine Person gespeichert hat</translation>
+    </message>
+    <message>
+        <source>all files</source>
+        <translation>alle Dateien</translation>
+    </message>
+    <message>
+        <source>Files of tables open in a spreadsheet; times are UTC. Recordings are packed with gzip. The password is not stored, only a verifier of it, which is not in these files.</source>
+        <translation>Die Dateien der Tabellen lassen sich in einer Tabellenkalkulation öffnen; Zeiten sind in UTC. Aufzeichnungen sind mit gzip gepackt. Das Passwort ist nicht gespeichert, nur ein Prüfwert davon, der nicht in diesen Dateien ist.</translation>
+    </message>
+    <message>
+        <source>writing the recordings</source>
+        <translation>Aufzeichnungen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>data cannot be kept for %1 months</source>
+        <translation>Daten können nicht %1 Monate aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>%1: this person is not due to be erased</source>
+        <translation>%1: Die Zeit dieser Person ist nicht abgelaufen</translation>
+    </message>
+    <message>
+        <source>look at the list again; nobody was erased</source>
+        <translation>sehen Sie die Liste noch einmal an; niemand wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>erasing people</source>
+        <translation>Personen werden gelöscht</translation>
+    </message>
+    <message>
+        <source>cannot be used with --keep</source>
+        <translation>lässt sich nicht mit --keep verwenden</translation>
+    </message>
+    <message>
+        <source>a copy that nobody has verified replaces no backup</source>
+        <translation>eine Kopie, die niemand geprüft hat, ersetzt keine Sicherung</translation>
+    </message>
+    <message>
+        <source>name a new folder for the files</source>
+        <translation>nennen Sie einen neuen Ordner für die Dateien</translation>
+    </message>
+    <message>
+        <source>%1 people are due, not %2</source>
+        <translation>die Zeit von %1 Personen ist abgelaufen, nicht von %2</translation>
+    </message>
+    <message>
+        <source>look at the list again (without --erase), then give its number</source>
+        <translation>sehen Sie die Liste noch einmal an (ohne --erase), und nennen Sie dann ihre Anzahl</translation>
+    </message>
+    <message>
+        <source>cannot be used with --months and --off</source>
+        <translation>lässt sich nicht mit --months und --off verwenden</translation>
+    </message>
+    <message>
+        <source>set the time first, then look at the list</source>
+        <translation>legen Sie zuerst die Zeit fest, und sehen Sie dann die Liste an</translation>
+    </message>
+    <message>
+        <source>attempt %1: its record is not what its inputs give, from %2 s on</source>
+        <translation>Versuch %1: Seine Aufzeichnung ist ab %2 s nicht das, was seine Eingaben ergeben</translation>
+    </message>
+    <message>
+        <source>attempt %1: it ends in another state than the store has of it</source>
+        <translation>Versuch %1: Er endet in einem anderen Zustand, als der Datenbestand von ihm hat</translation>
+    </message>
+    <message>
+        <source>attempt %1: its events are not those that its inputs give</source>
+        <translation>Versuch %1: Seine Ereignisse sind nicht die, die seine Eingaben ergeben</translation>
+    </message>
+    <message>
+        <source>attempt %1: its score is not what its record gives</source>
+        <translation>Versuch %1: Seine Bewertung ist nicht das, was seine Aufzeichnung ergibt</translation>
+    </message>
+    <message>
+        <source>%1 attempts drawn of %2 with the seed %3</source>
+        <translation>%1 von %2 Versuchen mit dem Startwert %3 gezogen</translation>
+    </message>
+    <message>
+        <source>%1 attempts of other versions of the program, or taken over from a moment, cannot be simulated here</source>
+        <translation>%1 Versuche anderer Versionen der Software oder solche, die ab einem Moment übernommen wurden, lassen sich hier nicht simulieren</translation>
+    </message>
+    <message>
+        <source>attempt %1: not simulated, the time was over</source>
+        <translation>Versuch %1: nicht simuliert, die Zeit war abgelaufen</translation>
+    </message>
+    <message>
+        <source>attempt %1: not simulated, its task&apos;s file was changed since</source>
+        <translation>Versuch %1: nicht simuliert, die Datei seiner Aufgabe wurde seither geändert</translation>
+    </message>
+    <message>
+        <source>attempt %1: simulated, %2 samples compared</source>
+        <translation>Versuch %1: simuliert, %2 Abtastwerte verglichen</translation>
+    </message>
+    <message>
+        <source>attempt %1: simulated until the time was over</source>
+        <translation>Versuch %1: simuliert, bis die Zeit abgelaufen war</translation>
+    </message>
+    <message>
+        <source>attempt %1: not simulated (%2)</source>
+        <translation>Versuch %1: nicht simuliert (%2)</translation>
+    </message>
+    <message>
+        <source>attempt %1: cannot be read (%2)</source>
+        <translation>Versuch %1: nicht lesbar (%2)</translation>
+    </message>
+    <message>
+        <source>%1: fewer than %2 experts are left with a value after the outlier rule</source>
+        <translation>%1: nach der Ausreißerregel bleiben weniger als %2 Experten mit einem Wert</translation>
+    </message>
+    <message>
+        <source>%1 experts where %2 are needed</source>
+        <translation>%1 Experten, wo %2 nötig sind</translation>
+    </message>
+    <message>
+        <source>%1 has %2 counted attempts where %3 are needed</source>
+        <translation>%1 hat %2 gezählte Versuche, wo %3 nötig sind</translation>
+    </message>
+    <message>
+        <source>fewer than %1 familiarisation attempts came before the counted ones</source>
+        <translation>vor den gezählten Versuchen lagen weniger als %1 Versuche zur Eingewöhnung</translation>
+    </message>
+    <message>
+        <source>without %1: %2</source>
+        <translation>ohne %1: %2</translation>
+    </message>
+    <message>
+        <source>only %1 % of the experts&apos; own attempts pass all gates at k = %2, the best of all, where %3 % are needed</source>
+        <translation>nur %1 % der eigenen Versuche der Experten bestehen alle Kriterien bei k = %2, dem besten von allen, wo %3 % nötig sind</translation>
+    </message>
+    <message>
+        <source>version %1 of %2 is in force, so that version %3 cannot follow it</source>
+        <translation>Version %1 von %2 gilt, sodass Version %3 nicht auf sie folgen kann</translation>
+    </message>
+    <message>
+        <source>save the set; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
+        <translation>Speichern Sie den Satz; der Administrator legt die Datei dorthin, und ein Ausbilder nimmt sie mit `fulcrum assets accept` an</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
@@ -11039,6 +11375,38 @@
         <source>No attempts yet</source>
         <translation>Noch keine Versuche</translation>
     </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Zählt</translation>
+    </message>
+    <message>
+        <source>Fitted curve</source>
+        <translation>Angepasste Kurve</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::AttemptsPage</name>
@@ -11305,6 +11673,149 @@ und %1 weitere</translation>
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::BenchmarkPage</name>
+    <message>
+        <source>Build limits</source>
+        <translation>Grenzwerte bilden</translation>
+    </message>
+    <message>
+        <source>A benchmark set is made from the assessed attempts of at least %1 experts who performed the task %2 times or more. The first %3 attempts of each person are familiarisation and do not count. Nothing changes until you put the set in force.</source>
+        <translation>Ein Satz von Grenzwerten entsteht aus den bewerteten Versuchen von mindestens %1 Experten, die die Aufgabe %2-mal oder öfter durchgeführt haben. Die ersten %3 Versuche jeder Person dienen der Eingewöhnung und zählen nicht. Es ändert sich nichts, bis Sie den Satz in Kraft setzen.</translation>
+    </message>
+    <message>
+        <source>What the limits are for</source>
+        <translation>Wofür die Grenzwerte gelten</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Class of devices</source>
+        <translation>Geräteklasse</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation>Experten</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Gezählt</translation>
+    </message>
+    <message>
+        <source>People with attempts at this task</source>
+        <translation>Personen mit Versuchen an dieser Aufgabe</translation>
+    </message>
+    <message>
+        <source>Build the set</source>
+        <translation>Satz bilden</translation>
+    </message>
+    <message>
+        <source>The set</source>
+        <translation>Der Satz</translation>
+    </message>
+    <message>
+        <source>Who would pass with each set</source>
+        <translation>Wer mit welchem Satz bestehen würde</translation>
+    </message>
+    <message>
+        <source>Why this set is made (in the audit log and in the set)</source>
+        <translation>Warum dieser Satz entsteht (steht im Prüfprotokoll und im Satz)</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>In Kraft setzen</translation>
+    </message>
+    <message>
+        <source>File for another station, or for the administrator</source>
+        <translation>Datei für eine andere Station oder für den Administrator</translation>
+    </message>
+    <message>
+        <source>Save to a file</source>
+        <translation>In eine Datei speichern</translation>
+    </message>
+    <message>
+        <source>Reading the attempts …</source>
+        <translation>Die Versuche werden gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nobody has an assessed and completed attempt of this kind here.</source>
+        <translation>Niemand hat hier einen bewerteten und beendeten Versuch dieser Art.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1, of them with at least %2 counted attempts: %3. At least %4 are needed.</source>
+        <translation>Gewählt: %1, davon mit mindestens %2 gezählten Versuchen: %3. Mindestens %4 sind nötig.</translation>
+    </message>
+    <message>
+        <source>Building the set …</source>
+        <translation>Der Satz wird gebildet …</translation>
+    </message>
+    <message>
+        <source>✓ Usable. With k = %1, %2 % of the experts&apos; own attempts pass, each held against a set made without its expert.</source>
+        <translation>✓ Verwendbar. Mit k = %1 bestehen %2 % der eigenen Versuche der Experten, jeder an einem Satz gemessen, der ohne seinen Experten entstand.</translation>
+    </message>
+    <message>
+        <source>✕ Refused: %1.</source>
+        <translation>✕ Abgelehnt: %1.</translation>
+    </message>
+    <message>
+        <source>No attempt stored here counts under these limits yet.</source>
+        <translation>Noch zählt kein hier gespeicherter Versuch unter diesen Grenzwerten.</translation>
+    </message>
+    <message>
+        <source>Each dot is an attempt that counts; a line with a letter is the limit of a set.</source>
+        <translation>Jeder Punkt ist ein Versuch, der zählt; eine Linie mit Buchstabe ist der Grenzwert eines Satzes.</translation>
+    </message>
+    <message>
+        <source>the new set (%1)</source>
+        <translation>der neue Satz (%1)</translation>
+    </message>
+    <message>
+        <source>in force (%1)</source>
+        <translation>geltend (%1)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is left out, whose mean is more than 1.96 standard deviations from that of the experts.</source>
+        <translation>%1: %2 bleibt außer Betracht; der Mittelwert liegt mehr als 1,96 Standardabweichungen von dem der Experten entfernt.</translation>
+    </message>
+    <message>
+        <source>%1: the limit is the worst value of the experts, %2.</source>
+        <translation>%1: Der Grenzwert ist der schlechteste Wert der Experten, %2.</translation>
+    </message>
+    <message>
+        <source>%1: failed by %2 of the experts&apos; own attempts.</source>
+        <translation>%1: von %2 der eigenen Versuche der Experten nicht erfüllt.</translation>
+    </message>
+    <message>
+        <source>Version %1 of %2 is in force. Attempts that have begun keep their limits.</source>
+        <translation>Version %1 von %2 gilt. Begonnene Versuche behalten ihre Grenzwerte.</translation>
+    </message>
+    <message>
+        <source>Wrote %1. Attempts are held against it once it is among the program&apos;s benchmark sets and accepted.</source>
+        <translation>%1 geschrieben. Versuche werden daran gemessen, sobald der Satz bei den Grenzwerten des Programms liegt und angenommen ist.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::BriefingPage</name>
     <message>
         <source>One mouse for each hand: practice only, because no limits exist for two mice. F1 shows what their buttons do.</source>
@@ -11531,6 +12042,52 @@ und %1 weitere</translation>
     <message>
         <source>Wrote %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::ChartFrame</name>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>%1: show the values as a table</source>
+        <translation>%1: Werte als Tabelle zeigen</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>%1: copy as a picture</source>
+        <translation>%1: als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy data</source>
+        <translation>Daten kopieren</translation>
+    </message>
+    <message>
+        <source>%1: copy the values, to be pasted into a spreadsheet</source>
+        <translation>%1: Werte kopieren, zum Einfügen in eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>%1: show the chart</source>
+        <translation>%1: Diagramm zeigen</translation>
+    </message>
+    <message>
+        <source>The picture was copied.</source>
+        <translation>Das Bild wurde kopiert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows were copied.</source>
+        <translation>
+            <numerusform>%n Zeile wurde kopiert.</numerusform>
+            <numerusform>%n Zeilen wurden kopiert.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11801,6 +12358,10 @@ Kennzahlen: %2</translation>
         <source>Your comment was kept as a draft of %1.</source>
         <translation>Ihr Kommentar wurde als Entwurf bei %1 aufbewahrt.</translation>
     </message>
+    <message>
+        <source> · reason for an error, not given yet, visible only to you</source>
+        <translation> · Begründung zu einem Fehler, noch nicht abgegeben, nur für Sie sichtbar</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparePage</name>
@@ -11859,18 +12420,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Abschnitt</translation>
-    </message>
-    <message>
-        <source>Part of the attempt</source>
-        <translation>Abschnitt des Versuchs</translation>
-    </message>
-    <message>
-        <source>Whole attempt</source>
-        <translation>Ganzer Versuch</translation>
     </message>
     <message>
         <source>What is drawn</source>
@@ -11957,28 +12506,8 @@ Kennzahlen: %2</translation>
         <translation>dieser Versuch</translation>
     </message>
     <message>
-        <source>Step %1: %2</source>
-        <translation>Schritt %1: %2</translation>
-    </message>
-    <message>
-        <source>Own range</source>
-        <translation>Eigener Bereich</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
         <source>; metrics of this attempt alone</source>
         <translation>; nur Kennzahlen dieses Versuchs</translation>
-    </message>
-    <message>
-        <source>Start part here</source>
-        <translation>Abschnitt hier beginnen</translation>
-    </message>
-    <message>
-        <source>End part here</source>
-        <translation>Abschnitt hier beenden</translation>
     </message>
     <message>
         <source>Hold Shift and drag to choose a part.</source>
@@ -12066,6 +12595,18 @@ Kennzahlen: %2</translation>
     <message>
         <source>Other attempt</source>
         <translation>Anderer Versuch</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Whole attempt</source>
+        <translation>Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>Metrics of the part</source>
+        <translation>Kennzahlen des Abschnitts</translation>
     </message>
 </context>
 <context>
@@ -12427,6 +12968,384 @@ Kennzahlen: %2</translation>
     <message>
         <source>Change the draft first; it is the same as the version in force.</source>
         <translation>Ändern Sie zuerst den Entwurf; er gleicht der geltenden Version.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardPage</name>
+    <message>
+        <source>Dashboard</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Weeks that the plan gives for all tasks</source>
+        <translation>Wochen, die der Plan für alle Aufgaben vorsieht</translation>
+    </message>
+    <message>
+        <source>The plan: all tasks of the curriculum at an even pace, in so many weeks from a person&apos;s first day of practice on.</source>
+        <translation>Der Plan: alle Aufgaben des Curriculums in gleichmäßigem Tempo, in so vielen Wochen ab dem ersten Übungstag der Person.</translation>
+    </message>
+    <message>
+        <source>Plan: </source>
+        <translation>Plan: </translation>
+    </message>
+    <message>
+        <source> weeks</source>
+        <translation> Wochen</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>There is no cohort yet. A director creates cohorts on the page &quot;Assign cohorts&quot;.</source>
+        <translation>Es gibt noch keine Gruppe. Die Programmleitung legt Gruppen auf der Seite „Gruppen zuteilen“ an.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> · synthetic left out: %1</source>
+        <translation> · synthetische ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source> · Click on a part of a picture to see who is behind it.</source>
+        <translation> · Klicken Sie auf einen Teil eines Bildes, um zu sehen, wer dahintersteht.</translation>
+    </message>
+    <message>
+        <source>There is nobody to show here.</source>
+        <translation>Hier gibt es niemanden zu zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardTexts</name>
+    <message>
+        <source>d MMM</source>
+        <translation>d. MMM</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>overdue</source>
+        <translation>überfällig</translation>
+    </message>
+    <message>
+        <source>due now</source>
+        <translation>jetzt fällig</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>später</translation>
+    </message>
+    <message>
+        <source>weeks since the first day of practice</source>
+        <translation>Wochen seit dem ersten Übungstag</translation>
+    </message>
+    <message>
+        <source>tasks done</source>
+        <translation>erledigte Aufgaben</translation>
+    </message>
+    <message>
+        <source>on plan</source>
+        <translation>im Plan</translation>
+    </message>
+    <message>
+        <source>behind it</source>
+        <translation>dahinter zurück</translation>
+    </message>
+    <message numerus="yes">
+        <source>plan: all tasks in %n weeks</source>
+        <translation>
+            <numerusform>Plan: alle Aufgaben in %n Woche</numerusform>
+            <numerusform>Plan: alle Aufgaben in %n Wochen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Since the first day of practice</source>
+        <translation>Seit dem ersten Übungstag</translation>
+    </message>
+    <message>
+        <source>weeks</source>
+        <translation>Wochen</translation>
+    </message>
+    <message>
+        <source>Tasks done</source>
+        <translation>Erledigte Aufgaben</translation>
+    </message>
+    <message>
+        <source>Tasks by the plan</source>
+        <translation>Aufgaben nach Plan</translation>
+    </message>
+    <message>
+        <source>Behind by</source>
+        <translation>Rückstand</translation>
+    </message>
+    <message>
+        <source>tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>%1: week %2, %3 of %4 tasks done, %5 by the plan</source>
+        <translation>%1: Woche %2, %3 von %4 Aufgaben erledigt, %5 nach Plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n have not begun</source>
+        <translation>
+            <numerusform>%n hat noch nicht begonnen</numerusform>
+            <numerusform>%n haben noch nicht begonnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on plan, %2 behind it.</source>
+        <translation>%1 im Plan, %2 dahinter zurück.</translation>
+    </message>
+    <message>
+        <source>Nobody has practised yet.</source>
+        <translation>Noch hat niemand geübt.</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Tried</source>
+        <translation>Versucht</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>95 % interval from</source>
+        <translation>95-%-Intervall von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>nicht versucht</translation>
+    </message>
+    <message>
+        <source>People who passed at least once, of those who tried. Line: 95 % interval (Wilson).</source>
+        <translation>Personen, die mindestens einmal bestanden haben, von denen, die es versucht haben. Linie: 95-%-Intervall (Wilson).</translation>
+    </message>
+    <message>
+        <source>There is nobody in this cohort.</source>
+        <translation>In dieser Gruppe ist niemand.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n people who tried are not there yet</source>
+        <translation>
+            <numerusform>%1: %n Person, die es versucht hat, ist noch nicht so weit</numerusform>
+            <numerusform>%1: %n Personen, die es versucht haben, sind noch nicht so weit</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: fewer than half so far.</source>
+        <translation>%1: bisher weniger als die Hälfte.</translation>
+    </message>
+    <message>
+        <source>days since the first attempt that counts</source>
+        <translation>Tage seit dem ersten zählenden Versuch</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Since the first attempt</source>
+        <translation>Seit dem ersten Versuch</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>Nobody has tried this task yet.</source>
+        <translation>Diese Aufgabe hat noch niemand versucht.</translation>
+    </message>
+    <message>
+        <source>first pass</source>
+        <translation>zum ersten Mal bestanden</translation>
+    </message>
+    <message>
+        <source>proficient</source>
+        <translation>sicher beherrscht</translation>
+    </message>
+    <message>
+        <source>By the method of Kaplan and Meier.</source>
+        <translation>Nach dem Verfahren von Kaplan und Meier.</translation>
+    </message>
+    <message>
+        <source>attempts of any kind, by the week&apos;s Monday</source>
+        <translation>Versuche jeder Art, nach dem Montag der Woche</translation>
+    </message>
+    <message>
+        <source>Week from</source>
+        <translation>Woche ab</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>People who practised</source>
+        <translation>Übende</translation>
+    </message>
+    <message numerus="yes">
+        <source>week of %1: %n attempts</source>
+        <translation>
+            <numerusform>Woche ab %1: %n Versuch</numerusform>
+            <numerusform>Woche ab %1: %n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in the last %1 weeks.</source>
+        <translation>in den letzten %1 Wochen.</translation>
+    </message>
+    <message>
+        <source>checks</source>
+        <translation>Überprüfungen</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Due on</source>
+        <translation>Fällig am</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n Überprüfung</numerusform>
+            <numerusform>%n Überprüfungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 overdue, %2 due now, %3 planned.</source>
+        <translation>%1 überfällig, %2 jetzt fällig, %3 geplant.</translation>
+    </message>
+    <message>
+        <source>Nobody is proficient yet, so no check is planned.</source>
+        <translation>Noch beherrscht niemand eine Aufgabe sicher, deshalb ist keine Überprüfung geplant.</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1: erledigt</translation>
+    </message>
+    <message>
+        <source>%1: begun</source>
+        <translation>%1: begonnen</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>People who got so far</source>
+        <translation>So weit gekommen</translation>
+    </message>
+    <message>
+        <source>Share of the cohort</source>
+        <translation>Anteil der Gruppe</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>Begun: at least one attempt that counts. Done: proficient in every task of the stage, or its rule met by provisional limits.</source>
+        <translation>Begonnen: mindestens ein zählender Versuch. Erledigt: jede Aufgabe der Stufe sicher beherrscht, oder ihre Regel mit vorläufigen Grenzen erfüllt.</translation>
+    </message>
+    <message>
+        <source>%1, tried and not passed yet</source>
+        <translation>%1, versucht und noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Practised in the week of %1</source>
+        <translation>Geübt in der Woche ab %1</translation>
+    </message>
+    <message>
+        <source>Checks, %1</source>
+        <translation>Überprüfungen, %1</translation>
+    </message>
+    <message>
+        <source>%1, tried and not proficient yet</source>
+        <translation>%1, versucht und noch nicht sicher beherrscht</translation>
+    </message>
+    <message>
+        <source>Progress against the plan</source>
+        <translation>Fortschritt gegenüber dem Plan</translation>
+    </message>
+    <message>
+        <source>People who passed each task</source>
+        <translation>Personen, die jede Aufgabe bestanden haben</translation>
+    </message>
+    <message>
+        <source>Time to proficiency</source>
+        <translation>Zeit bis zur sicheren Beherrschung</translation>
+    </message>
+    <message>
+        <source>Attempts each week</source>
+        <translation>Versuche je Woche</translation>
+    </message>
+    <message>
+        <source>Retention checks that are due</source>
+        <translation>Fällige Überprüfungen</translation>
+    </message>
+    <message>
+        <source>How far people are in the stages</source>
+        <translation>Wie weit die Personen in den Stufen sind</translation>
+    </message>
+    <message>
+        <source>%1: half are there after %2 days (95 % interval %3 to %4).</source>
+        <translation>%1: die Hälfte nach %2 Tagen (95-%-Intervall %3 bis %4).</translation>
+    </message>
+    <message>
+        <source>%1: half are there after %2 days (95 % interval %3 or more).</source>
+        <translation>%1: die Hälfte nach %2 Tagen (95-%-Intervall %3 oder mehr).</translation>
     </message>
 </context>
 <context>
@@ -12879,6 +13798,10 @@ Kennzahlen: %2</translation>
         <source>Give a reason first: the trainee reads it.</source>
         <translation>Geben Sie zuerst einen Grund an: Wer trainiert, liest ihn.</translation>
     </message>
+    <message>
+        <source>Your reason was kept as a draft of %1.</source>
+        <translation>Ihre Begründung wurde als Entwurf zu %1 behalten.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ExportRow</name>
@@ -12916,10 +13839,6 @@ Kennzahlen: %2</translation>
     <message>
         <source>A simulator for laparoscopic rectal surgery with its training programme: tasks, scores with their evidence, reviews and reports.</source>
         <translation>Ein Simulator für die laparoskopische Rektumchirurgie mit seinem Ausbildungsprogramm: Aufgaben, Bewertungen mit ihren Belegen, Durchsichten und Berichte.</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Create programme</source>
@@ -13016,6 +13935,14 @@ Kennzahlen: %2</translation>
     <message>
         <source>Join a programme</source>
         <translation>Einem Programm beitreten</translation>
+    </message>
+    <message>
+        <source>Is there a backup of a programme, from this machine or another one?</source>
+        <translation>Gibt es eine Sicherung eines Programms, von diesem Rechner oder einem anderen?</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -13868,6 +14795,54 @@ Kennzahlen: %2</translation>
         <source>attempts here</source>
         <translation>Versuche hier</translation>
     </message>
+    <message>
+        <source>Gate</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Limit of the set or attempt</source>
+        <translation>Grenze des Satzes oder Versuch</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>limit of set %1</source>
+        <translation>Grenze des Satzes %1</translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Geometric mean, or mark</source>
+        <translation>Geometrisches Mittel oder Marke</translation>
+    </message>
+    <message>
+        <source>Mean, or mark</source>
+        <translation>Mittelwert oder Marke</translation>
+    </message>
+    <message>
+        <source>Geometric standard deviation</source>
+        <translation>Geometrische Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>mark between them</source>
+        <translation>Marke dazwischen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::LimitsPage</name>
@@ -13998,6 +14973,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>%1 (limit of the task: %2)</source>
         <translation>%1 (Grenzwert der Aufgabe: %2)</translation>
+    </message>
+    <message>
+        <source>Experts and attempts here</source>
+        <translation>Experten und Versuche hier</translation>
     </message>
 </context>
 <context>
@@ -14504,6 +15483,68 @@ Kennzahlen: %2</translation>
         <source>Passed: people who passed at least once, of those who tried (95 % interval). Days: from a person&apos;s first attempt that counts; median over people by the Kaplan-Meier method (95 % interval). With provisional limits a task can be passed, but nobody becomes proficient.</source>
         <translation>Bestanden: Personen, die mindestens einmal bestanden haben, von denen, die es versucht haben (95-%-Intervall). Tage: ab dem ersten Versuch einer Person, der zählt; Median über die Personen nach Kaplan und Meier (95-%-Intervall). Mit vorläufigen Grenzwerten ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
     </message>
+    <message>
+        <source>people</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>People in each standing</source>
+        <translation>Personen in jedem Stand</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PartCard</name>
+    <message>
+        <source>Metrics of a part</source>
+        <translation>Kennzahlen eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Choose a step, hold Shift and drag in a chart, or set the replay to a moment and start or end the part there.</source>
+        <translation>Wählen Sie einen Schritt, ziehen Sie mit gedrückter Umschalttaste in einem Diagramm, oder stellen Sie die Wiedergabe auf einen Zeitpunkt und beginnen oder beenden Sie den Abschnitt dort.</translation>
+    </message>
+    <message>
+        <source>Zoom to the part</source>
+        <translation>Abschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>; no metrics of a part, because this program does not have the task</source>
+        <translation>; keine Kennzahlen eines Abschnitts, weil dieses Programm die Aufgabe nicht hat</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::PartChoice</name>
+    <message>
+        <source>Part</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Part of the attempt</source>
+        <translation>Abschnitt des Versuchs</translation>
+    </message>
+    <message>
+        <source>Start part here</source>
+        <translation>Abschnitt hier beginnen</translation>
+    </message>
+    <message>
+        <source>End part here</source>
+        <translation>Abschnitt hier beenden</translation>
+    </message>
+    <message>
+        <source>Whole attempt</source>
+        <translation>Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>Eigener Bereich</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PassRuleChart</name>
@@ -14518,6 +15559,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Chance of being declared proficient, by number of attempts</source>
         <translation>Wahrscheinlichkeit, dass „sicher beherrscht“ festgestellt wird, nach Anzahl der Versuche</translation>
+    </message>
+    <message>
+        <source>passes %1 %, rule in force</source>
+        <translation>besteht %1 %, geltende Regel</translation>
     </message>
 </context>
 <context>
@@ -14829,6 +15874,162 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::PersonalDataPage</name>
+    <message>
+        <source>Personal data</source>
+        <translation>Personendaten</translation>
+    </message>
+    <message>
+        <source>One person</source>
+        <translation>Eine Person</translation>
+    </message>
+    <message>
+        <source>All that this store holds about a person: look at it, write it to a folder for the person, or erase it. The audit log says that it was done.</source>
+        <translation>Alles, was dieser Datenbestand über eine Person enthält: ansehen, für die Person in einen Ordner schreiben oder löschen. Das Protokoll vermerkt es.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Stored</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Write to a folder …</source>
+        <translation>In einen Ordner schreiben …</translation>
+    </message>
+    <message>
+        <source>New folder for the data</source>
+        <translation>Neuer Ordner für die Daten</translation>
+    </message>
+    <message>
+        <source>Reason for erasing; it stays, so name nobody in it</source>
+        <translation>Grund für das Löschen; er bleibt erhalten, nennen Sie darin niemanden</translation>
+    </message>
+    <message>
+        <source>Reason for erasing</source>
+        <translation>Grund für das Löschen</translation>
+    </message>
+    <message>
+        <source>Erase this person</source>
+        <translation>Diese Person löschen</translation>
+    </message>
+    <message>
+        <source>Erase for good</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+    <message>
+        <source>How long data are kept</source>
+        <translation>Wie lange Daten aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>Trainees whose last practice or sign-in is longer ago are listed here. Nobody is erased until you do it.</source>
+        <translation>Lernende, deren letzte Übung oder Anmeldung länger zurückliegt, werden hier aufgeführt. Niemand wird gelöscht, bis Sie es tun.</translation>
+    </message>
+    <message>
+        <source>Keep data of trainees for</source>
+        <translation>Daten von Lernenden aufbewahren:</translation>
+    </message>
+    <message>
+        <source>Months after the last practice</source>
+        <translation>Monate nach der letzten Übung</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>months after the last practice</source>
+        <translation>Monate nach der letzten Übung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Last practice</source>
+        <translation>Letzte Übung</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Erase all listed</source>
+        <translation>Alle aufgeführten löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Erase %n people for good</source>
+        <translation>
+            <numerusform>%n Person endgültig löschen</numerusform>
+            <numerusform>%n Personen endgültig löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>nobody chosen</source>
+        <translation>niemand gewählt</translation>
+    </message>
+    <message>
+        <source>Recordings in this store: %1</source>
+        <translation>Aufzeichnungen in diesem Datenbestand: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1. Give it to the person, and delete it.</source>
+        <translation>Geschrieben nach %1. Geben Sie es der Person, und löschen Sie es.</translation>
+    </message>
+    <message>
+        <source>Writing the data …</source>
+        <translation>Die Daten werden geschrieben …</translation>
+    </message>
+    <message>
+        <source>Erased. A backup from before still has the person; restoring it erases them again.</source>
+        <translation>Gelöscht. Eine ältere Sicherung enthält die Person noch; beim Wiederherstellen wird sie wieder gelöscht.</translation>
+    </message>
+    <message>
+        <source>No end is set: nobody is due.</source>
+        <translation>Es ist kein Ende festgelegt: Niemand ist zu löschen.</translation>
+    </message>
+    <message>
+        <source>Nobody is due.</source>
+        <translation>Niemand ist zu löschen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are due.</source>
+        <translation>
+            <numerusform>%n Person ist zu löschen.</numerusform>
+            <numerusform>%n Personen sind zu löschen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>Gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were erased.</source>
+        <translation>
+            <numerusform>%n Person wurde gelöscht.</numerusform>
+            <numerusform>%n Personen wurden gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erasing …</source>
+        <translation>Es wird gelöscht …</translation>
+    </message>
+    <message>
+        <source>The demonstration holds simulated people only.</source>
+        <translation>Die Vorführung enthält nur simulierte Personen.</translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::PictureCard</name>
     <message>
         <source>Picture</source>
@@ -14982,6 +16183,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 · %3 of %2 counting attempts passed</source>
         <translation>%1 · %3 von %2 zählenden Versuchen bestanden</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -15190,6 +16395,171 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>any</source>
         <translation>beliebig</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RepairPage</name>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The backup is read from end to end before it takes the store&apos;s place. What is there now is kept under another name. What was done after the backup is not in it.</source>
+        <translation>Die Sicherung wird ganz gelesen, bevor sie an die Stelle des Datenbestands tritt. Was jetzt dort ist, bleibt unter einem anderen Namen erhalten. Was nach der Sicherung getan wurde, ist nicht in ihr.</translation>
+    </message>
+    <message>
+        <source>Last entry</source>
+        <translation>Letzter Eintrag</translation>
+    </message>
+    <message>
+        <source>Programme</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Look in another folder …</source>
+        <translation>In einem anderen Ordner suchen …</translation>
+    </message>
+    <message>
+        <source>Folder with backups</source>
+        <translation>Ordner mit Sicherungen</translation>
+    </message>
+    <message>
+        <source>Administrator of the backup</source>
+        <translation>Administrator der Sicherung</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Restore this backup</source>
+        <translation>Diese Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Other ways</source>
+        <translation>Andere Wege</translation>
+    </message>
+    <message>
+        <source>Keep the file under another name</source>
+        <translation>Datei unter anderem Namen behalten</translation>
+    </message>
+    <message>
+        <source>Open another programme …</source>
+        <translation>Anderes Programm öffnen …</translation>
+    </message>
+    <message>
+        <source>Store of another programme</source>
+        <translation>Datenbestand eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>Store (*.db)</source>
+        <translation>Datenbestand (*.db)</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Umsehen</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The file stays in its folder, with &quot;.damaged&quot; and the time behind its name. Fulcrum then begins with an empty store; a backup can be restored later.</source>
+        <translation>Die Datei bleibt in ihrem Ordner, mit „.damaged“ und der Zeit hinter ihrem Namen. Fulcrum beginnt dann mit einem leeren Datenbestand; eine Sicherung lässt sich später wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Give it another name</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The store is damaged</source>
+        <translation>Der Datenbestand ist beschädigt</translation>
+    </message>
+    <message>
+        <source>The store cannot be opened</source>
+        <translation>Der Datenbestand lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The store: %1</source>
+        <translation>Der Datenbestand: %1</translation>
+    </message>
+    <message>
+        <source>Looking for backups …</source>
+        <translation>Sicherungen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>No backup was found in %1.</source>
+        <translation>In %1 wurde keine Sicherung gefunden.</translation>
+    </message>
+    <message>
+        <source>Found in %1.</source>
+        <translation>Gefunden in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ no damage found</source>
+        <translation>✓ kein Schaden gefunden</translation>
+    </message>
+    <message>
+        <source>✕ cannot be used</source>
+        <translation>✕ nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>The backup was restored.</source>
+        <translation>Die Sicherung wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What was there before is kept in %1</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Was vorher dort war, ist erhalten in %1</translation>
+    </message>
+    <message>
+        <source>Restoring the backup …</source>
+        <translation>Die Sicherung wird wiederhergestellt …</translation>
+    </message>
+    <message>
+        <source>The file is kept in %1</source>
+        <translation>Die Datei ist erhalten in %1</translation>
     </message>
 </context>
 <context>
@@ -15788,6 +17158,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>attempt signed by key %1</source>
         <translation>Versuch signiert mit Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>Files (sha256): %1</source>
+        <translation>Dateien (sha256): %1</translation>
+    </message>
+    <message>
+        <source>Files: %1, sha256 of their list %2</source>
+        <translation>Dateien: %1, sha256 ihrer Liste %2</translation>
+    </message>
+    <message>
+        <source>not tamper-evident (manual: Who can change the store)</source>
+        <translation>Eingriffe nicht erkennbar (Handbuch: Who can change the store)</translation>
     </message>
 </context>
 <context>
@@ -16440,10 +17822,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>✓ Der Datenbestand ist unversehrt.</translation>
     </message>
     <message>
-        <source>✕ The store is damaged. Copy the file away before anything else, then restore the newest backup.</source>
-        <translation>✕ Der Datenbestand ist beschädigt. Kopieren Sie zuallererst die Datei an einen anderen Ort, stellen Sie dann die neueste Sicherung wieder her.</translation>
-    </message>
-    <message>
         <source>✓ intact</source>
         <translation>✓ unversehrt</translation>
     </message>
@@ -16534,6 +17912,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>✕ not signed by the previous key</source>
         <translation>✕ vom vorigen Schlüssel nicht unterschrieben</translation>
+    </message>
+    <message>
+        <source>A backup can take the place of the store. You are signed out for that; the backup&apos;s administrator signs in, and what is in the store now is kept under another name.</source>
+        <translation>Eine Sicherung kann an die Stelle des Datenbestands treten. Sie werden dafür abgemeldet; ein Administrator der Sicherung meldet sich an, und was jetzt im Datenbestand ist, bleibt unter einem anderen Namen erhalten.</translation>
+    </message>
+    <message>
+        <source>Restore a backup …</source>
+        <translation>Sicherung wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>✕ The store is damaged. Restore the newest backup: what is in the store now is kept under another name.</source>
+        <translation>✕ Der Datenbestand ist beschädigt. Stellen Sie die neueste Sicherung wieder her: Was jetzt im Datenbestand ist, bleibt unter einem anderen Namen erhalten.</translation>
     </message>
 </context>
 <context>
@@ -16858,6 +18248,29 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 s: %2</source>
         <translation>%1 s: %2</translation>
+    </message>
+    <message>
+        <source>%1: highest %2 at %3 s</source>
+        <translation>%1: höchster Wert %2 bei %3 s</translation>
+    </message>
+    <message>
+        <source>%1, lower quarter</source>
+        <translation>%1, unteres Viertel</translation>
+    </message>
+    <message>
+        <source>%1, middle</source>
+        <translation>%1, Mitte</translation>
+    </message>
+    <message>
+        <source>%1, upper quarter</source>
+        <translation>%1, oberes Viertel</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::TimeCharts</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>
@@ -17222,16 +18635,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Kraft (N)</translation>
     </message>
     <message>
-        <source>mm/s</source>
-        <translation>mm/s</translation>
-    </message>
-    <message>
         <source>speed (mm/s)</source>
         <translation>Geschwindigkeit (mm/s)</translation>
-    </message>
-    <message>
-        <source>Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything.</source>
-        <translation>Mausrad zoomt, Ziehen verschiebt, Klick springt zu einem Zeitpunkt, Doppelklick zeigt alles.</translation>
     </message>
     <message>
         <source>What happened</source>
@@ -17248,6 +18653,82 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Penalties only</source>
         <translation>Nur Fehler</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything; hold Shift and drag to choose a part.</source>
+        <translation>Rollen vergrößert, Ziehen verschiebt, ein Klick springt zu einem Zeitpunkt, ein Doppelklick zeigt alles; mit gedrückter Umschalttaste ziehen wählt einen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>traction (N/m)</source>
+        <translation>Zug (N/m)</translation>
+    </message>
+    <message>
+        <source>tension (N)</source>
+        <translation>Spannung (N)</translation>
+    </message>
+    <message>
+        <source>traction across the cut (N/m)</source>
+        <translation>Zug quer zum Schnitt (N/m)</translation>
+    </message>
+    <message>
+        <source>tension of a band as it was divided (N)</source>
+        <translation>Spannung eines Strangs, als er durchtrennt wurde (N)</translation>
+    </message>
+    <message>
+        <source>traction, at least</source>
+        <translation>Zug, mindestens</translation>
+    </message>
+    <message>
+        <source>traction, at most</source>
+        <translation>Zug, höchstens</translation>
+    </message>
+    <message>
+        <source>energy; heat (mm²)</source>
+        <translation>Energie; Hitze (mm²)</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>energy of each hand; tissue reached by heat that was not meant for it (mm²)</source>
+        <translation>Energie jeder Hand; Gewebe, das Hitze erreicht hat, obwohl es nicht gemeint war (mm²)</translation>
+    </message>
+    <message>
+        <source>energy of each hand</source>
+        <translation>Energie jeder Hand</translation>
+    </message>
+    <message>
+        <source>tissue reached by heat</source>
+        <translation>Gewebe, das Hitze erreicht hat</translation>
+    </message>
+    <message>
+        <source>Force, speed, traction and energy</source>
+        <translation>Kraft, Geschwindigkeit, Zug und Energie</translation>
+    </message>
+    <message>
+        <source>traction across the cut</source>
+        <translation>Zug quer zum Schnitt</translation>
+    </message>
+    <message>
+        <source>tension of a band</source>
+        <translation>Spannung eines Bandes</translation>
+    </message>
+    <message>
+        <source>energy, left hand</source>
+        <translation>Energie, linke Hand</translation>
+    </message>
+    <message>
+        <source>energy, right hand</source>
+        <translation>Energie, rechte Hand</translation>
     </message>
 </context>
 <context>
@@ -17622,6 +19103,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Reviews of errors: all</source>
         <translation>Durchsicht von Fehlern: alle</translation>
     </message>
+    <message>
+        <source>All data of the person exported</source>
+        <translation>Alle Daten der Person exportiert</translation>
+    </message>
+    <message>
+        <source>Time for keeping data set</source>
+        <translation>Aufbewahrungszeit festgelegt</translation>
+    </message>
+    <message>
+        <source>Damaged store copied, unverified</source>
+        <translation>Beschädigter Datenbestand kopiert, ungeprüft</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::certificate</name>
@@ -17951,6 +19444,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>confirm or strike this error</source>
         <translation>diesen Fehler bestätigen oder streichen</translation>
     </message>
+    <message>
+        <source>export all that is stored about this person</source>
+        <translation>alles exportieren, was über diese Person gespeichert ist</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::goals</name>
@@ -18176,6 +19673,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Reports</source>
         <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>Personal data</source>
+        <translation>Personendaten</translation>
+    </message>
+    <message>
+        <source>Dashboard</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Build limits</source>
+        <translation>Grenzwerte bilden</translation>
     </message>
 </context>
 <context>

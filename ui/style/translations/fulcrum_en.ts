@@ -37,6 +37,16 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::ChartFrame</name>
+    <message numerus="yes">
+        <source>%n rows were copied.</source>
+        <translation>
+            <numerusform>%n row was copied.</numerusform>
+            <numerusform>%n rows were copied.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::CohortPage</name>
     <message numerus="yes">
         <source>%n people</source>
@@ -98,6 +108,68 @@
         <translation>
             <numerusform>✕ %n problem</numerusform>
             <numerusform>✕ %n problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardPage</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DashboardTexts</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>plan: all tasks in %n weeks</source>
+        <translation>
+            <numerusform>plan: all tasks in %n week</numerusform>
+            <numerusform>plan: all tasks in %n weeks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n have not begun</source>
+        <translation>
+            <numerusform>%n has not begun</numerusform>
+            <numerusform>%n have not begun</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n people who tried are not there yet</source>
+        <translation>
+            <numerusform>%1: %n person who tried is not there yet</numerusform>
+            <numerusform>%1: %n people who tried are not there yet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>week of %1: %n attempts</source>
+        <translation>
+            <numerusform>week of %1: %n attempt</numerusform>
+            <numerusform>week of %1: %n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n check</numerusform>
+            <numerusform>%n checks</numerusform>
         </translation>
     </message>
 </context>
@@ -170,12 +242,53 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::PersonalDataPage</name>
+    <message numerus="yes">
+        <source>Erase %n people for good</source>
+        <translation>
+            <numerusform>Erase %n person for good</numerusform>
+            <numerusform>Erase %n people for good</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are due.</source>
+        <translation>
+            <numerusform>%n person is due.</numerusform>
+            <numerusform>%n people are due.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were erased.</source>
+        <translation>
+            <numerusform>%n person was erased.</numerusform>
+            <numerusform>%n people were erased.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::PracticeView</name>
     <message numerus="yes">
         <source>%1, week of %2: %n attempts</source>
         <translation>
             <numerusform>%1, week of %2: %n attempt</numerusform>
             <numerusform>%1, week of %2: %n attempts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::RepairPage</name>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
         </translation>
     </message>
 </context>

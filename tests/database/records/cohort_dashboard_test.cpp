@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values behind the pictures of a cohort, on people whose days, attempts and checks are written by hand.
+#include "database/records/cohort_dashboard.h"
+
+#include <gtest/gtest.h>
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::int64_t dashboard_day_ms = 86'400'000;
+constexpr std::int64_t dashboard_today = 20'787;  // Monday, 30 November 2026
+
+Curriculum two_stages() {
+    Curriculum curriculum;
+    curriculum.id = "small";
+    curriculum.stages = {{"A", "First"}, {"B", "Second"}};
+    for (const auto& [task, stage] :
+         std::vector<std::pair<std::string, std::string>>{{"A1", "A"}, {"A2", "A"}, {"B1", "B"}}) {
+        CurriculumTask one;
+        one.task = task;
+        one.stage = stage;
+        curriculum.tasks.push_back(one);
+    }
+    return curriculum;
+}
+
+PersonStandings someone(const std::string& id) {
+    PersonStandings person;
+    person.person_id = id;
+    person.name = "Name of " + id;
+    for (const char* task : {"A1", "A2", "B1"}) {
+        PersonTask one;
+        one.standing.task = task;
+        one.standing.standing = Standing::open;
+        person.tasks.push_back(one);
+    }
+    return person;
+}
+
+void tried(PersonTask& task, std::int64_t first, std::int64_t pass, Standing standing) {
+    task.first_attempt = first * dashboard_day_ms;
+    task.first_pass = pass * dashboard_day_ms;
+    task.standing.standing = standing;
+    if (standing == Standing::proficient || standing == Standing::due)
+        task.standing.declared_at = pass * dashboard_day_ms;
+}
+
+/// Ann is done with stage A and has a check overdue, Ben has begun, Cyd has never practised.
+std::vector<PersonStandings> three_people() {
+    PersonStandings ann = someone("ann"), ben = someone("ben"), cyd = someone("cyd");
+    ann.days = {{dashboard_today - 70, 2}, {dashboard_today - 8, 3}, {dashboard_today - 2, 1}};
+    tried(ann.tasks[0], dashboard_today - 70, dashboard_today - 60, Standing::due);
+    ann.tasks[0].standing.overdue = true;
+    ann.tasks[0].standing.next_check = (dashboard_today - 20) * dashboard_day_ms;
+    tried(ann.tasks[1], dashboard_today - 70, dashboard_today - 50, Standing::proficient);
+    ann.tasks[1].standing.next_check = (dashboard_today + 9) * dashboard_day_ms;
+    ben.days = {{dashboard_today - 7, 4}, {dashboard_today, 1}};
+    tried(ben.tasks[0], dashboard_today - 7, 0, Standing::attempted);
+    return {ann, ben, cyd};
+}
+
+DashboardOptions noon() {
+    return {dashboard_today * dashboard_day_ms + dashboard_day_ms / 2, 0, 10};
+}
+
+TEST(CohortDashboard, CountsPlanWeeksChecksAndStagesAsTheyAre) {
+    const CohortDashboard dashboard = dashboard_of(three_people(), two_stages(), noon());
+    EXPECT_EQ(dashboard.people, 3);
+    ASSERT_EQ(dashboard.plan.size(), 2U);
+    EXPECT_DOUBLE_EQ(dashboard.plan[0].weeks, 10);
+    EXPECT_EQ(dashboard.plan[0].done, 2);
+    EXPECT_DOUBLE_EQ(dashboard.plan[0].planned, 3) << "the plan ends after ten weeks";
+    EXPECT_TRUE(dashboard.plan[0].behind());
+    EXPECT_DOUBLE_EQ(dashboard.plan[1].planned, 0.3);
+    EXPECT_FALSE(dashboard.plan[1].behind()) << "a part of a task is not yet a task";
+    ASSERT_EQ(dashboard.not_begun.size(), 1U);
+    EXPECT_EQ(dashboard.not_begun[0].person, 2U);
+
+    ASSERT_EQ(dashboard.weeks.size(), 12U);
+    EXPECT_EQ(dashboard.weeks.back().monday, dashboard_today);
+    EXPECT_EQ(dashboard.weeks[11].attempts, 1);
+    EXPECT_EQ(dashboard.weeks[10].attempts, 1 + 4) << "Saturday of Ann, Monday of Ben";
+    EXPECT_EQ(dashboard.weeks[10].people.size(), 2U);
+    EXPECT_EQ(dashboard.weeks[9].attempts, 3);
+    EXPECT_EQ(dashboard.weeks[1].attempts, 2) << "ten weeks ago";
+    EXPECT_EQ(dashboard.weeks[9].people[0].count, 3);
+
+    ASSERT_EQ(dashboard.checks.size(), 2U + dashboard_weeks_ahead + 1U);
+    ASSERT_EQ(dashboard.checks[0].checks.size(), 1U) << "overdue";
+    EXPECT_EQ(dashboard.checks[0].checks[0].task, "A1");
+    EXPECT_TRUE(dashboard.checks[1].checks.empty());
+    ASSERT_EQ(dashboard.checks[3].checks.size(), 1U) << "in the second week ahead";
+    EXPECT_EQ(dashboard.checks[3].checks[0].task, "A2");
+
+    ASSERT_EQ(dashboard.stages.size(), 4U);
+    EXPECT_EQ(dashboard.stages[0].people.size(), 2U) << "A begun";
+    EXPECT_EQ(dashboard.stages[1].people.size(), 1U) << "A done";
+    EXPECT_TRUE(dashboard.stages[2].people.empty()) << "B begun";
+    EXPECT_EQ(dashboard.waiting_to_pass[0].size(), 1U);
+    EXPECT_EQ(dashboard.waiting_for_proficiency[1].size(), 0U);
+}
+
+TEST(CohortDashboard, PassRatesAndCurvesAreThoseOfTheOverview) {
+    const std::vector<PersonStandings> people = three_people();
+    const CohortDashboard dashboard = dashboard_of(people, two_stages(), noon());
+    const std::vector<TaskOverview> overview = overview_of(people, noon().at);
+    ASSERT_EQ(dashboard.overview.size(), 3U);
+    for (std::size_t t = 0; t < 3; ++t) {
+        EXPECT_EQ(dashboard.overview[t].attempted, overview[t].attempted);
+        EXPECT_EQ(dashboard.overview[t].passed, overview[t].passed);
+    }
+    // Ann passed A1 after 10 days with two at risk: half were there from then on.
+    ASSERT_EQ(dashboard.overview[0].pass_curve.size(), 1U);
+    EXPECT_DOUBLE_EQ(dashboard.overview[0].pass_curve[0].time, 10);
+    EXPECT_DOUBLE_EQ(dashboard.overview[0].pass_curve[0].waiting, 0) << "Ben was observed for a week only";
+    EXPECT_DOUBLE_EQ(dashboard.overview[0].longest_days, 10);
+}
+
+TEST(CohortDashboard, IsEmptyWithoutPeopleAndTakesAnyPlan) {
+    const CohortDashboard dashboard = dashboard_of({}, two_stages(), {0, 0, -5});
+    EXPECT_EQ(dashboard.people, 0);
+    EXPECT_EQ(dashboard.plan_weeks, 1);
+    EXPECT_TRUE(dashboard.weeks.empty());
+    // East of Greenwich it is Tuesday already.
+    DashboardOptions late = noon();
+    late.utc_offset_min = 14 * 60;
+    EXPECT_EQ(dashboard_of(three_people(), two_stages(), late).weeks.back().monday, dashboard_today);
+    late.utc_offset_min = -14 * 60;
+    EXPECT_EQ(dashboard_of(three_people(), two_stages(), late).weeks.back().monday, dashboard_today - 7);
+}
+
+}  // namespace
+}  // namespace fulcrum::database

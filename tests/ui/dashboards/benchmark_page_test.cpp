@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An educator makes limits from experts' attempts with real events: chooses, builds, reads what was left out
+// and who would pass, puts the set in force. With FULCRUM_PICTURES=FOLDER pictures are stored there.
+#include "ui/dashboards/benchmark_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
+#include "database/rows/crypto.h"
+#include "database/scoring/scoring.h"
+#include "database/store/accepted_assets.h"
+#include "database/store/audit.h"
+#include "sim_core/scene/json_document.h"
+#include "tests/database/large_programme.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/support.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/hands.h"
+#include "ui/dashboards/limits_chart.h"
+#include "ui/language/language.h"
+#include "ui/shell/main_window.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+constexpr int expert_people = 10, attempts_of_expert = 6;
+
+/// Of every gate: a value at `z` of the delivered set, or one that an absolute gate lets pass.
+void write_values(const TaskDefinition& task, const BenchmarkSet& set, double z, database::ScoreRow& score) {
+    score.gates.clear();
+    score.metrics.clear();
+    for (const GateSpec& spec : task.gates) {
+        const MetricDescriptor& about = *find_metric(spec.metric);
+        const BenchmarkLevel* level = set.find(spec.metric, spec.hand, spec.tissue);
+        double value = about.direction == Direction::higher ? spec.limit : 0;
+        if (spec.kind == GateKind::benchmark && level != nullptr) value = limit_of(about, *level, z);
+        database::MetricRow metric;
+        metric.id = spec.metric;
+        metric.version = about.version;
+        metric.hand = spec.hand;
+        metric.tissue = spec.tissue;
+        metric.value = value;
+        metric.unit = about.unit;
+        metric.direction = about.direction;
+        score.metrics.push_back(metric);
+        database::GateRow gate;
+        gate.metric = spec.metric;
+        gate.hand = spec.hand;
+        gate.tissue = spec.tissue;
+        gate.kind = spec.kind;
+        gate.value = value;
+        gate.unit = about.unit;
+        gate.passed = true;
+        score.gates.push_back(gate);
+    }
+}
+
+class BuildingLimits : public ::testing::Test {
+  protected:
+    BuildingLimits() {
+        apply_theme(*qApp, Theme::light);
+        const std::filesystem::path source = test::source_path("assets");
+        std::filesystem::create_directories(assets);
+        for (const char* part : {"benchmarks", "tasks", "scenes", "curricula", "forms", "schemas"})
+            std::filesystem::copy(source / part, assets / part, std::filesystem::copy_options::recursive);
+        qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(assets.string()));
+        set = load_benchmark((assets / "benchmarks" / "A2.json").string());
+        services = std::make_unique<FakeServices>();
+        services->open_store(false);
+        int written = 0;
+        const auto programme = database::test::make_large_programme(
+            *services->store(), expert_people, attempts_of_expert, 1, 7, {"A2"},
+            [&](database::ScoreRow& score, Random& random) {
+                // The first one is far from the others.
+                const bool outlier = written++ / attempts_of_expert == 0;
+                write_values(task, set, (outlier ? 9 : 0) + random.uniform(-0.7, 0.7), score);
+            },
+            task.version);
+        director = programme.director;
+        const database::People people(*services->store());
+        const auto alma = people.sign_in("administrator", "correct horse battery");
+        const auto made = people.create(alma, "ed", "Ed Educator", {database::Role::educator});
+        ed = people.change_password(people.sign_in("ed", made.one_time_password), made.one_time_password,
+                                    "a long password");
+        people.set_educators(*director, programme.cohort, {ed->person_id()});
+        window = std::make_unique<MainWindow>(*services);
+        window->resize(1024, 740);
+        window->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        window->start();
+        QApplication::setActiveWindow(window.get());
+        open();
+    }
+    ~BuildingLimits() override {
+        window.reset();
+        before.isNull() ? qunsetenv("FULCRUM_ASSETS") : qputenv("FULCRUM_ASSETS", before);
+        use_language(Language::english);
+        apply_theme(*qApp, Theme::light);
+        apply_text_size(*qApp, 100);
+    }
+    void open() {
+        window->context().set_session(*ed);
+        // With large text the list of pages is behind a menu.
+        ASSERT_TRUE(wait_for([&] { return sees(*window, "menu") || sees(*window, "rail_benchmark"); }));
+        choose_page(*window, "rail_benchmark");
+        page = static_cast<BenchmarkPage*>(window->current_page());
+        auto* tasks = find<QComboBox>(*window, "benchmark_task");
+        tasks->setFocus();
+        QTest::keyClick(tasks, Qt::Key_Home);
+        while (tasks->currentData().toString() != "A2") QTest::keyClick(tasks, Qt::Key_Down);
+        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    }
+    QTableWidget* people() { return find<QTableWidget>(*window, "benchmark_people"); }
+    /// The check marks of the first `count` lines, by keyboard.
+    void choose_experts(int count) {
+        QTableWidget* table = people();
+        bring(*table);
+        table->setFocus();
+        for (int row = 0; row < count; ++row) {
+            table->setCurrentCell(row, 0);
+            QTest::keyClick(table, Qt::Key_Space);
+            ASSERT_EQ(table->item(row, 0)->checkState(), Qt::Checked);
+        }
+    }
+    void build() {
+        bring(*find<QAbstractButton>(*window, "benchmark_build"));
+        click(*window, "benchmark_build");
+        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    }
+    QString label(const char* name) { return find<QLabel>(*window, name)->text(); }
+    std::filesystem::path file() const { return assets / "benchmarks" / "A2.json"; }
+    void keep(const QString& name) { keep_picture(*window, "benchmark-" + name); }
+
+    test::OwnFolder folder;
+    std::filesystem::path assets = folder / "assets";
+    QByteArray before = qgetenv("FULCRUM_ASSETS");
+    TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+    BenchmarkSet set;
+    std::unique_ptr<FakeServices> services;
+    std::optional<database::Session> director, ed;
+    std::unique_ptr<MainWindow> window;
+    BenchmarkPage* page = nullptr;
+};
+
+TEST_F(BuildingLimits, ASetIsBuiltReadAndPutInForce) {
+    ASSERT_EQ(people()->rowCount(), expert_people);
+    EXPECT_EQ(people()->item(0, 1)->text(), "6");
+    EXPECT_EQ(people()->item(0, 2)->text(), "3") << "the familiarisation does not count";
+    EXPECT_FALSE(find<QAbstractButton>(*window, "benchmark_build")->isEnabled()) << "nobody is chosen";
+    choose_experts(expert_people);
+    build();
+    EXPECT_TRUE(label("benchmark_verdict").startsWith("✓ Usable. With k = "))
+        << label("benchmark_verdict").toStdString();
+    EXPECT_TRUE(label("benchmark_explained").contains("trainee1000 is left out"))
+        << label("benchmark_explained").toStdString();
+    EXPECT_TRUE(label("benchmark_explained").contains("failed by 3 of the experts' own attempts"));
+    auto* passes = find<QTableWidget>(*window, "benchmark_passes");
+    ASSERT_EQ(passes->rowCount(), 2);
+    EXPECT_TRUE(passes->item(0, 0)->text().startsWith("A · in force"));
+    EXPECT_TRUE(passes->item(1, 0)->text().startsWith("B · the new set"));
+    auto* chart = dynamic_cast<LimitsChart*>(page->findChild<QWidget*>("limits_chart"));
+    ASSERT_NE(chart, nullptr);
+    ASSERT_FALSE(chart->gates().empty());
+    EXPECT_EQ(chart->gates().front().limits.size(), 2U);
+    EXPECT_EQ(chart->gates().front().values.size(), 60U);
+    keep("light");
+    bring(*passes);
+    keep("passes-light");
+    window->set_theme(Theme::dark);
+    keep("passes-dark");
+    window->set_theme(Theme::light);
+
+    EXPECT_FALSE(find<QAbstractButton>(*window, "benchmark_put")->isEnabled()) << "a reason is missing";
+    auto* note = find<QLineEdit>(*window, "benchmark_note");
+    bring(*note);
+    note->setFocus();
+    QTest::keyClicks(note, "Ten surgeons of this site, spring 2026");
+    click(*window, "benchmark_put");
+    ASSERT_TRUE(sees(*window, "message_text"));
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    const BenchmarkSet made = load_benchmark(file().string());
+    EXPECT_EQ(made.version, set.version + 1);
+    EXPECT_FALSE(made.provisional);
+    EXPECT_EQ(made.note, "Ten surgeons of this site, spring 2026");
+    ASSERT_EQ(made.experts.size(), 10U);
+    EXPECT_EQ(made.experts[0].attempts, 3);
+    EXPECT_EQ(made.experts[0].familiarisation, 3);
+    ASSERT_FALSE(made.levels.empty());
+    EXPECT_EQ(made.levels[0].left_out, std::vector<std::string>{"trainee1000"});
+    EXPECT_EQ(
+        load_benchmark(
+            (assets / "benchmarks" / "superseded" / ("A2@" + std::to_string(set.version) + ".json")).string())
+            .version,
+        set.version)
+        << "what was in force before is kept";
+    const database::AssetFile asset{"benchmarks/A2.json",
+                                    database::sha256_hex(read_text_file(file().string(), 1U << 20U))};
+    const database::AcceptedAssets accepted(*services->store());
+    EXPECT_TRUE(accepted.unknown({asset}).empty());
+    ASSERT_EQ(accepted.list().size(), 1U);
+    EXPECT_EQ(accepted.list()[0].reason, made.note);
+    EXPECT_EQ(accepted.list()[0].person_name, "Ed Educator");
+    EXPECT_EQ(benchmark_in_force(made.key()).name(), "A2-site@" + std::to_string(made.version));
+    EXPECT_FALSE(sees(*window, "benchmark_verdict")) << "it is done";
+
+    // What the command makes of the same attempts.
+    const LoadedTask loaded = load_site_task(*services->store(), *ed, TaskRequest{"A2", "", ""});
+    std::vector<ExpertCandidate> experts =
+        expert_candidates(*services->store(), *ed, task, {"A2", "standard", DeviceClass::haptic, "standard"});
+    BenchmarkBuild same = build_benchmark(
+        task,
+        expert_request(loaded, DeviceClass::haptic, made.version,
+                       *expert_attempts(*services->store(), *ed, loaded, DeviceClass::haptic, experts)));
+    ASSERT_TRUE(same.set);
+    same.set->note = made.note;
+    EXPECT_EQ(benchmark_to_json(*same.set), benchmark_to_json(made));
+}
+
+TEST_F(BuildingLimits, TooFewAreRefusedWithTheReasonAndNothingIsSaved) {
+    choose_experts(2);
+    EXPECT_TRUE(label("benchmark_count").contains("Chosen: 2, of them with at least 3 counted attempts: 2"));
+    build();
+    EXPECT_EQ(label("benchmark_verdict"), "✕ Refused: 2 experts where 8 are needed.");
+    EXPECT_FALSE(sees(*window, "benchmark_put"));
+    EXPECT_FALSE(sees(*window, "benchmark_passes"));
+    keep("refused");
+    EXPECT_EQ(load_benchmark(file().string()).version, set.version);
+    // Another key has nobody; the result is gone.
+    auto* devices = find<QComboBox>(*window, "benchmark_device");
+    devices->setFocus();
+    QTest::keyClick(devices, Qt::Key_End);
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    EXPECT_EQ(people()->rowCount(), 0);
+    EXPECT_TRUE(label("benchmark_count").startsWith("Nobody has"));
+    EXPECT_FALSE(sees(*window, "benchmark_verdict"));
+}
+
+TEST_F(BuildingLimits, ASetThatAnotherOneOvertookIsNotPutInForce) {
+    choose_experts(expert_people);
+    build();
+    BenchmarkSet other = set;
+    other.version = set.version + 5;
+    std::ofstream(file()) << benchmark_text(other);
+    auto* note = find<QLineEdit>(*window, "benchmark_note");
+    bring(*note);
+    note->setFocus();
+    QTest::keyClicks(note, "Too late");
+    QTest::keyClick(note, Qt::Key_Return);
+    EXPECT_TRUE(label("message_text").contains("cannot follow it")) << label("message_text").toStdString();
+    EXPECT_EQ(load_benchmark(file().string()).version, other.version);
+    EXPECT_TRUE(database::AcceptedAssets(*services->store()).list().empty());
+    EXPECT_EQ(find<QLineEdit>(*window, "benchmark_note")->text(), "Too late") << "the words stay";
+    // A folder that cannot be written.
+    build();
+    std::filesystem::rename(assets / "benchmarks", assets / "away");
+    std::ofstream(assets / "benchmarks") << "a file";
+    bring(*note);
+    click(*window, "benchmark_put");
+    EXPECT_TRUE(label("message_text").contains("cannot be written")) << label("message_text").toStdString();
+    EXPECT_TRUE(database::AcceptedAssets(*services->store()).list().empty());
+    // It can be saved as a file instead, once.
+    auto* path = find<QLineEdit>(*window, "benchmark_path");
+    bring(*path);
+    path->setFocus();
+    QTest::keyClicks(path, QString::fromStdString((folder / "A2-new.json").string()));
+    click(*window, "benchmark_save");
+    EXPECT_EQ(load_benchmark((folder / "A2-new.json").string()).version, other.version + 1);
+    click(*window, "benchmark_save");
+    EXPECT_TRUE(label("message_text").contains("A2-new.json")) << "nothing is replaced silently";
+}
+
+TEST_F(BuildingLimits, CanBeStoppedAndLeft) {
+    choose_experts(expert_people);
+    bring(*find<QAbstractButton>(*window, "benchmark_build"));
+    click(*window, "benchmark_build");
+    if (!page->is_ready()) {
+        click(*window, "cancel_job");
+        EXPECT_TRUE(page->is_ready());
+        EXPECT_FALSE(sees(*window, "benchmark_verdict"));
+        EXPECT_TRUE(find<QAbstractButton>(*window, "benchmark_build")->isEnabled());
+    }
+    click(*window, "benchmark_build");
+    choose_page(*window, "rail_limits");
+    QTest::qWait(300);
+    EXPECT_FALSE(sees(*window, "message_text"));
+    open();
+    EXPECT_FALSE(sees(*window, "benchmark_verdict"));
+    EXPECT_EQ(people()->item(0, 0)->checkState(), Qt::Unchecked);
+}
+
+TEST_F(BuildingLimits, AreForEducatorsOnly) {
+    window->context().set_session(*director);
+    EXPECT_TRUE(wait_for([&] { return sees(*window, "rail_limits"); }));
+    EXPECT_FALSE(sees(*window, "rail_benchmark"));
+    BenchmarkSet next = set;
+    ++next.version;
+    EXPECT_THROW(
+        publish_benchmark(*services->store(), *director, (assets / "benchmarks").string(), next, "why"),
+        database::AccessDenied);
+    EXPECT_THROW(publish_benchmark(*services->store(), *ed, (assets / "benchmarks").string(), next, "  "),
+                 database::StoreError);
+    EXPECT_EQ(load_benchmark(file().string()).version, set.version);
+    EXPECT_FALSE(std::filesystem::exists(assets / "benchmarks" / "superseded"));
+}
+
+TEST_F(BuildingLimits, FitTheSmallestWindowWithLargeTextInBothThemesAndLanguages) {
+    struct Look {
+        Theme theme;
+        Language language;
+        const char* name;
+    };
+    for (const Look& look : {Look{Theme::light, Language::english, "large-light"},
+                             Look{Theme::dark, Language::german, "large-dark-german"}}) {
+        emit window->context().theme_wanted(look.theme);
+        emit window->context().language_wanted(look.language);
+        window->set_text_size(200);
+        open();
+        choose_experts(expert_people);
+        build();
+        for (const char* name :
+             {"benchmark_task", "benchmark_fidelity", "benchmark_people", "benchmark_build",
+              "benchmark_passes", "benchmark_note", "benchmark_put", "benchmark_save"}) {
+            auto* widget = find<QWidget>(*window, name);
+            bring(*widget);
+            const QRect place(widget->mapTo(window.get(), QPoint()), widget->size());
+            EXPECT_TRUE(place.left() >= 0 && place.right() <= window->width()) << look.name << " " << name;
+            EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
+            EXPECT_FALSE(widget->visibleRegion().isEmpty()) << look.name << " " << name;
+        }
+        keep(look.name);
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/personal_data_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QTableWidget>
+
+#include "database/sync/person_data.h"
+#include "database/sync/station_erasure.h"
+#include "ui/language/words.h"
+#include "ui/page/background_job.h"
+#include "ui/style/flow_row.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+PersonalDataPage::PersonalDataPage(Context& context) : Page(context, "personal_data_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addWidget(make_label(tr("Personal data"), "title"));
+    bar_ = new JobBar;
+    connect(bar_, &JobBar::cancelled, this, &PersonalDataPage::ended);
+    layout->addWidget(bar_);
+    closed_ = make_label(tr("The demonstration holds simulated people only."), "muted");
+    layout->addWidget(closed_);
+    layout->addWidget(person_card_ = build_person());
+    layout->addWidget(retention_card_ = build_retention());
+    layout->addStretch(1);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1000));
+}
+
+QFrame* PersonalDataPage::build_person() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("One person"), "heading"));
+    card_layout(card)->addWidget(
+        make_label(tr("All that this store holds about a person: look at it, write it to a folder for the "
+                      "person, or erase it. The audit log says that it was done."),
+                   "muted"));
+    person_ = make_narrow_choice("data_person", tr("Person"), 24);
+    connect(person_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PersonalDataPage::look);
+    card_layout(card)->addWidget(person_, 0, Qt::AlignLeft);
+    what_ = make_label({}, "muted");
+    what_->setObjectName(QStringLiteral("data_summary"));
+    card_layout(card)->addWidget(what_);
+    rows_ = make_table({tr("Stored"), tr("Number")}, "data_rows");
+    rows_->setMinimumHeight(200);
+    card_layout(card)->addWidget(rows_);
+    export_ = make_button(tr("Write to a folder …"), "export_all", "primary");
+    connect(export_, &QPushButton::clicked, this, [this] {
+        const QString folder = QFileDialog::getSaveFileName(this, tr("New folder for the data"), {}, {},
+                                                            nullptr, QFileDialog::DontConfirmOverwrite);
+        if (!folder.isEmpty()) export_to(folder);
+    });
+    card_layout(card)->addWidget(export_, 0, Qt::AlignLeft);
+    reason_ = new QLineEdit;
+    reason_->setObjectName(QStringLiteral("erase_reason"));
+    reason_->setPlaceholderText(tr("Reason for erasing; it stays, so name nobody in it"));
+    reason_->setAccessibleName(tr("Reason for erasing"));
+    card_layout(card)->addWidget(reason_);
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
+    erase_ = make_button(tr("Erase this person"), "erase_person");
+    erase_sure_ = make_button(tr("Erase for good"), "erase_person_sure", "primary");
+    connect(reason_, &QLineEdit::textChanged, this, &PersonalDataPage::update_buttons);
+    connect(erase_, &QPushButton::clicked, this, [this] {
+        erase_sure_->show();
+        erase_sure_->setFocus();
+    });
+    connect(erase_sure_, &QPushButton::clicked, this, &PersonalDataPage::erase);
+    row->add(erase_);
+    row->add(erase_sure_);
+    card_layout(card)->addWidget(holder);
+    return card;
+}
+
+QFrame* PersonalDataPage::build_retention() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("How long data are kept"), "heading"));
+    card_layout(card)->addWidget(make_label(
+        tr("Trainees whose last practice or sign-in is longer ago are listed here. Nobody is erased "
+           "until you do it."),
+        "muted"));
+    auto* holder = new QWidget;
+    auto* row = new FlowRow(holder);
+    limited_ = new QCheckBox(tr("Keep data of trainees for"));
+    limited_->setObjectName(QStringLiteral("retention_limited"));
+    months_ = new QSpinBox;
+    months_->setObjectName(QStringLiteral("retention_months"));
+    months_->setAccessibleName(tr("Months after the last practice"));
+    months_->setRange(1, database::longest_retention);
+    months_->setValue(36);
+    save_ = make_button(tr("Save"), "save_retention");
+    connect(limited_, &QCheckBox::toggled, months_, &QWidget::setEnabled);
+    connect(save_, &QPushButton::clicked, this, &PersonalDataPage::save_retention);
+    row->add(limited_);
+    row->add(months_);
+    row->add(make_label(tr("months after the last practice")));
+    row->add(save_);
+    card_layout(card)->addWidget(holder);
+    due_text_ = make_label({});
+    due_text_->setObjectName(QStringLiteral("due_summary"));
+    card_layout(card)->addWidget(due_text_);
+    due_table_ = make_table({tr("Name"), tr("Login"), tr("Last practice"), tr("Attempts")}, "due_people");
+    due_table_->setMinimumHeight(160);
+    card_layout(card)->addWidget(due_table_);
+    auto* buttons = new QWidget;
+    auto* buttons_row = new FlowRow(buttons);
+    erase_due_ = make_button(tr("Erase all listed"), "erase_due");
+    erase_due_sure_ = make_button({}, "erase_due_sure", "primary");
+    connect(erase_due_, &QPushButton::clicked, this, [this] {
+        erase_due_sure_->setText(tr("Erase %n people for good", nullptr, static_cast<int>(due_.size())));
+        erase_due_sure_->setAccessibleName(erase_due_sure_->text());
+        erase_due_sure_->show();
+        erase_due_sure_->setFocus();
+    });
+    connect(erase_due_sure_, &QPushButton::clicked, this, &PersonalDataPage::erase_due);
+    buttons_row->add(erase_due_);
+    buttons_row->add(erase_due_sure_);
+    card_layout(card)->addWidget(buttons);
+    return card;
+}
+
+std::string PersonalDataPage::chosen() const {
+    return plain(person_->currentData().toString());
+}
+
+void PersonalDataPage::enter() {
+    const bool open = context().allowed(database::Operation::export_all);
+    closed_->setVisible(!open);
+    person_card_->setVisible(open);
+    retention_card_->setVisible(open);
+    if (!open) return;
+    fill_people();
+    show_retention();
+    person_->setFocus();
+}
+
+void PersonalDataPage::leave() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+}
+
+void PersonalDataPage::fill_people() {
+    const std::string before = chosen();
+    const QSignalBlocker quiet(person_);
+    person_->clear();
+    person_->addItem(tr("nobody chosen"), QString());
+    context().guarded([&] {
+        for (const database::Person& one : database::People(context().store()).list(context().session())) {
+            if (one.kind != database::PersonKind::real || !one.merged_into.empty() ||
+                one.login == "erased-" + one.id)
+                continue;
+            person_->addItem(text(one.display_name) + QStringLiteral(" · ") + text(one.login), text(one.id));
+            if (one.id == before) person_->setCurrentIndex(person_->count() - 1);
+        }
+    });
+    look();
+}
+
+void PersonalDataPage::look() {
+    rows_->setRowCount(0);
+    reason_->clear();
+    erase_sure_->hide();
+    const bool somebody = !chosen().empty();
+    bool read = false;
+    if (somebody)
+        read = context().guarded([&] {
+            const database::PersonDataExport found =
+                database::export_person_data(context().store(), context().session(), chosen(), {});
+            for (const database::ErasedRows& one : found.rows) {
+                const int row = rows_->rowCount();
+                rows_->insertRow(row);
+                rows_->setItem(row, 0,
+                               make_cell(capital(sentence_text(database::title_of_table(one.table)))));
+                rows_->setItem(row, 1,
+                               make_cell(QString::number(one.rows), Qt::AlignRight | Qt::AlignVCenter));
+            }
+            what_->setText(tr("Recordings in this store: %1").arg(found.traces));
+        });
+    fit_columns(rows_, {1});
+    what_->setVisible(read);
+    rows_->setVisible(read);
+    reason_->setVisible(read && context().allowed(database::Operation::erase_person));
+    update_buttons();
+}
+
+void PersonalDataPage::update_buttons() {
+    const bool free = job_ == nullptr, somebody = rows_->rowCount() > 0;
+    export_->setEnabled(free && somebody && context().allowed(database::Operation::export_all));
+    erase_->setVisible(reason_->isVisibleTo(this));
+    erase_->setEnabled(free && somebody && !reason_->text().trimmed().isEmpty());
+    if (!erase_->isEnabled()) erase_sure_->hide();
+    save_->setEnabled(free);
+    erase_due_->setEnabled(free && !due_.empty());
+    if (!erase_due_->isEnabled()) erase_due_sure_->hide();
+}
+
+void PersonalDataPage::start(BackgroundJob* job, const QString& line) {
+    job_ = job;
+    bar_->watch(job, line);
+    update_buttons();
+}
+
+void PersonalDataPage::ended() {
+    job_ = nullptr;
+    update_buttons();
+}
+
+void PersonalDataPage::export_to(const QString& folder) {
+    if (job_ != nullptr || chosen().empty()) return;
+    auto done = std::make_shared<database::PersonDataExport>();
+    start(BackgroundJob::run(
+              this,
+              [done, session = context().session(), person = chosen(), to = plain(folder),
+               path = context().store().path()](const Progress& progress) {
+                  database::StoreOptions options;
+                  options.close_interrupted = false;
+                  *done = database::export_person_data(database::Store::open(path, options), session, person,
+                                                       to, progress, words_in_use);
+              },
+              [this, done, folder] {
+                  ended();
+                  if (!done->stopped)
+                      context().say(tr("Written to %1. Give it to the person, and delete it.").arg(folder));
+              },
+              [this](const QString& why) {
+                  ended();
+                  context().complain(why);
+              }),
+          tr("Writing the data …"));
+}
+
+void PersonalDataPage::erase() {
+    const std::string person = chosen();
+    if (job_ != nullptr || person.empty()) return;
+    erase_sure_->hide();
+    if (context().guarded([&] {
+            database::erase_person(context().store(), context().session(), person,
+                                   plain(reason_->text().trimmed()), false);
+        }))
+        context().say(
+            tr("Erased. A backup from before still has the person; restoring it erases them again."));
+    fill_people();
+    show_retention();
+}
+
+void PersonalDataPage::show_retention() {
+    erase_due_sure_->hide();
+    due_.clear();
+    std::optional<int> months;
+    context().guarded([&] {
+        months = database::retention_months(context().store());
+        due_ = database::people_due(context().store(), context().session());
+    });
+    limited_->setChecked(months.has_value());
+    months_->setEnabled(months.has_value());
+    if (months) months_->setValue(*months);
+    due_table_->setRowCount(0);
+    for (const database::DuePerson& one : due_) {
+        const int row = due_table_->rowCount();
+        due_table_->insertRow(row);
+        due_table_->setItem(row, 0, make_cell(text(one.display_name)));
+        due_table_->setItem(row, 1, make_cell(text(one.login)));
+        due_table_->setItem(row, 2, make_cell(local_time(one.last)));
+        due_table_->setItem(row, 3,
+                            make_cell(QString::number(one.attempts), Qt::AlignRight | Qt::AlignVCenter));
+    }
+    fit_columns(due_table_, {2});
+    due_text_->setText(!months        ? tr("No end is set: nobody is due.")
+                       : due_.empty() ? tr("Nobody is due.")
+                                      : tr("%n people are due.", nullptr, static_cast<int>(due_.size())));
+    due_table_->setVisible(!due_.empty());
+    erase_due_->setVisible(!due_.empty());
+    update_buttons();
+}
+
+void PersonalDataPage::save_retention() {
+    if (context().guarded([&] {
+            database::set_retention_months(
+                context().store(), context().session(),
+                limited_->isChecked() ? std::optional<int>(months_->value()) : std::nullopt);
+        }))
+        context().say(tr("Saved."));
+    show_retention();
+}
+
+void PersonalDataPage::erase_due() {
+    if (job_ != nullptr) return;
+    erase_due_sure_->hide();
+    std::vector<std::string> ids;
+    for (const database::DuePerson& one : due_) ids.push_back(one.id);
+    auto erased = std::make_shared<std::vector<std::string>>();
+    const auto over = [this] {
+        ended();
+        fill_people();
+        show_retention();
+    };
+    start(BackgroundJob::run(
+              this,
+              [erased, ids, session = context().session(),
+               path = context().store().path()](const Progress& progress) {
+                  database::StoreOptions options;
+                  options.close_interrupted = false;
+                  *erased = database::erase_due(database::Store::open(path, options), session, ids, progress);
+              },
+              [this, erased, over] {
+                  over();
+                  context().say(tr("%n people were erased.", nullptr, static_cast<int>(erased->size())));
+              },
+              [this, over](const QString& why) {
+                  over();
+                  context().complain(why);
+              }),
+          tr("Erasing …"));
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_personal_data_page.cpp"

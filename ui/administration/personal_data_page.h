@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// For directors: what is stored about one person, a copy of it for that person, and its erasure; how long
+// data of trainees are kept, and who is due. Nothing is erased without a look at what it is and a second
+// click.
+#pragma once
+
+#include <vector>
+
+#include "database/records/people.h"
+#include "database/sync/retention.h"
+#include "ui/page/context.h"
+
+class QCheckBox;
+class QComboBox;
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+class JobBar;
+
+class PersonalDataPage : public Page {
+    Q_OBJECT
+  public:
+    explicit PersonalDataPage(Context& context);
+    void enter() override;
+    void leave() override;
+    /// Of the chosen person, to this new folder.
+    void export_to(const QString& folder);
+
+  private:
+    QFrame* build_person();
+    QFrame* build_retention();
+    void fill_people();
+    void look();
+    void erase();
+    void show_retention();
+    void save_retention();
+    void erase_due();
+    void update_buttons();
+    std::string chosen() const;
+    void start(BackgroundJob* job, const QString& line);
+    void ended();
+
+    std::vector<database::DuePerson> due_;
+    QFrame *person_card_, *retention_card_;
+    QLabel* closed_;
+    QComboBox* person_;
+    QLabel *what_, *due_text_;
+    QTableWidget *rows_, *due_table_;
+    QLineEdit* reason_;
+    QPushButton *export_, *erase_, *erase_sure_, *save_, *erase_due_, *erase_due_sure_;
+    QCheckBox* limited_;
+    QSpinBox* months_;
+    JobBar* bar_;
+    BackgroundJob* job_ = nullptr;
+};
+
+}  // namespace fulcrum::ui

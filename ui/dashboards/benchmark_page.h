@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An educator makes limits from the stored attempts of named experts: chooses what they are for and whose
+// attempts they are made of, sees the limits, what was left out and who would pass, and puts the set in force
+// or saves it as a file. Made by the function behind `fulcrum benchmark build`.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "database/scoring/expert_attempts.h"
+#include "database/scoring/limit_trial.h"
+#include "ui/page/context.h"
+
+class QComboBox;
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+class JobBar;
+class LimitsChart;
+
+class BenchmarkPage : public Page {
+    Q_OBJECT
+  public:
+    explicit BenchmarkPage(Context& context);
+    void enter() override;
+    void leave() override;
+    /// Nothing is being read or built.
+    bool is_ready() const { return job_ == nullptr; }
+
+  private:
+    /// What came of it, with what it is compared with.
+    struct Built {
+        TaskDefinition task;
+        BenchmarkBuild build;
+        std::optional<BenchmarkSet> in_force;
+        std::vector<TriedAttempt> attempts;
+    };
+    QFrame* make_choice();
+    QFrame* make_experts();
+    QFrame* make_result();
+    QWidget* make_saving();
+    const TaskDefinition* task();
+    BenchmarkKey key();
+    void choose_task();
+    void choose_key();
+    void show_candidates(std::vector<ExpertCandidate> candidates);
+    std::vector<ExpertCandidate> chosen() const;
+    void look();
+    void build();
+    void show_result();
+    void fill_passes();
+    QStringList explained() const;
+    void put_in_force();
+    void save();
+    void run(std::function<void(const database::Store&, const std::function<bool(double)>&)> work,
+             std::function<void()> done, const QString& line);
+
+    std::vector<ExpertCandidate> candidates_;
+    std::optional<Built> built_;
+    BackgroundJob* job_ = nullptr;
+    JobBar* job_bar_;
+    QComboBox *tasks_, *variants_, *devices_, *fidelities_;
+    QTableWidget *people_, *passes_;
+    QPushButton *build_, *put_, *save_;
+    QLabel *count_, *verdict_, *explained_, *dots_;
+    QFrame* result_;
+    QWidget* saving_;
+    LimitsChart* chart_;
+    QLineEdit *note_, *path_;
+};
+
+}  // namespace fulcrum::ui
