@@ -5,9 +5,9 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Threads REQUIRED)
 find_program(FULCRUM_CCACHE ccache)
 if(FULCRUM_CCACHE)
-    # Precompiled headers need these two sloppiness settings to be cached. A third one, to trust files that changed while they were
-    # compiled, stored an old object under new contents when a tree was merged during a build. DEPEND: what a source includes is taken from the compiler, so that
-    # nothing is preprocessed only to look it up: of a build from nothing that was a sixth of the time.
+    # Precompiled headers need these two sloppiness settings to be cached. Not include_file_mtime: with it an object of the old contents
+    # was found under the new ones after a merge during a build. DEPEND: what a source includes is taken from the compiler, so that nothing
+    # is preprocessed only to look it up: of a build from nothing that was a sixth of the time.
     set(CMAKE_CXX_COMPILER_LAUNCHER /usr/bin/env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_DEPEND=1 ${FULCRUM_CCACHE})
 endif()
 

@@ -3,6 +3,7 @@
 
 #include <QAreaSeries>
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QHelpEvent>
 #include <QLegend>
 #include <QLegendMarker>
@@ -314,6 +315,8 @@ void TimeChart::place_plot() {
     const double top = 16, right = 14, bottom = x_axis_->labelsVisible() ? 3 * line : 0.6 * line;
     chart()->setPlotArea(QRectF(compact_left_, top, std::max(1.0, width() - compact_left_ - right),
                                 std::max(1.0, height() - top - bottom)));
+    // Qt Charts moves the series at once, axes and grid only when the chart is laid out the next time.
+    chart()->layout()->invalidate();
 }
 
 double TimeChart::first_shown() const {

@@ -79,7 +79,7 @@ QFrame* BenchmarkPage::make_choice() {
     auto* row = new FlowRow;
     const auto add = [&](QComboBox*& box, const char* name, const QString& title) {
         box = make_narrow_choice(name, title, 12);
-        row->add(box, 1, with_text(180));
+        row->add(box, 1, with_text(255));
     };
     add(tasks_, "benchmark_task", tr("Task"));
     add(variants_, "benchmark_variant", tr("Variant"));

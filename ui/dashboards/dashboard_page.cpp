@@ -67,7 +67,8 @@ QLayout* DashboardPage::make_choices() {
     plan_->setValue(QSettings().value(plan_setting, database::usual_plan_weeks).toInt());
     row->add(plan_);
     export_ = new ExportRow("export_dashboard");
-    row->add(export_, 1, with_text(640));
+    // Not in proportion to the text: a row's least width is also the page's.
+    row->add(export_, 1, 640);
     connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &DashboardPage::load);
     connect(plan_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int weeks) {
         QSettings().setValue(plan_setting, weeks);

@@ -66,13 +66,12 @@ inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
 // trembles). Both would last to the end of the time limit.
 inline constexpr double longest_rest_s = 21, longest_stillness_s = 12;
 
-/// No continuation can pass: what an interruption cannot take back is broken (Score,
-/// WhatIsBrokenForGoodStaysFailed), or a limit on time or path, which only grow, has been passed.
+/// No continuation can pass: the attempt has failed, or what is worth nothing however it goes on is broken (the
+/// rule that keeps an interrupted attempt failed; Score, WhatIsBrokenForGoodStaysFailed).
 inline bool fails_whatever_follows(const Score& score) {
     return score.passed == false ||
            std::any_of(score.gates.begin(), score.gates.end(), [](const GateResult& gate) {
-               return (gate.metric == "time" || gate.metric == "path_len" || gate.metric == "scope_path") &&
-                      gate.value && gate.limit && *gate.value > *gate.limit;
+               return gate.value && gate.passed == false && stays_broken(gate.metric);
            });
 }
 
