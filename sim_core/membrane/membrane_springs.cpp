@@ -67,12 +67,12 @@ void add_damped_springs(const SpringEnds& ends, const double* stiffness, const d
                         const Lanes* x, const Lanes* v, Lanes* gradient) {
     const std::int32_t *first = ends.first, *second = ends.second;
     const Lanes least = all_lanes(shortest * shortest), damped = all_lanes(damping);
-    const auto add_four = [&](std::size_t s) {
-        Lanes difference[4], d[4], u[4];
+    const auto pull_of = [&](std::size_t s) {
+        Lanes d[4], u[4];
         for (int q = 0; q < 4; ++q) {
             const auto i = first[s + static_cast<std::size_t>(q)],
                        j = second[s + static_cast<std::size_t>(q)];
-            d[q] = difference[q] = x[i] - x[j];
+            d[q] = x[i] - x[j];
             u[q] = v[i] - v[j];
         }
         transpose_lanes(d[0], d[1], d[2], d[3]);
@@ -80,20 +80,34 @@ void add_damped_springs(const SpringEnds& ends, const double* stiffness, const d
         Lanes squared = (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
         squared = squared > least ? squared : least;
         const Lanes length = sqrt_lanes(squared), approach = (d[0] * u[0] + d[1] * u[1]) + d[2] * u[2];
-        const Lanes pull = load_lanes(stiffness + s) *
-                           (length * (length - load_lanes(rest + s)) + damped * approach) / squared;
+        return load_lanes(stiffness + s) * (length * (length - load_lanes(rest + s)) + damped * approach) /
+               squared;
+    };
+    const auto add_four = [&](std::size_t s, const Lanes& pull) {
         for (int q = 0; q < 4; ++q) {
-            const Lanes force = all_lanes(pull[q]) * difference[q];
-            gradient[first[s + static_cast<std::size_t>(q)]] += force;
-            gradient[second[s + static_cast<std::size_t>(q)]] -= force;
+            const auto i = first[s + static_cast<std::size_t>(q)],
+                       j = second[s + static_cast<std::size_t>(q)];
+            const Lanes force = all_lanes(pull[q]) * (x[i] - x[j]);
+            gradient[i] += force;
+            gradient[j] -= force;
         }
     };
     // Neighbours in the table share nodes, and each sum at a node waits for the one before it. Two places of
-    // the table in turn keep the processor busy while it waits.
+    // the table in turn keep the processor busy while it waits. Roots and quotients of some fours are
+    // computed before their sums: they do not wait for one another.
+    constexpr std::size_t block = 8;
     const std::size_t half = (ends.count / 4 + 1) / 2 * 4;
-    for (std::size_t s = 0; s < half; s += 4) {
-        add_four(s);
-        if (half + s < ends.count) add_four(half + s);
+    Lanes pulls[2][block];
+    for (std::size_t begin = 0; begin < half; begin += 4 * block) {
+        const std::size_t fours = std::min(block, (half - begin) / 4);
+        // Of an odd number of fours the second half has one less.
+        const std::size_t second_fours = std::min(fours, (ends.count - half - begin) / 4);
+        for (std::size_t b = 0; b < fours; ++b) pulls[0][b] = pull_of(begin + 4 * b);
+        for (std::size_t b = 0; b < second_fours; ++b) pulls[1][b] = pull_of(half + begin + 4 * b);
+        for (std::size_t b = 0; b < fours; ++b) {
+            add_four(begin + 4 * b, pulls[0][b]);
+            if (b < second_fours) add_four(half + begin + 4 * b, pulls[1][b]);
+        }
     }
 }
 
