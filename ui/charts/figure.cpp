@@ -90,7 +90,7 @@ std::vector<FigureSpot> paint(const FigurePainter& to, const IntervalFigure& fig
         words = std::max(words, to.wide(row.words));
     }
     label = std::min(label, 0.3 * to.area.width());
-    words = std::min(words, 0.3 * to.area.width());
+    words = std::min(words, 0.6 * to.area.width() - label);
     const double rows_high = to.area.height() - 1.4 * to.line;
     const double high =
         std::min(rows_high / std::max(1.0, static_cast<double>(figure.rows.size())), 2.4 * to.line);
@@ -193,7 +193,7 @@ std::vector<FigureSpot> paint(const FigurePainter& to, const FunnelFigure& figur
         words = std::max(words, to.wide(step.words));
     }
     label = std::min(label, 0.36 * to.area.width());
-    words = std::min(words, 0.3 * to.area.width());
+    words = std::min(words, 0.6 * to.area.width() - label);
     const double high =
         std::min(to.area.height() / std::max(1.0, static_cast<double>(figure.steps.size())), 2.6 * to.line);
     const QRectF room(to.area.left() + label + 10 * to.unit, to.area.top(),
