@@ -258,10 +258,11 @@ void paint_dot(const FigurePainter& to, const QPointF& at, bool marked) {
 /// same place are next to each other, and none hides another.
 QPointF free_place(const QPointF& wanted, const QRectF& plot, const std::vector<QPointF>& taken, double r) {
     const double top = std::min(plot.top(), wanted.y()), bottom = std::max(plot.bottom(), wanted.y());
+    const double left = std::min(plot.left(), wanted.x()), right = std::max(plot.right(), wanted.x());
     for (int step = 0; step < 600; ++step) {
         const double turn = 2.399963 * step, distance = 0.6 * r * std::sqrt(step);  // a sunflower's spiral
         const QPointF place = wanted + distance * QPointF(std::cos(turn), std::sin(turn));
-        if (place.y() < top || place.y() > bottom) continue;
+        if (place.y() < top || place.y() > bottom || place.x() < left || place.x() > right) continue;
         const bool free = std::none_of(taken.begin(), taken.end(), [&](const QPointF& other) {
             return std::hypot(other.x() - place.x(), other.y() - place.y()) < 1.7 * r;
         });

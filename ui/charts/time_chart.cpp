@@ -192,7 +192,7 @@ void TimeChart::show_all() {
     if (last_ <= first_) last_ = first_ + 1;
     // Lanes alone have no values.
     const bool values = !series_.empty() || !bands_.empty() || !steps_.empty();
-    y_axis_->setLabelsVisible(values);
+    y_axis_->setLabelsVisible(values && compact_left_ == 0);
     y_axis_->setGridLineVisible(values);
     if (high <= low) high = low + 1;
     // The lanes have the upper half.
@@ -306,6 +306,7 @@ void TimeChart::show_time_axis(bool shown) {
 void TimeChart::set_compact(int left) {
     compact_left_ = left;
     y_axis_->setTitleVisible(false);
+    y_axis_->setLabelsVisible(false);
     place_plot();
 }
 

@@ -154,6 +154,7 @@ class TimeChart : public QtCharts::QChartView {
     void draw_steps(QPainter& painter, const QRectF& area) const;
     void draw_lanes(QPainter& painter, const QRectF& area) const;
     void draw_limits(QPainter& painter, const QRectF& area) const;
+    void draw_labels(QPainter& painter, const QRectF& area) const;
     void draw_name(QPainter& painter, const QRectF& area) const;
     double lanes_height() const;
     void draw_mark(QPainter& painter, const QRectF& area, const ChartMark& mark) const;

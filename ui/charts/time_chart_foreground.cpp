@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/charts/time_chart.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -98,6 +99,25 @@ void TimeChart::draw_limits(QPainter& painter, const QRectF& area) const {
     }
 }
 
+/// Of a compact chart: Qt Charts hides the upper label of a low one and writes "..." in place of the others.
+void TimeChart::draw_labels(QPainter& painter, const QRectF& area) const {
+    if (compact_left_ == 0 || !y_axis_->isGridLineVisible()) return;
+    const double line = fontMetrics().height();
+    const int parts = std::max(1, y_axis_->tickCount() - 1);
+    int each = 1;  // ticks from one label to the next: all, or as many as divide the axis evenly
+    while (each < parts && (parts % each != 0 || area.height() * each / parts < line)) ++each;
+    const double step = (y_axis_->max() - y_axis_->min()) / parts;
+    painter.setPen(colours().muted);
+    for (int tick = 0; tick <= parts; tick += each) {
+        const double value = y_axis_->min() + tick * step;
+        const QRectF place(0, std::max(0.0, y_of(value) - line / 2), area.left() - 8, line);
+        painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
+                         decimal(value, step * each < 0.1 ? 2
+                                        : step * each < 1 ? 1
+                                                          : 0));
+    }
+}
+
 /// Of a compact chart, below its lanes, on a ground of its own.
 void TimeChart::draw_name(QPainter& painter, const QRectF& area) const {
     const QString name = y_axis_->titleText();
@@ -145,6 +165,7 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
     const Palette& p = colours();
     const QRectF area = chart()->plotArea();
     painter->save();
+    draw_labels(*painter, area);
     painter->setClipRect(area.adjusted(-8, -14, 8, 2));
     painter->setRenderHint(QPainter::Antialiasing);
     draw_selection(*painter, area);

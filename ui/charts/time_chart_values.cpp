@@ -40,9 +40,13 @@ void TimeChart::draw_peaks(QPainter& painter, const QRectF& area) const {
         QRectF place(at.x() + 8, at.y() - metrics.height() / 2, metrics.horizontalAdvance(words) + 6,
                      metrics.height());
         if (place.right() > area.right()) place.moveRight(at.x() - 8);
-        place.moveTop(std::max(place.top(), area.top()));
+        place.moveTop(
+            std::clamp(place.top(), area.top(), std::max(area.top(), area.bottom() - place.height())));
         for (const QRectF& other : taken)
-            if (place.intersects(other)) place.moveTop(other.bottom() + 1);
+            if (place.intersects(other))
+                place.moveTop(other.bottom() + 1 + place.height() < area.bottom()
+                                  ? other.bottom() + 1
+                                  : other.top() - 1 - place.height());
         taken.push_back(place);
         QColor ground = p.card;
         ground.setAlphaF(0.85);

@@ -278,8 +278,7 @@ DashboardPicture checks_picture(const CohortDashboard& dashboard, const People& 
     return picture;
 }
 
-QString step_words(const database::StageStep& step, const DashboardNames& names, std::size_t index) {
-    const QString stage = names.stages.value(static_cast<int>(index / 2), text(step.stage));
+QString step_words(const database::StageStep& step, const QString& stage) {
     return step.done ? DashboardTexts::tr("%1: done").arg(stage) : DashboardTexts::tr("%1: begun").arg(stage);
 }
 
@@ -293,16 +292,19 @@ DashboardPicture stages_picture(const CohortDashboard& dashboard, const Dashboar
     for (std::size_t s = 0; s < dashboard.stages.size(); ++s) {
         const database::StageStep& step = dashboard.stages[s];
         const double share = static_cast<double>(step.people.size()) / std::max(1, dashboard.people);
-        const QString label = step_words(step, names, s);
+        const QString stage = text(step.stage);
+        const QString label = step_words(step, names.stages.value(static_cast<int>(s / 2)));
+        // The names of the stages are in the words below: two of them would be cut to the same letters.
         figure.steps.push_back(
-            {QString::number(s), label, static_cast<int>(step.people.size()), step.done,
+            {QString::number(s), step_words(step, stage), static_cast<int>(step.people.size()), step.done,
              DashboardTexts::tr("%1 (%2 %)").arg(step.people.size()).arg(whole_percent(share))});
         picture.table.rows.push_back(
             {{ChartCell::words(label), ChartCell::count(static_cast<long long>(step.people.size())),
               percent_cell(share)},
              QString::number(s)});
     }
-    picture.words = DashboardTexts::tr(
+    picture.words = names.stages.join(QStringLiteral(", ")) + QStringLiteral(". ");
+    picture.words += DashboardTexts::tr(
         "Begun: at least one attempt that counts. Done: proficient in every task of the stage, or its rule "
         "met by provisional limits.");
     picture.nothing = DashboardTexts::tr("There is nobody in this cohort.");
@@ -407,8 +409,9 @@ BehindPicture behind_picture(DashboardPart part, const QString& key, const Cohor
             break;
         case DashboardPart::stages:
             if (index < dashboard.stages.size() && !dashboard.stages[index].people.empty())
-                return list_of(step_words(dashboard.stages[index], names, index),
-                               dashboard.stages[index].people, dashboard, people, names, {}, false);
+                return list_of(
+                    step_words(dashboard.stages[index], names.stages.value(static_cast<int>(index / 2))),
+                    dashboard.stages[index].people, dashboard, people, names, {}, false);
             break;
         case DashboardPart::times: {
             if (task >= dashboard.overview.size()) break;

@@ -84,6 +84,35 @@ TEST(TimeChart, ShowsEverySampleBeforeItsFirstLayoutAndWithoutSamples) {
     EXPECT_EQ(shown(chart).highest, 9);
 }
 
+QStringList painted_words(TimeChart& chart) {
+    window_test::WordsDevice device(chart.size());
+    QPainter painter(&device);
+    chart.render(&painter);
+    painter.end();
+    QStringList words;
+    for (const window_test::PaintedWords& one : device.words()) words << one.words.trimmed();
+    return words;
+}
+
+TEST(TimeChart, LowOneHasFewerLabelsAndCutsNoneOff) {
+    TimeChart chart("force (N)");
+    chart.show_names(false);
+    chart.set_compact(50);
+    chart.show_time_axis(false);
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
+    for (const int lines : {3, 5, 8, 20}) {
+        chart.resize(300, lines * chart.fontMetrics().height());
+        chart.grab();
+        chart.show_all();
+        chart.grab();
+        const QStringList words = painted_words(chart), few{"0", "15"}, all{"0", "5", "10", "15"};
+        for (const QString& label : lines < 5 ? few : all)
+            EXPECT_EQ(words.count(label), 1) << lines << ": " << words.join("|").toStdString();
+        EXPECT_EQ(words.count("5"), lines < 5 ? 0 : 1) << lines;
+        EXPECT_TRUE(words.filter("...").isEmpty()) << lines << ": " << words.join("|").toStdString();
+    }
+}
+
 TEST(TimeChart, LabelsTheTruePeakOfWhatIsInView) {
     TimeChart chart("force (N)");
     chart.resize(500, 300);
@@ -92,15 +121,7 @@ TEST(TimeChart, LabelsTheTruePeakOfWhatIsInView) {
     chart.show_peaks(true);
     chart.add_series("left hand", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
     chart.show_all();
-    const auto painted = [&] {
-        window_test::WordsDevice device(chart.size());
-        QPainter painter(&device);
-        chart.render(&painter);
-        painter.end();
-        QStringList words;
-        for (const window_test::PaintedWords& one : device.words()) words << one.words.trimmed();
-        return words;
-    };
+    const auto painted = [&] { return painted_words(chart); };
     const QString label = QStringLiteral("9%1N").arg(QChar(0x202F));
     ASSERT_TRUE(chart.peak_of(0));
     EXPECT_DOUBLE_EQ(chart.peak_of(0)->y, 9);
