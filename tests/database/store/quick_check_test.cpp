@@ -101,6 +101,23 @@ TEST_F(QuickLook, FindsANewestAuditRowThatWasChanged) {
     EXPECT_NE(words(look()).find("changed after it was written"), std::string::npos) << words(look());
 }
 
+TEST_F(QuickLook, TakesTheSmallestTablesFirstAndRecordingsLast) {
+    programme.open();
+    for (int i = 0; i < 5; ++i) programme.record("ann");
+    Connection& connection = programme.store->connection();
+    const auto place = [&](const char* name) {
+        const std::vector<TableSize> tables = smallest_tables_first(connection);
+        const auto found = std::find_if(tables.begin(), tables.end(),
+                                        [&](const TableSize& one) { return one.name == name; });
+        EXPECT_NE(found, tables.end()) << name;
+        return found - tables.begin();
+    };
+    EXPECT_LT(place("programme"), place("person"));
+    EXPECT_LT(place("person"), place("audit_entry"));
+    EXPECT_LT(place("score"), place("metric"));
+    EXPECT_LT(place("audit_entry"), place("trace_chunk"));
+}
+
 TEST_F(QuickLook, BeginsNoTableWhenItsTimeIsOver) {
     damage_root_of("person");
     const QuickCheck found = look(0);
