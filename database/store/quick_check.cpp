@@ -22,7 +22,7 @@ constexpr std::int64_t whole_below_bytes = 100LL << 20;
 constexpr int newest_rows = 64;
 /// The same of the longest other tables (audit log, metrics): a table is looked at to its end once it was
 /// begun.
-constexpr std::int64_t whole_below_rows = 200'000;
+constexpr std::int64_t whole_below_rows = 200000;
 
 std::int64_t number_of(Connection& connection, const QString& sql) {
     Query row(connection, sql);
