@@ -247,7 +247,7 @@ class ServerReportsLarge : public ServerReports {
     struct Budget {
         double full, every;
     };
-    static constexpr Budget grid_budget{1, 0.1}, report_budget{5, 1};
+    static constexpr Budget grid_budget{1, 0.2}, report_budget{5, 1.5};
     /// Whoever sets the size measures by the clock, on a machine with nothing else running; else the
     /// processor time of this process counts, which a busy machine changes little.
     void expect_within(const Budget& budget, const std::string& what, const Times& took) const {
