@@ -124,12 +124,7 @@ int check(const Arguments& arguments) {
     const std::string head = known_head(arguments), key = known_key(arguments);
     const database::Store store = database::Store::open(store_path(arguments), options);
     const database::Session session = session_of(arguments, store);
-    database::CheckReport report = store.check(session);
-    // A store that is damaged is not simulated from, and an older one has other tables.
-    if (sample.attempts > 0 && report.ok && store.found_schema() == database::Store::schema_version()) {
-        report.items.push_back(check_by_simulation(store, session, sample));
-        report.ok = report.ok && report.items.back().ok;
-    }
+    database::CheckReport report = check_store_and_sample(store, session, sample);
     if (!head.empty()) add_head(store, head, report);
     if (!key.empty()) add_key(store, key, report);
     nlohmann::json items = nlohmann::json::array();

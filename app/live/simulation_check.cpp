@@ -15,6 +15,7 @@ namespace fulcrum::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr double progress_every_s = 0.1;  // steps of the world are far more frequent
 
 /// The stored metrics and a recomputation from the stored record: the same numbers to the last bit, the same
 /// absences.
@@ -169,10 +170,13 @@ database::CheckItem check_by_simulation(const database::Store& store, const data
         database::checkable_attempts(store, session, program_version, cpu_features());
     const Clock::time_point begin = Clock::now();
     bool stopped = false;
+    double reported = -progress_every_s;
     const auto keep_going = [&] {
         const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
-        stopped =
-            progress && !progress(sample.most_s > 0 ? std::min(1.0, spent / sample.most_s) : 0, item.name);
+        if (progress && !stopped && spent - reported >= progress_every_s) {
+            reported = spent;
+            stopped = !progress(sample.most_s > 0 ? std::min(1.0, spent / sample.most_s) : 0, item.name);
+        }
         return !stopped && (sample.most_s <= 0 || spent < sample.most_s);
     };
     item.notes.push_back({QT_TRANSLATE_NOOP("errors", "%1 attempts drawn of %2 with the seed %3"),
@@ -219,6 +223,26 @@ database::CheckItem check_by_simulation(const database::Store& store, const data
     }
     item.ok = item.problems.empty();
     return item;
+}
+
+database::CheckReport check_store_and_sample(const database::Store& store, const database::Session& session,
+                                             const SimulationSample& sample,
+                                             const database::StoreProgress& progress) {
+    const bool simulates = sample.attempts > 0 && store.found_schema() == database::Store::schema_version();
+    bool stopped = false;
+    const auto part = [&](double from, double to) {
+        return [&, from, to](double done, const std::string& line) {
+            stopped = stopped || (progress && !progress(from + done * (to - from), line));
+            return !stopped;
+        };
+    };
+    const double stored = simulates ? 0.5 : 1;
+    database::CheckReport report = store.check(session, part(0, stored));
+    if (!simulates || !report.ok || !report.complete) return report;
+    report.items.push_back(check_by_simulation(store, session, sample, part(stored, 1)));
+    report.ok = report.items.back().ok;
+    report.complete = !stopped;
+    return report;
 }
 
 }  // namespace fulcrum::app

@@ -46,4 +46,10 @@ database::CheckItem check_by_simulation(const database::Store& store, const data
                                         const SimulationSample& sample,
                                         const database::StoreProgress& progress = {});
 
+/// The whole check of a store, for `db check` and for the window: Store::check(), then the sample. A store
+/// that is damaged is not simulated from, and an older one has other tables: without the item `simulation`.
+database::CheckReport check_store_and_sample(const database::Store& store, const database::Session& session,
+                                             const SimulationSample& sample,
+                                             const database::StoreProgress& progress = {});
+
 }  // namespace fulcrum::app

@@ -16,6 +16,7 @@
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/live/replay_moment.h"
+#include "app/live/simulation_check.h"
 #include "app/live/stored_start.h"
 #include "app/services/demo.h"
 #include "app/services/device_list.h"
@@ -193,6 +194,15 @@ class Services : public ui::ApplicationServices {
     std::vector<RecomputedScore> recompute_scores(const database::Session& session,
                                                   const ui::Progress& progress) override {
         return fulcrum::recompute_scores(store_path(session.is_demo()), session, {}, progress);
+    }
+    database::CheckReport check_store(const database::Session& session,
+                                      const ui::Progress& progress) override {
+        database::StoreOptions options;
+        options.read_only = true;
+        const database::Store store = database::Store::open(store_path(session.is_demo()), options);
+        SimulationSample sample;
+        sample.seed = random_sample_seed();
+        return check_store_and_sample(store, session, sample, progress);
     }
     Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
         return load_recorded(database::Attempts(*store_), session, attempt).scene;

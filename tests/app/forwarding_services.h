@@ -117,6 +117,10 @@ class ForwardingServices : public ui::ApplicationServices {
                                                   const ui::Progress& progress) override {
         return own_->recompute_scores(session, progress);
     }
+    database::CheckReport check_store(const database::Session& session,
+                                      const ui::Progress& progress) override {
+        return own_->check_store(session, progress);
+    }
     std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session,
                                                   const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {

@@ -68,6 +68,12 @@ class FakeServices : public ApplicationServices {
     std::vector<RecomputedScore> recompute_scores(const database::Session&, const Progress&) override {
         return {};
     }
+    /// Nothing is simulated here.
+    database::CheckReport check_store(const database::Session& session, const Progress& progress) override {
+        database::StoreOptions options;
+        options.read_only = true;
+        return database::Store::open(store_path(session.is_demo()), options).check(session, progress);
+    }
     std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
                                               const database::AttemptSummary& attempt,
                                               std::shared_ptr<const database::Trace> trace) override;

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "database/store/signing_keys.h"
 #include "ui/administration/server_card.h"
@@ -68,7 +69,8 @@ QFrame* StationPage::build_check() {
     card_layout(card)->addWidget(make_label(tr("Check for damage"), "heading"));
     card_layout(card)->addWidget(
         make_label(tr("Reads the whole store (file pages, references, audit log, recordings and scores) and "
-                      "lists any damage. Nothing is changed."),
+                      "lists any damage. Then it simulates a few attempts again, drawn by chance, and "
+                      "compares them with their records, for at most 20 seconds. Nothing is changed."),
                    "muted"));
     check_ = make_button(tr("Check the store"), "check_store", "primary");
     connect(check_, &QPushButton::clicked, this, &StationPage::check);
@@ -80,7 +82,6 @@ QFrame* StationPage::build_check() {
     card_layout(card)->addWidget(verdict_);
     items_ =
         make_table({tr("Checked"), tr("Result"), tr("Number checked"), tr("What is wrong")}, "check_items");
-    items_->setMinimumHeight(280);  // all of them
     items_->hide();
     card_layout(card)->addWidget(items_);
     return card;
@@ -190,12 +191,8 @@ void StationPage::check() {
     auto report = std::make_shared<database::CheckReport>();
     start(BackgroundJob::run(
               this,
-              [report, session = context().session(),
-               path = context().store().path()](const Progress& progress) {
-                  database::StoreOptions options;
-                  options.read_only = true;
-                  *report = database::Store::open(path, options).check(session, progress);
-              },
+              [report, session = context().session(), services = &context().services()](
+                  const Progress& progress) { *report = services->check_store(session, progress); },
               [this, report] {
                   ended();
                   show_report(*report);
@@ -207,11 +204,33 @@ void StationPage::check() {
           tr("Checking the store …"));
 }
 
+QString StationPage::verdict_of(const database::CheckReport& report) {
+    const auto simulated = std::find_if(
+        report.items.begin(), report.items.end(),
+        [](const database::CheckItem& item) { return item.id == database::CheckId::simulation; });
+    if (simulated == report.items.end()) {
+        if (report.ok) return tr("✓ The store is intact.");
+        return tr(
+            "✕ The store is damaged. Restore the newest backup: what is in the store now is kept under "
+            "another name.");
+    }
+    if (report.ok)
+        return tr("✓ The store is intact.") + QLatin1Char(' ') +
+               (simulated->count == 0 ? tr("No attempt was simulated again: the line on simulation says why.")
+                                      : tr("%n attempts were simulated again; all agree with their records.",
+                                           nullptr, static_cast<int>(simulated->count)));
+    QStringList problems;
+    for (const Sentence& problem : simulated->problems) problems << sentence_text(problem);
+    return tr("✕ The store can be read, but not every attempt that was simulated again agrees with its "
+              "record "
+              "(%1 simulated): %2. Such a record was replaced and signed with the station's key, or this "
+              "computer has a hardware fault. Compare the attempt with an older backup, and change the key.")
+        .arg(simulated->count)
+        .arg(problems.join(QStringLiteral("; ")));
+}
+
 void StationPage::show_report(const database::CheckReport& report) {
-    verdict_->setText(report.ok
-                          ? tr("✓ The store is intact.")
-                          : tr("✕ The store is damaged. Restore the newest backup: what is in the store "
-                               "now is kept under another name."));
+    verdict_->setText(verdict_of(report));
     set_tint(verdict_, report.ok ? Tint::good : Tint::bad);
     verdict_->show();
     items_->setRowCount(0);
@@ -228,6 +247,7 @@ void StationPage::show_report(const database::CheckReport& report) {
         items_->item(row, 3)->setToolTip(problems.join(QLatin1Char('\n')));
     }
     fit_columns(items_);
+    fit_height(items_, items_->rowCount());
     items_->show();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The care of this machine: check its store and back it up, both in the background with progress and a way to
-// stop; the key with which it signs; its programme server; the other stations.
+// The care of this machine: check its store (a sample of attempts is simulated again) and back it up, both in
+// the background with progress and a way to stop; the key with which it signs; its programme server; the
+// other stations.
 #pragma once
 
 #include "database/store/store.h"
@@ -35,6 +36,7 @@ class StationPage : public Page {
     void show_keys();
     void change_key();
     void ask_backup();
+    static QString verdict_of(const database::CheckReport& report);
     void show_report(const database::CheckReport& report);
     void start(BackgroundJob* job, const QString& line);
     void ended();

@@ -137,6 +137,15 @@ class ScoringService {
                                                           const Progress& progress) = 0;
 };
 
+/// The check of the store, with a sample of attempts that are simulated again.
+class StoreCheckService {
+  public:
+    virtual ~StoreCheckService() = default;
+    /// As `fulcrum db check` without options. Called on a worker thread; opens the store for itself. Throws
+    /// database::StoreError, database::AccessDenied.
+    virtual database::CheckReport check_store(const database::Session& session, const Progress& progress) = 0;
+};
+
 /// An expert's attempt for comparison: simulated, not stored.
 struct ExpertAttempt {
     database::AttemptSummary summary;  ///< without an id
@@ -189,6 +198,7 @@ class ApplicationServices : public StoreService,
                             public TaskService,
                             public AttemptService,
                             public ScoringService,
+                            public StoreCheckService,
                             public ReplayService,
                             public TissueService,
                             public DeviceService,

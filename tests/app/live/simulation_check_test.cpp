@@ -5,31 +5,16 @@
 #include <QTemporaryDir>
 
 #include "database/rows/connection.h"
-#include "database/store/audit.h"
-#include "tests/app/live/kept_station.h"
+#include "tests/app/live/forged_record.h"
 
 namespace fulcrum::app {
 namespace {
 
-using database::RecordKind;
-
 class SimulationCheck : public ::testing::Test {
   protected:
     SimulationCheck() {
-        const LoadedTask loaded = load_task_and_scene("A2");
-        for (const std::uint64_t seed : {11ULL, 12ULL}) {
-            PerformRequest request;
-            request.loaded = loaded;
-            request.operator_level = OperatorLevel::expert;
-            request.seed = seed;
-            request.assessed = false;
-            database::AttemptMeta meta = station.meta(loaded);
-            meta.seed = seed;
-            const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
-            database::Recorder recorder(path, station.session, meta);
-            perform(request, &recorder, limits);
-            ids.push_back(recorder.attempt_id());
-        }
+        for (const std::uint64_t seed : {11ULL, 12ULL})
+            ids.push_back(record_expert_attempt(station, path, seed));
     }
     database::CheckItem check(int attempts, std::uint64_t seed = 1, double most_s = 0) const {
         SimulationSample sample;
@@ -44,64 +29,6 @@ class SimulationCheck : public ::testing::Test {
         return all;
     }
     void execute(const QString& sql) const { station.store.connection().execute(sql); }
-    /// Puts other data in place of a chunk, as whoever has the file can; the trigger is put back.
-    void replace_chunk(const std::string& id, int stream, std::int64_t number,
-                       const database::TraceChunk& chunk) const {
-        std::string trigger;
-        {
-            database::Query row(station.store.connection(),
-                                "SELECT sql FROM sqlite_master WHERE name = 'trace_chunk_is_fixed'");
-            ASSERT_TRUE(row.next());
-            trigger = row.text(0);
-        }
-        execute("DROP TRIGGER trace_chunk_is_fixed");
-        database::Query(
-            station.store.connection(),
-            "UPDATE trace_chunk SET data = ?, checksum = ? WHERE attempt_id = ? AND stream = ? AND "
-            "number = ?")
-            .bind(chunk.data)
-            .bind(chunk.checksum)
-            .bind(id)
-            .bind(stream)
-            .bind(number)
-            .run();
-        execute(QString::fromStdString(trigger));
-    }
-    /// What the station's key signs says that the records are as they are now.
-    void sign_again(const std::string& id) const {
-        database::Audit(station.store)
-            .append(station.session, id, "score.add", "{}",
-                    {{RecordKind::attempt, id}, {RecordKind::trace, id}});
-    }
-    /// The forces of a second, all gone.
-    void take_forces_away(const std::string& id) const {
-        database::TraceCodec codec;
-        const database::Trace trace = database::Attempts(station.store).read_trace(station.session, id);
-        database::TraceChunk stored;
-        {
-            database::Query row(
-                station.store.connection(),
-                "SELECT first_tick, last_tick FROM trace_chunk WHERE attempt_id = ? AND stream = "
-                "0 AND number = 2");
-            row.bind(id);
-            ASSERT_TRUE(row.next());
-            stored.first_tick = static_cast<std::uint32_t>(row.integer(0));
-            stored.last_tick = static_cast<std::uint32_t>(row.integer(1));
-        }
-        std::vector<TickSample> samples;
-        std::vector<RigSample> inputs;
-        for (std::size_t i = 0; i < trace.samples.size(); ++i) {
-            if (trace.samples[i].tick < stored.first_tick || trace.samples[i].tick > stored.last_tick)
-                continue;
-            samples.push_back(trace.samples[i]);
-            inputs.push_back(trace.inputs[i]);
-        }
-        for (TickSample& sample : samples) {
-            sample.hand[0].force[0] = sample.hand[0].force[1] = sample.hand[0].force[2] = 0;
-            sample.hand[1].tip[0] += 1;  // 0.1 um
-        }
-        replace_chunk(id, 0, 2, codec.encode(samples.data(), samples.size(), inputs.data()));
-    }
 
     QTemporaryDir folder;
     const std::string path = folder.filePath("a.db").toStdString();
@@ -119,9 +46,9 @@ TEST_F(SimulationCheck, RepeatsWhatWasRecordedAndNamesEachAttemptAndTheSeed) {
 }
 
 TEST_F(SimulationCheck, FindsSamplesThatWereReplacedAndSignedAgain) {
-    take_forces_away(ids[0]);
+    take_forces_away(station, ids[0]);
     EXPECT_FALSE(station.store.check(station.session).ok) << "not signed again";
-    sign_again(ids[0]);
+    sign_again(station, ids[0]);
     const database::CheckReport report = station.store.check(station.session);
     for (const database::CheckItem& one : report.items)
         EXPECT_TRUE(one.ok) << one.name << ": " << words(one.problems) << "only a simulation finds this";
@@ -155,12 +82,41 @@ TEST_F(SimulationCheck, FindsAnErrorEventThatWasTakenAway) {
                                     [](const Event& one) { return one.kind == EventKind::first_movement; });
     Event& changed = found != events.end() ? *found : events.back();
     changed.hand = changed.hand == 0 ? 1 : 0;
-    replace_chunk(ids[1], 3, number, codec.encode(events.data(), events.size()));
-    sign_again(ids[1]);
+    replace_chunk(station, ids[1], 3, number, codec.encode(events.data(), events.size()));
+    sign_again(station, ids[1]);
     EXPECT_TRUE(station.store.check(station.session).ok);
     const database::CheckItem item = check(10);
     EXPECT_NE(words(item.problems).find("attempt " + ids[1] + ": its events"), std::string::npos)
         << words(item.problems);
+}
+
+TEST_F(SimulationCheck, IsTheLastPartOfTheWholeCheckAndOfASoundStoreOnly) {
+    const auto whole = [&](const database::StoreProgress& progress) {
+        SimulationSample sample;
+        sample.seed = 5;
+        return check_store_and_sample(station.store, station.session, sample, progress);
+    };
+    double reached = 0;
+    const database::CheckReport sound = whole([&](double done, const std::string&) {
+        EXPECT_GE(done, reached) << "progress never goes back";
+        EXPECT_LE(done, 1);
+        reached = done;
+        return true;
+    });
+    EXPECT_TRUE(sound.ok && sound.complete);
+    EXPECT_EQ(sound.items.back().id, database::CheckId::simulation);
+    EXPECT_EQ(sound.items.back().count, 2);
+    EXPECT_GT(reached, 0.5);
+    // Stopped in each half: no longer complete, and nothing is said to be wrong.
+    for (const double at : {0.2, 0.5}) {
+        const database::CheckReport cut = whole([&](double done, const std::string&) { return done < at; });
+        EXPECT_FALSE(cut.complete) << at;
+        EXPECT_TRUE(cut.ok) << at;
+    }
+    take_forces_away(station, ids[0]);  // not signed again
+    const database::CheckReport damaged = whole({});
+    EXPECT_FALSE(damaged.ok);
+    EXPECT_NE(damaged.items.back().id, database::CheckId::simulation);
 }
 
 TEST_F(SimulationCheck, DrawsTheSameSampleForTheSameSeedAndAnotherForOthers) {

@@ -17878,10 +17878,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Auf Schäden prüfen</translation>
     </message>
     <message>
-        <source>Reads the whole store (file pages, references, audit log, recordings and scores) and lists any damage. Nothing is changed.</source>
-        <translation>Liest den ganzen Datenbestand (Seiten der Datei, Verweise, Protokoll, Aufzeichnungen und Bewertungen) und führt jeden Schaden auf. Nichts wird geändert.</translation>
-    </message>
-    <message>
         <source>Number checked</source>
         <translation>Geprüfte Anzahl</translation>
     </message>
@@ -17924,6 +17920,25 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>✕ The store is damaged. Restore the newest backup: what is in the store now is kept under another name.</source>
         <translation>✕ Der Datenbestand ist beschädigt. Stellen Sie die neueste Sicherung wieder her: Was jetzt im Datenbestand ist, bleibt unter einem anderen Namen erhalten.</translation>
+    </message>
+    <message>
+        <source>Reads the whole store (file pages, references, audit log, recordings and scores) and lists any damage. Then it simulates a few attempts again, drawn by chance, and compares them with their records, for at most 20 seconds. Nothing is changed.</source>
+        <translation>Liest den ganzen Datenbestand (Seiten der Datei, Verweise, Protokoll, Aufzeichnungen und Bewertungen) und führt jeden Schaden auf. Dann werden einige zufällig gezogene Versuche erneut simuliert und mit ihren Aufzeichnungen verglichen, höchstens 20 Sekunden lang. Nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>No attempt was simulated again: the line on simulation says why.</source>
+        <translation>Kein Versuch wurde erneut simuliert: Die Zeile zur Simulation sagt, warum.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempts were simulated again; all agree with their records.</source>
+        <translation>
+            <numerusform>%n Versuch wurde erneut simuliert; er stimmt mit seiner Aufzeichnung überein.</numerusform>
+            <numerusform>%n Versuche wurden erneut simuliert; alle stimmen mit ihren Aufzeichnungen überein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✕ The store can be read, but not every attempt that was simulated again agrees with its record (%1 simulated): %2. Such a record was replaced and signed with the station&apos;s key, or this computer has a hardware fault. Compare the attempt with an older backup, and change the key.</source>
+        <translation>✕ Der Datenbestand ist lesbar, aber nicht jeder erneut simulierte Versuch stimmt mit seiner Aufzeichnung überein (%1 simuliert): %2. Eine solche Aufzeichnung wurde ersetzt und mit dem Schlüssel des Arbeitsplatzes signiert, oder dieser Rechner hat einen Hardwarefehler. Vergleichen Sie den Versuch mit einer älteren Sicherung und wechseln Sie den Schlüssel.</translation>
     </message>
 </context>
 <context>

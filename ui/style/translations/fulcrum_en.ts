@@ -330,6 +330,16 @@
     </message>
 </context>
 <context>
+    <name>fulcrum::ui::StationPage</name>
+    <message numerus="yes">
+        <source>%n attempts were simulated again; all agree with their records.</source>
+        <translation>
+            <numerusform>%n attempt was simulated again; it agrees with its record.</numerusform>
+            <numerusform>%n attempts were simulated again; all agree with their records.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fulcrum::ui::TaskNeedsForm</name>
     <message numerus="yes">
         <source>Installed: %n variants</source>
