@@ -8,7 +8,8 @@
 #     STORE     the store that is moved, such as ~skills/.local/share/fulcrum/fulcrum.db
 #     KEYS      the folder of the station's keys, such as ~skills/.config/fulcrum/keys
 #     PROGRAM   the program, such as /usr/bin/fulcrum
-# What exists in the place of the new store is never replaced; a second run after an interruption continues.
+# What exists in the place of the new store is never replaced. A second run after an interruption continues; where it was cut off while
+# it copied the store from another disk, it says what to do.
 set -euo pipefail
 
 account=fulcrum home=/var/lib/fulcrum rights=/etc/sudoers.d/fulcrum
@@ -26,12 +27,16 @@ run() { if [ $print = yes ]; then printf '%q ' "$@" | sed 's/ $//'; echo; else "
 
 case "$group" in *[!a-z0-9_-]* | "") refuse "'$group' is no name of a group: lower-case letters, digits, - and _" ;; esac
 getent group "$group" >/dev/null || refuse "there is no group '$group': groupadd $group, then adduser PERSON $group"
+for path in "$store" "$keys" "$program"; do
+    [ ! -L "$path" ] || refuse "$path is a link: name the file or folder itself"
+done
 [ -f "$store" ] || [ -f "$data/fulcrum.db" ] || refuse "there is no store $store"
 [ -d "$keys" ] || [ -d "$keys_at" ] || refuse "there is no folder of keys $keys"
 case "$program" in /*) ;; *) refuse "PROGRAM: its whole path, as sudo needs it" ;; esac
 case "$program" in *[!A-Za-z0-9/._-]*) refuse "PROGRAM: a path of letters, digits, / . _ and - alone, as sudo reads it" ;; esac
 [ -x "$program" ] || refuse "there is no program $program"
-[ ! -f "$store" ] || [ ! -e "$data/fulcrum.db" ] || refuse "there is a store in $data already: nothing was changed"
+[ ! -f "$store" ] || [ ! -e "$data/fulcrum.db" ] ||
+    refuse "there is a store in $data already, nothing was changed; if a run was cut off while it copied $store there, remove the copy"
 if [ -f "$store" ]; then
     whole=$(realpath "$store")
     for open in /proc/[0-9]*/fd/*; do
@@ -42,6 +47,10 @@ fi
 if [ $print = no ]; then
     [ "$(id -u)" -eq 0 ] || refuse "only root can do this"
     command -v sudo >/dev/null || refuse "sudo is missing: apt install sudo"
+    # Whoever can write the program can do with the store what the account can.
+    [ -z "$(find "$program" \( ! -user root -o -perm /022 \))" ] || refuse "$program has to belong to root, and nobody else may write it"
+    number=$(id -u "$account" 2>/dev/null || echo 1)
+    [ "$number" -ge 1 ] && [ "$number" -le 999 ] || refuse "the account $account is a person's: rename it"
 fi
 
 getent passwd "$account" >/dev/null || run adduser --system --group --home "$home" "$account"

@@ -303,7 +303,8 @@ DashboardPicture stages_picture(const CohortDashboard& dashboard, const Dashboar
               percent_cell(share)},
              QString::number(s)});
     }
-    picture.words = names.stages.join(QStringLiteral(", ")) + QStringLiteral(". ");
+    if (!names.stages.isEmpty())
+        picture.words = names.stages.join(QStringLiteral(", ")) + QStringLiteral(". ");
     picture.words += DashboardTexts::tr(
         "Begun: at least one attempt that counts. Done: proficient in every task of the stage, or its rule "
         "met by provisional limits.");

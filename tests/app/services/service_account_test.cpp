@@ -85,6 +85,9 @@ TEST(ServiceAccountScript, RefusesWhatItCannotDoWhole) {
     EXPECT_TRUE(refused("its whole path")) << script.error.toStdString();
     EXPECT_EQ(script.run(group, store, keys, "/usr/bin/env, ALL"), 2);
     EXPECT_TRUE(refused("letters, digits")) << script.error.toStdString();
+    ASSERT_TRUE(QFile::link(store, script.path("linked.db")));
+    EXPECT_EQ(script.run(group, script.path("linked.db"), keys, program), 2);
+    EXPECT_TRUE(refused("is a link")) << script.error.toStdString();
     QFile open(store);
     ASSERT_TRUE(open.open(QIODevice::ReadOnly));
     EXPECT_EQ(script.run(group, store, keys, program), 2);

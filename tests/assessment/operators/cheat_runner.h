@@ -66,7 +66,7 @@ inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
 // trembles). Both would last to the end of the time limit.
 inline constexpr double longest_rest_s = 21, longest_stillness_s = 12;
 
-/// No continuation can pass: the attempt has failed, or what is worth nothing whatever follows is broken (the
+/// No continuation can pass: the attempt has failed, or a limit is broken whose value can only get worse (the
 /// rule that keeps an interrupted attempt failed; Score, WhatIsBrokenForGoodStaysFailed).
 inline bool fails_whatever_follows(const Score& score) {
     return score.passed == false ||

@@ -175,10 +175,8 @@ class SyncLargeCutOff : public SyncLarge {
             {"units", number(whole.one_again.transferred())},
             {"uninterrupted, together, s", tenths(whole.all_s())},
             {"programs killed while they exchanged", number(cuts.in_the_middle)},
-            {"of these at which a station's check found something", "0"},
             {"with these kills: exchanging, together, s", tenths(cuts.exchanging_s)},
             {"units that were left for the exchanges after the last kill", number(cuts.rest)},
-            {"rows that differ at the end, on the server and at both stations", "0"},
         };
         lab::ResultPage page(
             "sync_cut_off", "Two stations exchange " + number(attempts) + " attempts each and are killed",

@@ -355,8 +355,9 @@ TEST_F(OneTimeAxis, FitsTheSmallestWindowWithLargeTextInBothThemesAndLanguages) 
                                  "review_part_end", "review_part_whole"}) {
             auto* widget = find<QWidget>(*window, name);
             bring(*widget);
-            const QRect place(widget->mapTo(window.get(), QPoint()), widget->size());
-            EXPECT_TRUE(place.left() >= 0 && place.right() <= window->width()) << look.name << " " << name;
+            const auto place = [&] { return QRect(widget->mapTo(window.get(), QPoint()), widget->size()); };
+            EXPECT_TRUE(wait_for([&] { return place().left() >= 0 && place().right() <= window->width(); }))
+                << look.name << " " << name << ": " << place().left() << " to " << place().right();
             EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
             // A chart is covered by its viewport.
             if (auto* shown = qobject_cast<TimeChart*>(widget)) widget = shown->viewport();
