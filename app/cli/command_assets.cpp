@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/placed_assets.h"
 #include "assessment/assets/assets.h"
 #include "database/rows/crypto.h"
 #include "database/store/accepted_assets.h"
@@ -19,9 +20,12 @@ using database::AcceptedAsset;
 using database::AcceptedAssets;
 using database::AssetFile;
 
+std::string text_at(const files::path& path) {
+    return read_text_file(path.string(), JsonLimits().bytes);
+}
 AssetFile asset_at(const files::path& path) {
     return {path.parent_path().filename().string() + "/" + path.filename().string(),
-            database::sha256_hex(read_text_file(path.string(), JsonLimits().bytes))};
+            database::sha256_hex(text_at(path))};
 }
 
 /// The files of the assets folder that decide a result, by name.
@@ -79,14 +83,31 @@ int accept(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
     store.require(session, database::Operation::accept_assets);
-    const AssetFile file = asset_at(files::absolute(arguments.words()[0]));
-    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""));
+    const files::path path = files::absolute(arguments.words()[0]);
+    const AssetFile file = asset_at(path);
+    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""), text_at(path));
     if (arguments.has("--json")) {
         print_json({{"file", file.name}, {"sha256", file.digest}});
     } else {
         std::cout << "accepted " << file.name << " (sha256 " << file.digest << ")\n";
     }
     return 0;
+}
+
+int place(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false, true);
+    const std::vector<database::PlacedAsset> placed = place_assets(store);
+    if (arguments.has("--json")) {
+        print_json({{"folder", assets_folder()}, {"placed", placed_json(placed)}});
+    } else if (placed.empty()) {
+        std::cout << "every accepted curriculum and benchmark set is in place already\n";
+    } else {
+        print_placed(placed);
+    }
+    return std::all_of(placed.begin(), placed.end(),
+                       [](const database::PlacedAsset& one) { return !one.refused; })
+               ? 0
+               : 1;
 }
 
 }  // namespace
@@ -109,7 +130,17 @@ std::vector<Command> asset_commands() {
          joined(
              {{"--reason", "TEXT", QT_TRANSLATE_NOOP("commands", "The reason; recorded in the audit log.")}},
              session_options()),
-         accept}};
+         accept},
+        {"assets place",
+         "",
+         0,
+         0,
+         QT_TRANSLATE_NOOP(
+             "commands",
+             "Puts curricula and benchmark sets that educators put in force at other stations "
+             "into the assets folder (`fulcrum sync` and the start of the window do the same)."),
+         {store_option(), json_option()},
+         place}};
 }
 
 }  // namespace fulcrum::app

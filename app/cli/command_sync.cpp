@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/placed_assets.h"
 #include "app/cli/simulation_options.h"
 #include "database/sync/enrolment.h"
 #include "database/sync/programme_server.h"
@@ -131,8 +132,11 @@ int sync(const Arguments& arguments) {
     const database::SyncResult result = watched([&](const database::SyncOptions& options) {
         return database::sync_with_server(store, session, address, options);
     });
+    const std::vector<database::PlacedAsset> placed =
+        result.complete ? place_assets(store) : std::vector<database::PlacedAsset>();
     if (!arguments.has("--json")) {
         print_sync(result);
+        print_placed(placed);
     } else {
         nlohmann::json tables = nlohmann::json::array();
         for (const database::SyncCount& one : result.counts)
@@ -145,7 +149,8 @@ int sync(const Arguments& arguments) {
                     {"erased", result.erased},
                     {"audit_rows", result.audit_rows},
                     {"clock_ahead_s", result.clock_ahead_s},
-                    {"conflicts", english_of(result.conflicts)}});
+                    {"conflicts", english_of(result.conflicts)},
+                    {"placed", placed_json(placed)}});
     }
     return result.complete ? 0 : 1;
 }

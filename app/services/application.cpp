@@ -10,6 +10,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/installed_curriculum.h"
+#include "app/cli/placed_assets.h"
 #include "app/live/frame_follower.h"
 #include "app/live/frame_keeping.h"
 #include "app/live/frames_in_advance.h"
@@ -71,6 +72,8 @@ class Services : public ui::ApplicationServices {
         if (!demo && !database::ServerAddress::is_address(path) && database::Store::exists(path))
             database::require_quick_check(path);
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
+        if (!demo && !opened->is_server() && take_over_accepted(*opened))
+            curricula_.push_back(installed_curriculum());
         database::Curricula(*opened).check(curriculum());
         if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);

@@ -11,6 +11,7 @@
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
 #include "database/rows/crypto.h"
+#include "database/scoring/benchmark_files.h"
 #include "database/store/accepted_assets.h"
 #include "sim_core/numerics/output_file.h"
 #include "sim_core/scene/json_document.h"
@@ -54,24 +55,6 @@ BenchmarkAttempt counted_attempt(const std::string& person, const database::Scor
         attempt.metrics.push_back(metric);
     }
     return attempt;
-}
-
-/// Of a set in a file, also of one that this program no longer reads (other versions of metrics); 0: none.
-int version_in(const std::string& path) {
-    if (!std::filesystem::exists(path)) return 0;
-    const nlohmann::json set = JsonDocument::load(path).root();
-    return set.is_object() && set.contains("version") && set["version"].is_number_integer()
-               ? set["version"].get<int>()
-               : 0;
-}
-
-/// A copy of the set that is replaced, so that what attempts were held against can be looked up.
-void keep_superseded(const std::filesystem::path& path, int version) {
-    if (version == 0) return;
-    const std::filesystem::path folder = path.parent_path() / "superseded";
-    std::filesystem::create_directories(folder);
-    write_output_file((folder / (path.stem().string() + "@" + std::to_string(version) + ".json")).string(),
-                      read_text_file(path.string(), JsonLimits().bytes));
 }
 
 }  // namespace
@@ -140,8 +123,8 @@ BenchmarkRequest expert_request(const LoadedTask& loaded, DeviceClass device_cla
 }
 
 int next_benchmark_version(const BenchmarkKey& key, const std::vector<std::string>& files) {
-    int version = version_in(asset_path("benchmarks/" + benchmark_name(key) + ".json"));
-    for (const std::string& file : files) version = std::max(version, version_in(file));
+    int version = version_in_file(asset_path("benchmarks/" + benchmark_name(key) + ".json"));
+    for (const std::string& file : files) version = std::max(version, version_in_file(file));
     return version + 1;
 }
 
@@ -160,7 +143,7 @@ std::string publish_benchmark(const database::Store& store, const database::Sess
         // The file first, under another name: a folder that cannot be written is found before anything else.
         OutputFile file(path);
         file.write(text);
-        const int before = version_in(path);
+        const int before = version_in_file(path);
         if (set.version != before + 1)
             throw StoreError(
                 StoreErrorKind::conflict,
@@ -171,7 +154,7 @@ std::string publish_benchmark(const database::Store& store, const database::Sess
         const database::AssetFile asset{"benchmarks/" + name, database::sha256_hex(text)};
         const database::AcceptedAssets accepted(store);
         // Already so where an earlier try was cut off after it: without the file it had no effect.
-        if (!accepted.unknown({asset}).empty()) accepted.accept(educator, asset, reason);
+        if (!accepted.unknown({asset}).empty()) accepted.accept(educator, asset, reason, text);
         keep_superseded(path, before);
         file.commit();
     } catch (const std::system_error& error) {

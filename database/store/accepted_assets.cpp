@@ -41,7 +41,21 @@ std::vector<AcceptedAsset> AcceptedAssets::list() const {
     return list;
 }
 
-void AcceptedAssets::accept(const Session& educator, const AssetFile& file, const std::string& reason) const {
+bool is_passed_on(const AssetFile& file) {
+    return file.name.rfind("curricula/", 0) == 0 || file.name.rfind("benchmarks/", 0) == 0;
+}
+
+std::vector<AcceptedText> AcceptedAssets::texts() const {
+    Query rows(store_.connection(),
+               "SELECT a.file, a.digest, a.time, t.text FROM asset_acceptance a JOIN asset_text t ON "
+               "t.digest = a.digest ORDER BY a.time, a.digest");
+    std::vector<AcceptedText> list;
+    while (rows.next()) list.push_back({{rows.text(0), rows.text(1)}, rows.integer(2), rows.text(3)});
+    return list;
+}
+
+void AcceptedAssets::accept(const Session& educator, const AssetFile& file, const std::string& reason,
+                            const std::string& text) const {
     store_.require(educator, Operation::accept_assets);
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
         throw StoreError(StoreErrorKind::bad_value,
@@ -62,9 +76,17 @@ void AcceptedAssets::accept(const Session& educator, const AssetFile& file, cons
         .bind(store_.now())
         .bind(reason)
         .run();
+    std::vector<RecordName> records{{RecordKind::asset, file.digest}};
+    if (is_passed_on(file) && !text.empty()) {
+        Query(store_.connection(), "INSERT INTO asset_text (digest, text) VALUES (?, ?)")
+            .bind(file.digest)
+            .bind(text)
+            .run();
+        records.push_back({RecordKind::asset_text, file.digest});
+    }
     Audit(store_).append(educator, store_.station_id(), "asset.accept",
                          json_object({{"file", file.name}, {"sha256", file.digest}, {"reason", reason}}),
-                         {{RecordKind::asset, file.digest}});
+                         records);
     transaction.commit();
 }
 

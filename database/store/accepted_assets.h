@@ -21,6 +21,16 @@ struct AcceptedAsset {
     UtcMilliseconds time = 0;
 };
 
+/// What an accepted file says.
+struct AcceptedText {
+    AssetFile file;
+    UtcMilliseconds time = 0;  ///< of the acceptance
+    std::string text;          ///< not compared with the digest yet
+};
+
+/// Curricula and benchmark sets: what they say goes to the programme's other stations.
+bool is_passed_on(const AssetFile& file);
+
 class AcceptedAssets {
   public:
     explicit AcceptedAssets(const Store& store) : store_(store) {}
@@ -28,9 +38,14 @@ class AcceptedAssets {
     std::vector<AssetFile> unknown(const std::vector<AssetFile>& files) const;
     /// Newest first. Operation::read_tissues' readers may know: it names no trainee.
     std::vector<AcceptedAsset> list() const;
-    /// From now on attempts with this file can be assessed. Throws StoreError bad_value without a reason,
-    /// conflict where it is delivered or accepted already. Operation::accept_assets.
-    void accept(const Session& educator, const AssetFile& file, const std::string& reason) const;
+    /// From now on attempts with this file can be assessed. `text`: what it says, kept of curricula and
+    /// benchmark sets, so that the programme's other stations get it (database/scoring/asset_placing.h).
+    /// Throws StoreError bad_value without a reason, conflict where it is delivered or accepted already.
+    /// Operation::accept_assets.
+    void accept(const Session& educator, const AssetFile& file, const std::string& reason,
+                const std::string& text = {}) const;
+    /// Accepted files whose text is kept, oldest first.
+    std::vector<AcceptedText> texts() const;
 
   private:
     const Store& store_;

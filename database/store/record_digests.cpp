@@ -156,6 +156,10 @@ const std::vector<RecordRow> record_kinds = {
      "SELECT id FROM error_review",
      {"SELECT id, attempt_id, author_id, tick, kind, hand, tissue, detail, verdict, reason, time FROM "
       "error_review WHERE id = ?"}},
+    {RecordKind::asset_text,
+     "content of accepted file",
+     "SELECT digest FROM asset_text",
+     {"SELECT digest, text FROM asset_text WHERE digest = ?"}},
 };
 
 #undef FULCRUM_ATTEMPT_COLUMNS

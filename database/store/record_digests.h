@@ -40,6 +40,7 @@ enum class RecordKind : std::uint8_t {
     goal,  ///< a personal goal
     goal_end,
     error_review,  ///< an error that was confirmed or struck
+    asset_text,    ///< what an accepted file says; id: its digest
 };
 
 struct RecordName {

@@ -324,7 +324,14 @@ void Exchange::add_missing(const Units& units, Way way) {
     Connection& from = way == Way::up ? station_ : server_;
     Connection& to = way == Way::up ? server_ : station_;
     const Keys keys = missing(units.keys(from, true), units.keys(to, false));
-    if (way == Way::up) {
+    if (way == Way::up && is_limited_ && units.table().only_from_whole) {
+        if (!keys.empty())
+            result.conflicts.push_back(
+                {QT_TRANSLATE_NOOP("errors",
+                                   "%1: %2 of this station are not sent, because it has some cohorts only: "
+                                   "publish them at a station that has the whole programme"),
+                 units.table().title, static_cast<std::int64_t>(keys.size())});
+    } else if (way == Way::up) {
         push(units, keys);
     } else {
         pull(units, keys);

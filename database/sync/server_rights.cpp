@@ -160,6 +160,7 @@ constexpr Policy policies[] = {
     {"tissue_setting", all, all, all},
     {"tissue_value", all, all, all},
     {"asset_acceptance", all, all, all},
+    {"asset_text", all, all, all},
     // Nobody's: signing in, the audit log, and what the server keeps of erasures and stations.
     {"sign_in_wait", nullptr, nullptr, nullptr},
     {"recording", nullptr, nullptr, nullptr},

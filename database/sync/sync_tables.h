@@ -42,6 +42,7 @@ struct SyncTable {
     std::optional<RecordKind> record = {};  ///< in the audit log of the station that receives it
     const char* unique = nullptr;           ///< a column by which no two units may be equal
     int batch = 200;                        ///< units in a transaction
+    bool only_from_whole = false;  ///< sent by stations that have the whole programme; others receive it
 };
 
 const std::vector<SyncTable>& sync_tables();

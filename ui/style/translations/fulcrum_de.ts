@@ -1377,6 +1377,10 @@
         <source>Write it to this file.</source>
         <translation>In diese Datei schreiben.</translation>
     </message>
+    <message>
+        <source>Puts curricula and benchmark sets that educators put in force at other stations into the assets folder (`fulcrum sync` and the start of the window do the same).</source>
+        <translation>Legt Curricula und Richtwertsätze, die Ausbilder an anderen Stationen in Kraft gesetzt haben, in den Ordner assets (`fulcrum sync` und der Start des Fensters tun dasselbe).</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -8383,6 +8387,26 @@
     <message>
         <source>save the set; the administrator puts the file there, and an educator accepts it with `fulcrum assets accept`</source>
         <translation>Speichern Sie den Satz; der Administrator legt die Datei dorthin, und ein Ausbilder nimmt sie mit `fulcrum assets accept` an</translation>
+    </message>
+    <message>
+        <source>its contents are not those that were accepted</source>
+        <translation>der Inhalt ist nicht der, der zugelassen wurde</translation>
+    </message>
+    <message>
+        <source>such a file has the name %1</source>
+        <translation>eine solche Datei heißt %1</translation>
+    </message>
+    <message>
+        <source>another curriculum of this version is in force here, which was accepted later; an educator publishes the next version</source>
+        <translation>hier gilt ein anderes Curriculum dieser Version, das später zugelassen wurde; ein Ausbilder veröffentlicht die nächste Version</translation>
+    </message>
+    <message>
+        <source>%1: %2 of this station are not sent, because it has some cohorts only: publish them at a station that has the whole programme</source>
+        <translation>%1: %2 dieser Station werden nicht gesendet, weil sie nur einige Gruppen hat: veröffentlichen Sie sie an einer Station mit dem ganzen Programm</translation>
+    </message>
+    <message>
+        <source>contents of accepted files</source>
+        <translation>Inhalte zugelassener Dateien</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curricula and benchmark sets of the programme's other stations, put into this station's assets folder: by
+// `fulcrum assets place`, after `fulcrum sync`, and when a window opens its store.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "database/scoring/asset_placing.h"
+
+namespace fulcrum::app {
+
+/// Into the assets folder in use. Throws StoreError, InputError (a task or a form there is not valid).
+std::vector<database::PlacedAsset> place_assets(const database::Store& store);
+/// At the start of a window: what `fulcrum sync` could not write, for instance. What is refused is named on
+/// standard error. True: there is a new version of the curriculum.
+bool take_over_accepted(const database::Store& store);
+/// A line for each.
+void print_placed(const std::vector<database::PlacedAsset>& placed);
+/// file, sha256, path, refused (null: it is in place).
+nlohmann::json placed_json(const std::vector<database::PlacedAsset>& placed);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curricula and benchmark sets that an educator put in force at another station of the programme: their
+// contents come with an exchange (asset_text), and this puts them into the assets folder of this station.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/remedy.h"
+#include "assessment/forms/observer_form.h"
+#include "database/store/accepted_assets.h"
+
+namespace fulcrum::database {
+
+/// Where files are put, and what a curriculum has to fit.
+struct AssetPlace {
+    std::string folder;  ///< the assets folder
+    std::vector<InstalledTask> tasks;
+    std::vector<ObserverForm> forms;
+};
+
+/// What became of an accepted file that was not in place.
+struct PlacedAsset {
+    AssetFile file;
+    std::string path;
+    std::optional<Sentence> refused;  ///< why it was not put there; empty: it is there now
+};
+
+/// A version of a curriculum is put there where the folder has no file of its name; a benchmark set takes the
+/// place of one with a lower version, which is kept in the folder "superseded". Of several of one version the
+/// one that was accepted first counts at every station. A file that nobody accepted and that is as new stays.
+/// Attempts that have begun keep what they began with; curricula count from the next start of a window.
+/// Empty where nothing had to be done. Throws StoreError.
+std::vector<PlacedAsset> place_accepted_assets(const Store& store, const AssetPlace& place);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curricula and benchmark sets that an educator puts in force at one station come into force at the others.
+#include "database/scoring/asset_placing.h"
+
+#include <filesystem>
+
+#include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum_draft.h"
+#include "assessment/scoring/benchmark_builder.h"
+#include "database/records/curriculum_publishing.h"
+#include "database/rows/crypto.h"
+#include "database/scoring/benchmark_files.h"
+#include "database/scoring/expert_attempts.h"
+#include "database/sync/enrolment.h"
+#include "database/sync/server_enrolment.h"
+#include "database/sync/server_link.h"
+#include "sim_core/scene/json_document.h"
+#include "tests/database/station_keys.h"
+#include "tests/database/sync/stations.h"
+#include "tests/support/own_folder.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A copy of the assets folder's curricula and benchmark sets.
+struct AssetFolder {
+    AssetFolder() {
+        for (const char* name : {"curricula", "benchmarks"})
+            fs::copy(asset_path(name), folder / name, fs::copy_options::recursive);
+        std::vector<InstalledTask> tasks;
+        for (const std::string& id : task_ids()) tasks.push_back(installed_task(load_task(task_file(id))));
+        place = {folder.path().string(), tasks, load_forms(asset_path("forms"))};
+    }
+    Curriculum curriculum() const {
+        return load_versions((folder / "curricula").string(), "rectal", task_ids());
+    }
+    std::string next_curriculum(const std::string& title) const {
+        Curriculum draft = curriculum();
+        draft.version = draft.next_own_version();
+        draft.title = title;
+        return curriculum_text(draft);
+    }
+    void publish_curriculum(const Store& store, const Session& educator, const std::string& title) const {
+        database::publish_curriculum(store, educator,
+                                     {(folder / "curricula").string(), place.tasks, place.forms}, "rectal",
+                                     next_curriculum(title), "better");
+    }
+    BenchmarkSet set() const { return load_benchmark((folder / "benchmarks" / "A2.json").string()); }
+    /// The set in force with another source, as the next version.
+    void publish_set(const Store& store, const Session& educator, const std::string& source) const {
+        BenchmarkSet next = set();
+        ++next.version;
+        next.source = source;
+        publish_benchmark(store, educator, (folder / "benchmarks").string(), next, "our own experts");
+    }
+    std::vector<PlacedAsset> take(const Store& store) const { return place_accepted_assets(store, place); }
+    fulcrum::test::OwnFolder folder;
+    AssetPlace place;
+};
+
+void expect_placed(const std::vector<PlacedAsset>& placed, std::size_t count) {
+    EXPECT_EQ(placed.size(), count);
+    for (const PlacedAsset& one : placed)
+        EXPECT_FALSE(one.refused) << one.file.name << ": " << one.refused->words();
+}
+
+class AssetPlacing : public Sync {
+  protected:
+    AssetFolder at_a, at_b;
+    std::string refusal(const AssetFile& file, const std::string& text) {
+        AcceptedAssets(*a.store).accept(a.session("educator"), file, "looks right", text);
+        for (const PlacedAsset& one : at_b.take(*a.store))
+            if (one.file.digest == file.digest && one.refused) return one.refused->words();
+        return "";
+    }
+};
+
+TEST_F(AssetPlacing, BringsACurriculumAndASetToTheOtherStation) {
+    at_a.publish_curriculum(*a.store, a.session("educator"), "Two more days");
+    at_a.publish_set(*a.store, a.session("educator"), "experts of ward 3");
+    EXPECT_TRUE(at_a.take(*a.store).empty()) << "both are in place where they were published";
+    sync(a);
+    Station b;
+    sync(b);
+    const int before = at_b.set().version;
+    expect_placed(at_b.take(*b.store), 2);
+    EXPECT_EQ(at_b.curriculum().title, "Two more days");
+    EXPECT_EQ(at_b.curriculum().version, at_a.curriculum().version);
+    EXPECT_EQ(at_b.set().source, "experts of ward 3");
+    EXPECT_EQ(version_in_file(
+                  (at_b.folder / "benchmarks" / "superseded" / ("A2@" + std::to_string(before) + ".json"))
+                      .string()),
+              before)
+        << "what was replaced is kept";
+    EXPECT_TRUE(at_b.take(*b.store).empty()) << "nothing is done twice";
+    // Assessed attempts accept both files.
+    const AcceptedAssets accepted(*b.store);
+    for (const char* name : {"curricula/rectal-1001.json", "benchmarks/A2.json"}) {
+        const std::string text = read_text_file((at_b.folder / name).string(), JsonLimits().bytes);
+        EXPECT_TRUE(accepted.unknown({{name, sha256_hex(text)}}).empty()) << name;
+    }
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
+TEST_F(AssetPlacing, OfTwoSetsOfOneVersionTheOneAcceptedFirstCountsEverywhere) {
+    sync(a);
+    Station b;
+    sync(b);
+    at_a.publish_set(*a.store, a.session("educator"), "ward 3");
+    b.clock.pass_s(60);
+    a.clock.pass_s(120);
+    at_b.publish_set(*b.store, b.sign_in("educator"), "ward 5");
+    sync(a);
+    sync(b);
+    sync(a);
+    at_a.take(*a.store);
+    at_b.take(*b.store);
+    EXPECT_EQ(at_a.set().source, "ward 3");
+    EXPECT_EQ(at_b.set().source, "ward 3");
+    EXPECT_TRUE(at_a.take(*a.store).empty());
+    EXPECT_TRUE(at_b.take(*b.store).empty());
+}
+
+TEST_F(AssetPlacing, OfTwoCurriculaOfOneVersionNoneIsReplacedAndTheReasonIsPrinted) {
+    sync(a);
+    Station b;
+    sync(b);
+    at_a.publish_curriculum(*a.store, a.session("educator"), "First");
+    b.clock.pass_s(60);
+    at_b.publish_curriculum(*b.store, b.sign_in("educator"), "Second");
+    sync(a);
+    sync(b);
+    const std::vector<PlacedAsset> placed = at_b.take(*b.store);
+    ASSERT_EQ(placed.size(), 1U);
+    ASSERT_TRUE(placed[0].refused);
+    EXPECT_NE(placed[0].refused->words().find("publishes the next version"), std::string::npos);
+    EXPECT_EQ(at_b.curriculum().title, "Second") << "people may follow it already";
+}
+
+TEST_F(AssetPlacing, PutsNothingInPlaceThatIsNotWhatWasAccepted) {
+    const std::string good = at_a.next_curriculum("Good");
+    // Contents that are not those of the digest; a name that such a file does not have; one that leaves the
+    // folder; no curriculum at all.
+    EXPECT_NE(refusal({"curricula/rectal-1001.json", sha256_hex("other")}, good).find("not those"),
+              std::string::npos);
+    EXPECT_NE(refusal({"curricula/rectal-7.json", sha256_hex(good)}, good).find("rectal-1001.json"),
+              std::string::npos);
+    const std::string set = benchmark_text(at_a.set());
+    EXPECT_NE(refusal({"benchmarks/../tasks/A2.json", sha256_hex(set + "\n")}, set + "\n").find("A2.json"),
+              std::string::npos);
+    EXPECT_NE(refusal({"curricula/x.json", sha256_hex("{}")}, "{}"), "");
+    EXPECT_EQ(at_b.curriculum().title, at_a.curriculum().title);
+    EXPECT_FALSE(fs::exists(at_b.folder / "tasks"));
+}
+
+TEST_F(AssetPlacing, ANewerSetOfTheProgramStaysAndAFolderThatCannotBeWrittenIsNamed) {
+    at_a.publish_set(*a.store, a.session("educator"), "ward 3");
+    BenchmarkSet newer = at_b.set();
+    newer.version += 5;
+    const std::string path = (at_b.folder / "benchmarks" / "A2.json").string();
+    std::ofstream(path) << benchmark_text(newer);
+    EXPECT_TRUE(at_b.take(*a.store).empty());
+    EXPECT_EQ(at_b.set().version, newer.version);
+    AssetFolder none;
+    fs::remove_all(none.folder / "benchmarks");
+    const std::vector<PlacedAsset> placed = none.take(*a.store);
+    ASSERT_EQ(placed.size(), 1U);
+    ASSERT_TRUE(placed[0].refused);
+    EXPECT_NE(placed[0].refused->words().find("cannot be written"), std::string::npos);
+}
+
+TEST_F(AssetPlacing, AStationOfSomeCohortsReceivesButSendsNone) {
+    const KeysOfOneTest keys;
+    enrol_station(*a.store, a.session("administrator"), server,
+                  make_enrolment_token(server, "lab", {}, usual_token_h).text);
+    at_a.publish_set(*a.store, a.session("educator"), "ward 3");
+    const auto sync_a = [&] {
+        return sync_with_server(*a.store, a.session("administrator"), server_of(*a.store));
+    };
+    sync_a();
+    Station b;
+    enrol_station(*b.store, b.store->station_session(), server,
+                  make_enrolment_token(server, "lab", {"Year 1"}, usual_token_h).text);
+    sync_with_server(*b.store, b.store->station_session(), server_of(*b.store));
+    expect_placed(at_b.take(*b.store), 1);
+    EXPECT_EQ(at_b.set().source, "ward 3");
+
+    at_b.publish_set(*b.store, b.sign_in("educator"), "a stolen station");
+    const SyncResult result = sync_with_server(*b.store, b.sign_in("administrator"), server_of(*b.store));
+    EXPECT_TRUE(result.complete);
+    ASSERT_EQ(result.conflicts.size(), 1U);
+    EXPECT_NE(result.conflicts[0].words().find("are not sent"), std::string::npos);
+    // By hand, with the station's own account, the server refuses it as well.
+    const ServerLink link = *ServerLink::of(b.store->station_id());
+    Connection account(link.address, false, link.password);
+    const std::string digest = AcceptedAssets(*b.store).list().front().file.digest;
+    EXPECT_ANY_THROW(
+        Query(account, "INSERT INTO asset_text (digest, text) VALUES (?, 'x')").bind(digest).run());
+    sync_a();
+    EXPECT_TRUE(at_a.take(*a.store).empty());
+    EXPECT_EQ(at_a.set().source, "ward 3");
+}
+
+TEST(AssetText, IsNeverChangedOrDeletedAndDbCheckFindsBoth) {
+    for (const char* sql : {"UPDATE asset_text SET text = 'x'", "DELETE FROM asset_text"}) {
+        Programme programme;
+        const std::string text = R"({"version": 7})";
+        AcceptedAssets(*programme.store)
+            .accept(programme.session("educator"), {"benchmarks/A2.json", sha256_hex(text)}, "ours", text);
+        EXPECT_EQ(AcceptedAssets(*programme.store).texts().size(), 1U);
+        EXPECT_ANY_THROW(programme.store->connection().execute(sql));
+        EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
+        programme.store->connection().execute("DROP TRIGGER asset_text_is_fixed");
+        programme.store->connection().execute("DROP TRIGGER asset_text_is_kept");
+        programme.store->connection().execute(sql);
+        const CheckReport report = programme.store->check(programme.session("station"));
+        std::string problems;
+        for (const CheckItem& item : report.items)
+            for (const Sentence& problem : item.problems) problems += problem.words() + '\n';
+        EXPECT_NE(problems.find("content of accepted file"), std::string::npos) << problems;
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test
