@@ -225,9 +225,11 @@ void Curricula::check(const Curriculum& newest) const {
                 {QT_TRANSLATE_NOOP("errors",
                                    "the curriculum %2 is not installed, but people follow it (how many: %1)"),
                  count, name},
-                QT_TRANSLATE_NOOP("errors",
-                                  "put its file back next to the newer one; people stay on "
-                                  "their version until an educator moves them"));
+                QT_TRANSLATE_NOOP(
+                    "errors",
+                    "put its file back next to the newer one (one that was published at another "
+                    "station: `fulcrum assets place`); people stay on their version until an "
+                    "educator moves them"));
         if (version->text.empty()) continue;
         Query used(
             store_.connection(),

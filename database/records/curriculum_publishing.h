@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A new version of the curriculum comes into force at this station: its file next to the versions before it,
+// A new version of the curriculum comes into force at this station, and at the others with the next exchange
+// (database/scoring/asset_placing.h): its file next to the versions before it,
 // accepted for assessed attempts with a reason. People stay on the version that they follow.
 #pragma once
 

@@ -126,6 +126,8 @@ class Placing {
                               is_set ? OutputFile::Existing::replace : OutputFile::Existing::keep);
             placed_.push_back({one.file, path.string(), std::nullopt});
         } catch (const std::system_error& error) {
+            // Another program of the station was faster (an exchange, a window that starts).
+            if (is_in_place(one.file)) return;
             refuse(one.file, {QT_TRANSLATE_NOOP("errors", "%1: cannot be written (%2)"), path.string(),
                               error.code().message()});
         } catch (const InputError& problem) {

@@ -50,11 +50,12 @@ int next_benchmark_version(const BenchmarkKey& key, const std::vector<std::strin
 /// The set as its file has it.
 std::string benchmark_text(const BenchmarkSet& set);
 
-/// Puts the set in force at this station: its file takes the place of the one in `folder`
-/// (assets/benchmarks), which is kept in the folder "superseded" there, and is accepted for assessed
-/// attempts. Attempts that have begun keep their limits. Returns the file's path. Operation::accept_assets;
-/// audited as asset.accept. Throws AccessDenied, StoreError bad_value (no reason), conflict (another set was
-/// put in force since this one was built), read_only (the folder cannot be written).
+/// Puts the set in force at this station, and at the others with the next exchange (asset_placing.h): its
+/// file takes the place of the one in `folder` (assets/benchmarks), which is kept in the folder "superseded"
+/// there, and is accepted for assessed attempts. Attempts that have begun keep their limits. Returns the
+/// file's path. Operation::accept_assets; audited as asset.accept. Throws AccessDenied, StoreError bad_value
+/// (no reason), conflict (another set was put in force since this one was built), read_only (the folder
+/// cannot be written).
 std::string publish_benchmark(const database::Store& store, const database::Session& educator,
                               const std::string& folder, const BenchmarkSet& set, const std::string& reason);
 

@@ -3301,8 +3301,8 @@
         <translation>nennen Sie eines von diesen: %1</translation>
     </message>
     <message>
-        <source>put its file back next to the newer one; people stay on their version until an educator moves them</source>
-        <translation>legen Sie seine Datei wieder neben die neuere; Personen bleiben auf ihrer Version, bis ein Ausbilder sie umstellt</translation>
+        <source>put its file back next to the newer one (one that was published at another station: `fulcrum assets place`); people stay on their version until an educator moves them</source>
+        <translation>legen Sie seine Datei wieder neben die neuere (eine, die an einer anderen Station veröffentlicht wurde: `fulcrum assets place`); Personen bleiben auf ihrer Version, bis ein Ausbilder sie umstellt</translation>
     </message>
     <message>
         <source>a version in use is never edited: restore this file, write the change to a new file with /version raised, and move people with fulcrum curriculum move</source>
