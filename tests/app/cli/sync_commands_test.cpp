@@ -3,17 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
+#include "app/services/application.h"
 #include "app/services/program.h"
+#include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum.h"
+#include "assessment/scoring/benchmark.h"
 #include "database/rows/connection.h"
 #include "tests/app/access_programme.h"
 #include "tests/database/postgresql_server.h"
 #include "tests/database/station_keys.h"
+#include "tests/support/own_folder.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -132,6 +138,77 @@ TEST_F(SyncCommands, ATokenMakesAStationOfTheServersAndTracesComeOnDemand) {
     EXPECT_TRUE(run({"db", "check", "--db", other}, 0)["ok"]);
     run({"server", "withdraw", second["id"], "--to", to}, 0);
     EXPECT_EQ(run({"server", "stations", "--to", to}, 0)["stations"][0]["state"], "withdrawn");
+}
+
+/// A station's own assets folder, as long as it lives.
+class AssetsOfAStation {
+  public:
+    AssetsOfAStation() {
+        std::filesystem::copy(folder_before_, folder_.path(), std::filesystem::copy_options::recursive);
+        qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(folder_.path().string()));
+    }
+    ~AssetsOfAStation() {
+        before_.isNull() ? qunsetenv("FULCRUM_ASSETS") : qputenv("FULCRUM_ASSETS", before_);
+    }
+    std::filesystem::path operator/(const char* name) const { return folder_ / name; }
+
+  private:
+    QByteArray before_ = qgetenv("FULCRUM_ASSETS");
+    std::string folder_before_ = assets_folder();
+    fulcrum::test::OwnFolder folder_;
+};
+
+TEST_F(SyncCommands, WhatIsAcceptedAtOneStationIsInForceAtTheOtherAndInItsWindow) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const std::string to = database::test::PostgresqlServer::of_this_process()->new_database().text();
+    const auto set_version = [](const std::filesystem::path& file, int version) {
+        nlohmann::json set = nlohmann::json::parse(std::ifstream(file));
+        set["version"] = version;
+        std::ofstream(file) << set.dump(2);
+    };
+    {
+        const AssetsOfAStation here;
+        // A set and the next version of the curriculum, as an administrator puts them there.
+        set_version(here / "benchmarks/A2.json", 90);
+        std::filesystem::copy_file(here / "curricula/rectal.json", here / "curricula/rectal-1001.json");
+        set_version(here / "curricula/rectal-1001.json", 1001);
+        for (const char* file : {"benchmarks/A2.json", "curricula/rectal-1001.json"})
+            run({"assets", "accept", (here / file).string(), "--reason", "ours", "--db", programme.path,
+                 "--as", "educator", "--role", "educator", "--password-file", password_file},
+                0);
+        EXPECT_TRUE(sync(to, 0)["placed"].empty()) << "both are in place here";
+    }
+    const AssetsOfAStation there;
+    const std::filesystem::path data = programme.folder.filePath("other").toStdString();
+    std::filesystem::create_directory(data);
+    const std::string other = (data / "fulcrum.db").string();
+    run({"db", "create", "--db", other}, 0);
+    // The first exchange cannot write.
+    std::filesystem::rename(there / "curricula", there / "curricula away");
+    std::filesystem::create_directory(there / "curricula");
+    std::filesystem::copy_file(there / "curricula away/rectal.json", there / "curricula/rectal.json");
+    std::filesystem::rename(there / "benchmarks", there / "benchmarks away");
+    const nlohmann::json first = run({"sync", "--to", to, "--db", other}, 0)["placed"];
+    ASSERT_EQ(first.size(), 2U);
+    for (const nlohmann::json& one : first)
+        EXPECT_EQ(one["refused"].is_null(), one["file"] == "curricula/rectal-1001.json") << one;
+    std::filesystem::rename(there / "benchmarks away", there / "benchmarks");
+    const nlohmann::json placed = run({"assets", "place", "--db", other}, 0)["placed"];
+    ASSERT_EQ(placed.size(), 1U);
+    EXPECT_EQ(placed[0]["file"], "benchmarks/A2.json");
+    EXPECT_EQ(load_benchmark((there / "benchmarks/A2.json").string()).version, 90);
+    EXPECT_TRUE(run({"assets", "place", "--db", other}, 0)["placed"].empty());
+    for (const nlohmann::json& one : run({"assets", "list", "--db", other}, 0)["files"])
+        EXPECT_NE(one["standing"], "unknown") << one;
+    // A window whose folder lost the file puts it back when it opens the store.
+    const auto window = make_services(data.string());
+    std::filesystem::remove(there / "curricula/rectal-1001.json");
+    const auto late = make_services(data.string());
+    EXPECT_EQ(late->curriculum().version,
+              load_curriculum(asset_path("curricula/rectal.json"), task_ids()).version);
+    late->open_store(false);
+    EXPECT_EQ(late->curriculum().version, 1001);
+    EXPECT_EQ(window->curriculum().version, 1001);
 }
 
 TEST_F(SyncCommands, WithoutASignInOrAServerItSaysWhatToDo) {
