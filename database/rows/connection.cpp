@@ -90,8 +90,8 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     sqlite3_extended_result_codes(handle(), 1);
     sqlite3_busy_handler(handle(), wait_for_others, this);
     execute("PRAGMA foreign_keys = ON");
-    // KiB. With SQLite's 2 MiB the rows of a programme's attempts are read from the file again and again: with
-    // 60,000 attempts reading them all takes 1.05 s, with this 0.75 s.
+    // KiB. With SQLite's 2 MiB the rows of a programme's attempts are read from the file again and again:
+    // with 60,000 attempts reading them all takes 1.05 s, with this 0.75 s.
     execute("PRAGMA cache_size = -16384");
     // Full: a commit that was acknowledged survives a power cut; at one commit a second it costs nothing that
     // matters.
