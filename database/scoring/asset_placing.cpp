@@ -58,9 +58,13 @@ class Placing {
     }
 
     bool is_in_place(const AssetFile& file) const {
-        std::error_code error;
-        return fs::exists(path_of(file), error) &&
-               sha256_hex(read_text_file(path_of(file), JsonLimits().bytes)) == file.digest;
+        try {
+            std::error_code error;
+            return fs::exists(path_of(file), error) &&
+                   sha256_hex(read_text_file(path_of(file), JsonLimits().bytes)) == file.digest;
+        } catch (const InputError&) {
+            return false;  // it cannot be read
+        }
     }
 
     /// Of a text that says what its acceptance says, under the name that such a file has; else it is refused.

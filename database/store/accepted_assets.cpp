@@ -41,10 +41,6 @@ std::vector<AcceptedAsset> AcceptedAssets::list() const {
     return list;
 }
 
-bool is_passed_on(const AssetFile& file) {
-    return file.name.rfind("curricula/", 0) == 0 || file.name.rfind("benchmarks/", 0) == 0;
-}
-
 std::vector<AcceptedText> AcceptedAssets::texts() const {
     Query rows(store_.connection(),
                "SELECT a.file, a.digest, a.time, t.text FROM asset_acceptance a JOIN asset_text t ON "
@@ -77,7 +73,8 @@ void AcceptedAssets::accept(const Session& educator, const AssetFile& file, cons
         .bind(reason)
         .run();
     std::vector<RecordName> records{{RecordKind::asset, file.digest}};
-    if (is_passed_on(file) && !text.empty()) {
+    const bool is_passed_on = file.name.rfind("curricula/", 0) == 0 || file.name.rfind("benchmarks/", 0) == 0;
+    if (is_passed_on && !text.empty()) {
         Query(store_.connection(), "INSERT INTO asset_text (digest, text) VALUES (?, ?)")
             .bind(file.digest)
             .bind(text)

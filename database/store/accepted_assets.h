@@ -28,9 +28,6 @@ struct AcceptedText {
     std::string text;          ///< not compared with the digest yet
 };
 
-/// Curricula and benchmark sets: what they say goes to the programme's other stations.
-bool is_passed_on(const AssetFile& file);
-
 class AcceptedAssets {
   public:
     explicit AcceptedAssets(const Store& store) : store_(store) {}

@@ -331,7 +331,7 @@ constexpr StationPolicy station_policies[] = {
     {"cohort_member", FULCRUM_OF_COHORTS, FULCRUM_OF_COHORT_WITH},
     {"cohort_educator", FULCRUM_OF_COHORTS, FULCRUM_OF_COHORT_WITH},
     {"asset_acceptance", every_row, FULCRUM_BY("person_id")},
-    // What every station puts into its folder comes from stations that the whole programme trusts.
+    // What every station puts into its folder comes from stations that have the whole programme.
     {"asset_text", every_row, FULCRUM_SEES_ALL "false"},
     {"attempt", FULCRUM_OF_STATION " OR person_id IN (SELECT station_trainees())", FULCRUM_BY("person_id")},
     {"attempt_asset", FULCRUM_OF_ATTEMPT, FULCRUM_BEFORE_ATTEMPT},

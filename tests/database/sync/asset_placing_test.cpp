@@ -68,6 +68,12 @@ void expect_placed(const std::vector<PlacedAsset>& placed, std::size_t count) {
 
 class AssetPlacing : public Sync {
   protected:
+    /// The second station has what the first sent.
+    void join() {
+        sync(a);
+        sync(b);
+    }
+    Station b;
     AssetFolder at_a, at_b;
     std::string refusal(const AssetFile& file, const std::string& text) {
         AcceptedAssets(*a.store).accept(a.session("educator"), file, "looks right", text);
@@ -81,9 +87,7 @@ TEST_F(AssetPlacing, BringsACurriculumAndASetToTheOtherStation) {
     at_a.publish_curriculum(*a.store, a.session("educator"), "Two more days");
     at_a.publish_set(*a.store, a.session("educator"), "experts of ward 3");
     EXPECT_TRUE(at_a.take(*a.store).empty()) << "both are in place where they were published";
-    sync(a);
-    Station b;
-    sync(b);
+    join();
     const int before = at_b.set().version;
     expect_placed(at_b.take(*b.store), 2);
     EXPECT_EQ(at_b.curriculum().title, "Two more days");
@@ -106,9 +110,7 @@ TEST_F(AssetPlacing, BringsACurriculumAndASetToTheOtherStation) {
 }
 
 TEST_F(AssetPlacing, OfTwoSetsOfOneVersionTheOneAcceptedFirstCountsEverywhere) {
-    sync(a);
-    Station b;
-    sync(b);
+    join();
     at_a.publish_set(*a.store, a.session("educator"), "ward 3");
     b.clock.pass_s(60);
     a.clock.pass_s(120);
@@ -125,9 +127,7 @@ TEST_F(AssetPlacing, OfTwoSetsOfOneVersionTheOneAcceptedFirstCountsEverywhere) {
 }
 
 TEST_F(AssetPlacing, OfTwoCurriculaOfOneVersionNoneIsReplacedAndTheReasonIsPrinted) {
-    sync(a);
-    Station b;
-    sync(b);
+    join();
     at_a.publish_curriculum(*a.store, a.session("educator"), "First");
     b.clock.pass_s(60);
     at_b.publish_curriculum(*b.store, b.sign_in("educator"), "Second");
@@ -138,6 +138,10 @@ TEST_F(AssetPlacing, OfTwoCurriculaOfOneVersionNoneIsReplacedAndTheReasonIsPrint
     ASSERT_TRUE(placed[0].refused);
     EXPECT_NE(placed[0].refused->words().find("publishes the next version"), std::string::npos);
     EXPECT_EQ(at_b.curriculum().title, "Second") << "people may follow it already";
+    EXPECT_TRUE(at_a.take(*a.store).empty());
+    AssetFolder neither;
+    expect_placed(neither.take(*b.store), 1);
+    EXPECT_EQ(neither.curriculum().title, "First");
 }
 
 TEST_F(AssetPlacing, PutsNothingInPlaceThatIsNotWhatWasAccepted) {
@@ -170,6 +174,10 @@ TEST_F(AssetPlacing, ANewerSetOfTheProgramStaysAndAFolderThatCannotBeWrittenIsNa
     ASSERT_EQ(placed.size(), 1U);
     ASSERT_TRUE(placed[0].refused);
     EXPECT_NE(placed[0].refused->words().find("cannot be written"), std::string::npos);
+    // Something else has the name: named as well, whoever runs the program.
+    fs::create_directories(none.folder / "benchmarks" / "A2.json");
+    ASSERT_EQ(none.take(*a.store).size(), 1U);
+    EXPECT_TRUE(none.take(*a.store)[0].refused);
 }
 
 TEST_F(AssetPlacing, AStationOfSomeCohortsReceivesButSendsNone) {
@@ -181,7 +189,6 @@ TEST_F(AssetPlacing, AStationOfSomeCohortsReceivesButSendsNone) {
         return sync_with_server(*a.store, a.session("administrator"), server_of(*a.store));
     };
     sync_a();
-    Station b;
     enrol_station(*b.store, b.store->station_session(), server,
                   make_enrolment_token(server, "lab", {"Year 1"}, usual_token_h).text);
     sync_with_server(*b.store, b.store->station_session(), server_of(*b.store));
