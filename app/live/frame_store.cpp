@@ -20,10 +20,14 @@ FrameStore::Frame FrameStore::packed(std::size_t number, std::uint32_t tick, con
                       state_difference(whole ? StateImage() : before, image), packing_level))};
 }
 
-/// `image`: of the frame before; anything where this one is whole.
-void FrameStore::unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image) {
-    const bool whole = number % frames_in_group == 0;
-    image = apply_difference(whole ? StateImage() : image, database::unpack_bytes(packed));
+/// `image`: of the frame before; anything where this one is whole. `spare`: anything, for its memory.
+void FrameStore::unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image,
+                        StateImage& spare) {
+    if (number % frames_in_group == 0) {
+        image.bytes.clear();
+        image.starts.clear();
+    }
+    apply_difference(image, database::unpack_bytes(packed), spare);
     if (image.bytes.size() > database::packed_maximum_bytes)  // of a file: each frame could add as much
         throw StateArchiveError(
             QT_TRANSLATE_NOOP("errors", "a kept key frame cannot be read, or does not match its checksum"));
@@ -42,10 +46,11 @@ void FrameStore::restore(std::shared_ptr<const FrameFile> file) {
 }
 
 void FrameStore::restore(std::vector<PackedFrame> frames) {
-    StateImage last;
+    StateImage last, spare;
     const std::size_t count = frames.size();
     std::size_t bytes = 0;
-    for (std::size_t i = count - count % frames_in_group; i < count; ++i) unpack(i, *frames[i].packed, last);
+    for (std::size_t i = count - count % frames_in_group; i < count; ++i)
+        unpack(i, *frames[i].packed, last, spare);
     for (const PackedFrame& frame : frames) bytes += frame.packed->size();
     newest_ = std::move(last);
     gap_s_ = longest_gap_s;
@@ -92,9 +97,9 @@ void FrameStore::keep_new_frame(std::uint32_t tick) {
 void FrameStore::drop_every_second() {
     std::vector<Frame> kept;
     std::size_t bytes = 0;
-    StateImage image, last;
+    StateImage image, spare, last;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-        unpack(i, *frames_[i].packed, image);
+        unpack(i, *frames_[i].packed, image, spare);
         if (i % 2 != 0) continue;
         kept.push_back(packed(kept.size(), frames_[i].tick, last, image));
         bytes += kept.back().packed->size();
@@ -129,9 +134,9 @@ std::vector<std::uint8_t> FrameStore::state(std::uint32_t tick) const {
         group.assign(frames_.begin() + static_cast<std::ptrdiff_t>(first), after);
         file = file_;
     }
-    StateImage image;
+    StateImage image, spare;
     for (std::size_t i = 0; i < group.size(); ++i)
-        unpack(i, file != nullptr ? file->packed(first + i) : *group[i].packed, image);
+        unpack(i, file != nullptr ? file->packed(first + i) : *group[i].packed, image, spare);
     return std::move(image.bytes);
 }
 

@@ -58,7 +58,8 @@ class FrameStore {
     void keep_new_frame(std::uint32_t tick);
     static Frame packed(std::size_t number, std::uint32_t tick, const StateImage& before,
                         const StateImage& image);
-    static void unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image);
+    static void unpack(std::size_t number, const std::vector<std::uint8_t>& packed, StateImage& image,
+                       StateImage& spare);
     void drop_every_second();
 
     const std::size_t most_;

@@ -71,6 +71,38 @@ class DifferenceReader {
     std::size_t place_ = 0;
 };
 
+/// A bit for each block.
+class ChangedBlocks {
+  public:
+    explicit ChangedBlocks(const std::uint8_t* bits) : bits_(bits) {}
+    bool operator[](std::size_t number) const { return (bits_[number / 8] >> (number % 8) & 1U) != 0; }
+    /// This block begins a byte of bits, and none of its eight changed.
+    bool none_of_eight(std::size_t number) const { return number % 8 == 0 && bits_[number / 8] == 0; }
+
+  private:
+    const std::uint8_t* bits_;
+};
+
+/// The blocks of one section; `number` of the first, then of the one after the last.
+void apply_changed(std::uint8_t* bytes, std::size_t size, const ChangedBlocks& changed, std::size_t& number,
+                   DifferenceReader& reader) {
+    for (std::size_t at = 0; at < size;) {
+        const std::size_t left = size - at;
+        if (left >= 8 * block && changed.none_of_eight(number)) {
+            at += 8 * block;
+            number += 8;
+            continue;
+        }
+        const std::size_t here = std::min(block, left);
+        if (changed[number]) {
+            const std::uint8_t* other = reader.take(here);
+            for (std::size_t i = 0; i < here; ++i) bytes[at + i] ^= other[i];
+        }
+        at += here;
+        ++number;
+    }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> state_difference(const StateImage& from, const StateImage& to) {
@@ -98,41 +130,46 @@ std::vector<std::uint8_t> state_difference(const StateImage& from, const StateIm
     return out;
 }
 
-StateImage apply_difference(const StateImage& from, const std::vector<std::uint8_t>& difference) {
+void apply_difference(StateImage& image, const std::vector<std::uint8_t>& difference, StateImage& spare) {
     DifferenceReader reader(difference);
     const std::size_t count = reader.number();
     if (count == 0 || count > difference.size()) not_of_this_state();
     std::vector<std::size_t> sizes(count);
     std::size_t blocks = 0, bytes = 0;
+    bool same_places = count == sections_of(image);
     for (std::size_t s = 0; s < count; ++s) {
         sizes[s] = reader.number();
-        const std::size_t had = section(from, s).size;
+        const std::size_t had = section(image, s).size;
         if (sizes[s] > had + difference.size()) not_of_this_state();  // what it has more is in the difference
         blocks += (std::min(had, sizes[s]) + block - 1) / block;
         bytes += sizes[s];
+        same_places = same_places && sizes[s] == had;
     }
-    const std::uint8_t* bits = reader.take((blocks + 7) / 8);
-    StateImage to;
-    to.bytes.resize(bytes);
-    to.starts.reserve(count - 1);
+    const ChangedBlocks changed(reader.take((blocks + 7) / 8));
     std::size_t place = 0, number = 0;
-    for (std::size_t s = 0; s < count; ++s) {
-        if (s > 0) to.starts.push_back(static_cast<std::uint32_t>(place));
-        const Section old = section(from, s);
-        const std::size_t common = std::min(old.size, sizes[s]);
-        std::uint8_t* now = to.bytes.data() + place;
-        if (common > 0) std::memcpy(now, old.data, common);
-        for (std::size_t at = 0; at < common; at += block, ++number) {
-            if ((bits[number / 8] >> (number % 8) & 1U) == 0) continue;
-            const std::size_t size = std::min(block, common - at);
-            const std::uint8_t* other = reader.take(size);
-            for (std::size_t i = 0; i < size; ++i) now[at + i] ^= other[i];
+    if (same_places) {
+        // Nothing moves, as between most frames: only what changed is written.
+        for (std::size_t s = 0; s < count; ++s) {
+            apply_changed(image.bytes.data() + place, sizes[s], changed, number, reader);
+            place += sizes[s];
         }
-        if (sizes[s] > common) std::memcpy(now + common, reader.take(sizes[s] - common), sizes[s] - common);
-        place += sizes[s];
+    } else {
+        spare.bytes.resize(bytes);
+        spare.starts.clear();
+        for (std::size_t s = 0; s < count; ++s) {
+            if (s > 0) spare.starts.push_back(static_cast<std::uint32_t>(place));
+            const Section old = section(image, s);
+            const std::size_t common = std::min(old.size, sizes[s]);
+            std::uint8_t* now = spare.bytes.data() + place;
+            if (common > 0) std::memcpy(now, old.data, common);
+            apply_changed(now, common, changed, number, reader);
+            if (sizes[s] > common)
+                std::memcpy(now + common, reader.take(sizes[s] - common), sizes[s] - common);
+            place += sizes[s];
+        }
+        std::swap(image, spare);
     }
     if (!reader.at_end()) not_of_this_state();
-    return to;
 }
 
 }  // namespace fulcrum::app

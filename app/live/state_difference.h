@@ -18,7 +18,9 @@ struct StateImage {
 /// nearly the same, whatever their lengths.
 std::vector<std::uint8_t> state_difference(const StateImage& from, const StateImage& to);
 
-/// `from` with the difference applied. Throws StateArchiveError where it is not one of this state.
-StateImage apply_difference(const StateImage& from, const std::vector<std::uint8_t>& difference);
+/// Applies it to the state that it was made from. `spare`: anything; its memory is used where tables changed
+/// their length. Throws StateArchiveError where the difference is not one of this state, whose bytes may have
+/// changed then.
+void apply_difference(StateImage& image, const std::vector<std::uint8_t>& difference, StateImage& spare);
 
 }  // namespace fulcrum::app

@@ -32,15 +32,41 @@ void expect_same(const StateImage& found, const StateImage& expected) {
     EXPECT_EQ(found.starts, expected.starts);
 }
 
+StateImage applied(StateImage from, const std::vector<std::uint8_t>& difference) {
+    StateImage spare;
+    apply_difference(from, difference, spare);
+    return from;
+}
+
 TEST(StateDifference, GivesBackEveryByteOfAnyTwoStates) {
     std::mt19937 random(1);
     StateImage from;
     for (int i = 0; i < 300; ++i) {
         const StateImage to = random_image(random);
-        expect_same(apply_difference(from, state_difference(from, to)), to);
+        expect_same(applied(from, state_difference(from, to)), to);
         if (HasFailure()) FAIL() << "round " << i;
         from = to;
     }
+}
+
+TEST(StateDifference, FollowsAStateWhoseTablesKeepTheirPlaces) {
+    std::mt19937 random(2);
+    StateImage from, kept, spare;
+    from.bytes.assign(20'000, 7);
+    from.starts = {37, 37, 9'000};
+    kept = from;
+    const std::uint8_t* const place = kept.bytes.data();
+    for (int i = 0; i < 100; ++i) {
+        StateImage to = from;
+        for (int change = 0; change < i % 5; ++change)
+            to.bytes[random() % to.bytes.size()] = static_cast<std::uint8_t>(random());
+        apply_difference(kept, state_difference(from, to), spare);
+        expect_same(kept, to);
+        if (HasFailure()) FAIL() << "round " << i;
+        from = to;
+    }
+    EXPECT_EQ(kept.bytes.data(), place) << "it was copied";
+    EXPECT_TRUE(spare.bytes.empty());
 }
 
 TEST(StateDifference, IsSmallWhereATableGrows) {
@@ -52,7 +78,7 @@ TEST(StateDifference, IsSmallWhereATableGrows) {
     to.bytes.insert(to.bytes.begin() + 50'000, 100, 9);  // at the end of the second table
     to.starts[1] += 100;
     EXPECT_LT(state_difference(from, to).size(), 600U);
-    expect_same(apply_difference(from, state_difference(from, to)), to);
+    expect_same(applied(from, state_difference(from, to)), to);
 }
 
 TEST(StateDifference, DamagedOnesAreRefusedOrGiveAState) {
@@ -60,14 +86,14 @@ TEST(StateDifference, DamagedOnesAreRefusedOrGiveAState) {
     const StateImage from = random_image(random), to = random_image(random);
     const std::vector<std::uint8_t> good = state_difference(from, to);
     for (std::size_t cut = 0; cut < good.size(); ++cut)
-        EXPECT_THROW(apply_difference(from, {good.begin(), good.begin() + static_cast<std::ptrdiff_t>(cut)}),
+        EXPECT_THROW(applied(from, {good.begin(), good.begin() + static_cast<std::ptrdiff_t>(cut)}),
                      StateArchiveError)
             << cut;
     for (int i = 0; i < 2000; ++i) {
         std::vector<std::uint8_t> bytes = good;
         bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
         try {
-            EXPECT_LE(apply_difference(from, bytes).bytes.size(), 6 * (from.bytes.size() + bytes.size()));
+            EXPECT_LE(applied(from, bytes).bytes.size(), 6 * (from.bytes.size() + bytes.size()));
         } catch (const StateArchiveError&) {
         }
     }
