@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/records/attempt_query.h"
 
+#include <QHash>
+
 #include "database/rows/enum_column.h"
 #include "database/rows/force_devices.h"
 #include "database/rows/person_kind.h"
@@ -9,63 +11,80 @@
 namespace fulcrum::database {
 namespace {
 
+enum class In {
+    lists,   ///< of single attempts alone
+    tables,  ///< also of the tables of a cohort, which have an attempt by the ten thousand
+    /// The same: words and numbers of the program, of which a table has few that differ. There they come as
+    /// one text.
+    words
+};
+
 struct Column {
     const char* sql;
-    bool in_tables;  ///< read also for the tables of a cohort, which have an attempt by the ten thousand
+    In in;
 };
 
 /// In the order in which summary_of_row() takes them.
 constexpr Column columns[] = {
-    {"a.id", true},
-    {"p.id", true},
-    {"a.task_id", true},
-    {"a.task_version", true},
-    {"a.mode", true},
-    {"a.device_class", true},
-    {"a.device", false},
-    {"a.operator_name", false},
-    {"a.variant", true},
-    {"a.seed", false},
-    {"a.fidelity", true},
-    {"a.scene", false},
-    {"a.scene_digest", false},
-    {"a.curriculum", true},
-    {"a.limits", true},
-    {"a.program_version", true},
-    {"a.cpu_features", false},
-    {"a.started", true},
-    {"a.utc_offset_min", true},
-    {"a.force_devices", false},
-    {"p.login", false},
-    {"p.display_name", false},
-    {"p.kind", true},
-    {"a.state", true},
-    {"a.duration_s", true},
-    {"a.wall_s", false},
-    {"a.missed_ticks", false},
-    {"a.lost_samples", false},
-    {"a.events", false},
-    {"a.state_hash", false},
-    {"s.passed", true},
-    {"s.points", true},
-    {"COALESCE(s.not_scored_because, '')", true},
-    {"EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1)", true},
-    {"COALESCE(v.reason, '')", false},
-    {"COALESCE(w.display_name, '')", false},
-    {"COALESCE(v.time, 0)", true},
-    {"COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), '')", false},
-    {"COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), '')", false},
-    {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0)", false},
-    {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0)", false},
-    {"COALESCE(o.source_id, '')", false},
-    {"COALESCE(o.tick, 0)", false},
-    {"COALESCE(o.goal, 0)", false},
-    {"COALESCE(o.build, '')", false}};
+    {"a.id", In::tables},
+    {"p.id", In::tables},
+    {"a.task_id", In::tables},
+    {"a.task_version", In::words},
+    {"a.mode", In::words},
+    {"a.device_class", In::words},
+    {"a.device", In::lists},
+    {"a.operator_name", In::lists},
+    {"a.variant", In::words},
+    {"a.seed", In::lists},
+    {"a.fidelity", In::words},
+    {"a.scene", In::lists},
+    {"a.scene_digest", In::lists},
+    {"a.curriculum", In::words},
+    {"a.limits", In::words},
+    {"a.program_version", In::words},
+    {"a.cpu_features", In::lists},
+    {"a.started", In::tables},
+    {"a.utc_offset_min", In::words},
+    {"a.force_devices", In::lists},
+    {"p.login", In::lists},
+    {"p.display_name", In::lists},
+    {"p.kind", In::words},
+    {"a.state", In::words},
+    {"a.duration_s", In::tables},
+    {"a.wall_s", In::lists},
+    {"a.missed_ticks", In::lists},
+    {"a.lost_samples", In::lists},
+    {"a.events", In::lists},
+    {"a.state_hash", In::lists},
+    {"s.passed", In::tables},
+    {"s.points", In::tables},
+    {"COALESCE(s.not_scored_because, '')", In::tables},
+    {"EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1)", In::tables},
+    {"COALESCE(v.reason, '')", In::lists},
+    {"COALESCE(w.display_name, '')", In::lists},
+    {"COALESCE(v.time, 0)", In::tables},
+    {"COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), '')", In::lists},
+    {"COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), '')", In::lists},
+    {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0)", In::lists},
+    {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0)", In::lists},
+    {"COALESCE(o.source_id, '')", In::lists},
+    {"COALESCE(o.tick, 0)", In::lists},
+    {"COALESCE(o.goal, 0)", In::lists},
+    {"COALESCE(o.build, '')", In::lists}};
+
+constexpr char between_words = '\x1f';  // in none of them
 
 QString select(bool for_table) {
-    QString list;
-    for (const Column& column : columns)
-        if (column.in_tables || !for_table) list += (list.isEmpty() ? "" : ", ") + QString(column.sql);
+    QString list, words;
+    for (const Column& column : columns) {
+        const bool packed = for_table && column.in == In::words;
+        if (for_table && column.in == In::lists) continue;
+        QString& to = packed ? words : list;
+        if (!to.isEmpty())
+            to += packed ? QString(" || '%1' || ").arg(QLatin1Char(between_words)) : QString(", ");
+        to += column.sql;
+    }
+    if (for_table) list = words + ", " + list;
     QString sql = "SELECT " + list + " FROM attempt a " + join_owner("a.person_id", "p") +
                   "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
                   "LEFT JOIN attempt_void v ON v.attempt_id = a.id ";
@@ -74,37 +93,71 @@ QString select(bool for_table) {
     return sql;
 }
 
-/// Takes the columns one after another; those that were not asked for are empty.
-class Fields {
+constexpr std::size_t word_count() {
+    std::size_t count = 0;
+    for (const Column& column : columns) count += column.in == In::words ? 1 : 0;
+    return count;
+}
+
+/// The texts in which the words of a table's rows come, each taken apart once.
+class PackedWords {
   public:
-    Fields(const Query& row, bool for_table) : row_(row), for_table_(for_table) {}
-    std::string text() { return take() ? row_.text(column_ - 1) : std::string(); }
-    std::int64_t integer() { return take() ? row_.integer(column_ - 1) : 0; }
-    bool flag() { return integer() != 0; }
-    double real() { return take() ? row_.real(column_ - 1) : 0; }
-    std::optional<bool> optional_flag() {
-        return take() ? row_.optional_flag(column_ - 1) : std::optional<bool>();
-    }
-    std::optional<double> optional_real() {
-        return take() ? row_.optional_real(column_ - 1) : std::optional<double>();
+    const std::vector<std::string>& of(const Query& row) {
+        const QString text = row.row().front().toString();
+        const auto known = known_.find(text);
+        if (known != known_.end()) return *known;
+        std::vector<std::string> words;
+        for (const QString& word : text.split(QLatin1Char(between_words)))
+            words.push_back(word.toStdString());
+        if (words.size() != word_count())
+            throw StoreError(
+                StoreErrorKind::corrupt,
+                {QT_TRANSLATE_NOOP("errors", "a word in a row of table %1 has a control character"),
+                 "attempt"},
+                QT_TRANSLATE_NOOP("errors", "run `fulcrum db check`, or restore the newest backup"));
+        return *known_.insert(text, std::move(words));
     }
 
   private:
-    bool take() {
-        const bool is_there = !for_table_ || columns[at_].in_tables;
-        ++at_;
-        if (is_there) ++column_;
-        return is_there;
-    }
-    const Query& row_;
-    bool for_table_;
-    std::size_t at_ = 0;
-    int column_ = 0;
+    QHash<QString, std::vector<std::string>> known_;
 };
 
-AttemptSummary summary_of_row(const Query& row, bool for_table) {
+/// Takes the columns one after another; those that were not asked for are empty.
+class Fields {
+  public:
+    /// `words`: those of a table's row; null: every column is there.
+    Fields(const Query& row, const std::vector<std::string>* words)
+        : row_(row), words_(words), column_(words != nullptr ? 1 : 0) {}
+    std::string text() {
+        const Column& column = columns[at_++];
+        if (words_ != nullptr && column.in == In::words) return words_->at(word_++);
+        return is_there(column) ? row_.text(column_++) : std::string();
+    }
+    std::int64_t integer() {
+        const Column& column = columns[at_++];
+        if (words_ != nullptr && column.in == In::words) return std::stoll(words_->at(word_++));
+        return is_there(column) ? row_.integer(column_++) : 0;
+    }
+    bool flag() { return integer() != 0; }
+    double real() { return is_there(columns[at_++]) ? row_.real(column_++) : 0; }
+    std::optional<bool> optional_flag() {
+        return is_there(columns[at_++]) ? row_.optional_flag(column_++) : std::optional<bool>();
+    }
+    std::optional<double> optional_real() {
+        return is_there(columns[at_++]) ? row_.optional_real(column_++) : std::optional<double>();
+    }
+
+  private:
+    bool is_there(const Column& column) const { return words_ == nullptr || column.in == In::tables; }
+    const Query& row_;
+    const std::vector<std::string>* words_;
+    std::size_t at_ = 0, word_ = 0;
+    int column_;
+};
+
+AttemptSummary summary_of_row(const Query& row, const std::vector<std::string>* words = nullptr) {
     AttemptSummary attempt;
-    Fields fields(row, for_table);
+    Fields fields(row, words);
     const auto text = [&] { return fields.text(); };
     const auto integer = [&] { return fields.integer(); };
     AttemptMeta& meta = attempt.meta;
@@ -112,7 +165,9 @@ AttemptSummary summary_of_row(const Query& row, bool for_table) {
     meta.person_id = text();
     meta.task_id = text();
     meta.task_version = static_cast<int>(integer());
-    const auto place = [&](const char* column_name) { return column_name + (" of attempt " + meta.id); };
+    const auto place = [&meta](const char* column_name) {
+        return [&meta, column_name] { return column_name + (" of attempt " + meta.id); };
+    };
     meta.mode = enum_of(text(), attempt_modes, place("mode"));
     meta.device_class = enum_of(text(), device_classes, place("device class"));
     meta.device = text();
@@ -129,8 +184,8 @@ AttemptSummary summary_of_row(const Query& row, bool for_table) {
     meta.started = integer();
     meta.utc_offset_min = static_cast<int>(integer());
     const std::string devices = text();
-    meta.force_devices = force_devices_of(devices, place("force devices"));
-    meta.rig_use = rig_use_of(devices, place("force devices"));
+    meta.force_devices = force_devices_of(devices, place("force devices")());
+    meta.rig_use = rig_use_of(devices, place("force devices")());
     attempt.person_login = text();
     attempt.person_name = text();
     attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;
@@ -191,8 +246,11 @@ void bind_visible_people(Query& query, const Session& session, Operation operati
     if (scope == Scope::own || scope == Scope::cohort) query.bind(session.person_id());
 }
 
-std::vector<AttemptSummary> query_attempts(const Store& store, const Session& session,
-                                           const AttemptFilter& filter) {
+namespace {
+
+/// `order`: what follows the conditions.
+Query attempts_query(const Store& store, const Session& session, const AttemptFilter& filter,
+                     const char* order) {
     QString sql =
         select(filter.for_table) + "WHERE " + visible_people(session, Operation::read_attempt, "p.id");
     if (!filter.person_id.empty()) sql += " AND " + belongs_to("a.person_id");
@@ -204,18 +262,39 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
     if (filter.state && !voided) sql += " AND v.attempt_id IS NULL AND a.state = ?";
     if (!filter.include_voided) sql += " AND v.attempt_id IS NULL";
     if (!filter.include_synthetic) sql += " AND p.kind = 'real'";
-    sql += " ORDER BY a.started DESC, a.id";
-    if (filter.limit >= 0) sql += " LIMIT ?";
-    Query rows(store.connection(), sql);
+    Query rows(store.connection(), sql + order);
     bind_visible_people(rows, session, Operation::read_attempt);
     if (!filter.person_id.empty()) rows.bind(filter.person_id);
     if (!filter.task_id.empty()) rows.bind(filter.task_id);
     if (!filter.cohort_id.empty()) rows.bind(filter.cohort_id);
     if (filter.state && !voided) rows.bind(std::string(row_of(attempt_states, *filter.state).name));
-    if (filter.limit >= 0) rows.bind(filter.limit);
+    return rows;
+}
+
+template <typename Visit>
+void each_row(Query& rows, const AttemptFilter& filter, const Visit& visit) {
+    PackedWords words;
+    while (rows.next()) visit(summary_of_row(rows, filter.for_table ? &words.of(rows) : nullptr));
+}
+
+}  // namespace
+
+std::vector<AttemptSummary> query_attempts(const Store& store, const Session& session,
+                                           const AttemptFilter& filter) {
+    const bool limited = filter.limit >= 0;
+    Query rows =
+        attempts_query(store, session, filter,
+                       limited ? " ORDER BY a.started DESC, a.id LIMIT ?" : " ORDER BY a.started DESC, a.id");
+    if (limited) rows.bind(filter.limit);
     std::vector<AttemptSummary> attempts;
-    while (rows.next()) attempts.push_back(summary_of_row(rows, filter.for_table));
+    each_row(rows, filter, [&](AttemptSummary&& attempt) { attempts.push_back(std::move(attempt)); });
     return attempts;
+}
+
+void for_each_attempt(const Store& store, const Session& session, const AttemptFilter& filter,
+                      const std::function<void(AttemptSummary&&)>& visit) {
+    Query rows = attempts_query(store, session, filter, "");
+    each_row(rows, filter, visit);
 }
 
 [[noreturn]] void unknown_attempt(const std::string& id) {
@@ -241,7 +320,7 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
     Query row(store.connection(), select(false) + "WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next()) unknown_attempt(attempt_id);
-    return summary_of_row(row, false);
+    return summary_of_row(row);
 }
 
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ void bind_visible_people(Query& query, const Session& session, Operation operati
 /// left out here.
 std::vector<AttemptSummary> query_attempts(const Store& store, const Session& session,
                                            const AttemptFilter& filter);
+/// The same attempts one after another, in no order; `limit` does not count.
+void for_each_attempt(const Store& store, const Session& session, const AttemptFilter& filter,
+                      const std::function<void(AttemptSummary&&)>& visit);
 /// Access was checked by the caller. Throws not_found.
 AttemptSummary query_attempt(const Store& store, const std::string& attempt_id);
 

@@ -54,8 +54,9 @@ struct CohortTable {
     std::vector<std::string> metric_versions;  ///< "path_len@1", sorted
     std::vector<std::string> benchmark_sets;   ///< "B1-operators@1 sha256:9f86d081884c7d65", sorted
     std::vector<std::string> program_versions;
-    std::vector<AssetFile> assets;  ///< files of the assessed attempts behind the values, by name
-    std::string audit_head;         ///< hex, printed on reports
+    /// Files of the assessed attempts behind the values, by name; on a screen those of benchmark sets alone.
+    std::vector<AssetFile> assets;
+    std::string audit_head;  ///< hex, printed on reports
 };
 
 struct ProgressPoint {
@@ -153,6 +154,12 @@ class Reports {
     bool each_of_cohort(const Session& session, const std::string& cohort_id,
                         const PersonDataOptions& options,
                         const std::function<bool(PersonData&&, double)>& visit) const;
+    /// Both from one reading of the attempts: the table, and each person of it when it is whole; nothing once
+    /// `visit` returned false. Checked as each_of_cohort.
+    std::optional<CohortTable> table_with_people(
+        const Session& session, const std::string& cohort_id, const CohortTableOptions& options,
+        const PersonDataOptions& people,
+        const std::function<bool(const CohortTable&, PersonData&&, double)>& visit) const;
     AttemptReport attempt_report(const Session& session, const std::string& attempt_id,
                                  ReportPurpose purpose = ReportPurpose::screen) const;
     /// Where a person stands in a curriculum, as in cohort_table.

@@ -31,10 +31,13 @@ void Provenance::add(const AttemptSummary& attempt) {
 Provenance::Files Provenance::used_files() const {
     Files files;
     std::set<std::pair<std::string, std::string>> all;
-    Query rows(store_.connection(),
-               QString("SELECT DISTINCT a.limits, f.file, f.digest FROM attempt a JOIN attempt_asset f ON "
-                       "f.attempt_id = a.id WHERE a.mode = 'assessed' AND ") +
-                   whose_);
+    Query rows(
+        store_.connection(),
+        QString("SELECT DISTINCT a.limits, f.file, f.digest FROM attempt a JOIN attempt_asset f ON "
+                "f.attempt_id = a.id %1 WHERE a.mode = 'assessed' AND ")
+                // A range of the table's key, which sorts bytes.
+                .arg(kinds_ == Kinds::all ? "" : "AND f.file > 'benchmarks/' AND f.file < 'benchmarks0'") +
+            whose_);
     rows.bind(value_);
     while (rows.next()) {
         all.emplace(rows.text(1), rows.text(2));

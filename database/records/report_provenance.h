@@ -27,9 +27,12 @@ class MetricVersions {
 
 class Provenance {
   public:
-    /// Over the attempts (table `a`) for which `whose` holds with this value.
-    Provenance(const Store& store, MetricVersions& versions, const QString& whose, const std::string& value)
-        : store_(store), versions_(versions), whose_(whose), value_(value) {}
+    /// Over the attempts (table `a`) for which `whose` holds with this value. `kinds`: those of benchmark
+    /// sets alone are a third of them.
+    enum class Kinds { all, benchmark_sets };
+    Provenance(const Store& store, MetricVersions& versions, const QString& whose, const std::string& value,
+               Kinds kinds = Kinds::all)
+        : store_(store), versions_(versions), whose_(whose), value_(value), kinds_(kinds) {}
     void add(const AttemptSummary& attempt);
     template <typename Report>
     void write(Report& report, const std::string& audit_head) const {
@@ -58,6 +61,7 @@ class Provenance {
     MetricVersions& versions_;
     QString whose_;
     std::string value_;
+    Kinds kinds_;
     std::set<std::string> metrics_, sets_, programs_;
     std::set<const std::set<std::string>*> added_;
 };

@@ -123,6 +123,9 @@ Connection::Connection(const ServerAddress& server, bool read_only, const std::s
 
 void Connection::set_up_server() {
     execute("SET client_min_messages = warning");  // the driver prints notices
+    // The queries of a report are estimated to be large, and compiling one took more than running it:
+    // all attempts of 200 trainees with 300 each in 1.75 s with it and 0.52 s without.
+    execute("SET jit = off");
     if (read_only_) execute("SET SESSION CHARACTERISTICS AS TRANSACTION READ ONLY");
 }
 

@@ -82,19 +82,27 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
             score.limits = task + "-operators@1";
             score.passed = points > 60;
             score.points = points;
-            score.gates.push_back({"time",
-                                   "",
-                                   "",
-                                   GateKind::benchmark,
-                                   120 - points,
-                                   "s",
-                                   60.0,
-                                   "operators",
-                                   0.5,
-                                   points,
-                                   *score.passed,
-                                   true,
-                                   {}});
+            // As many as a task of the programme has on average.
+            for (int gate = 0; gate < 9; ++gate)
+                score.gates.push_back({gate == 0 ? "time" : "metric_" + std::to_string(gate),
+                                       "",
+                                       "",
+                                       GateKind::benchmark,
+                                       120 - points,
+                                       "s",
+                                       60.0,
+                                       "operators",
+                                       0.5,
+                                       points,
+                                       *score.passed,
+                                       false,
+                                       {}});
+            for (const char* folder : {"tasks/", "scenes/", "benchmarks/"})
+                Query(connection, "INSERT INTO attempt_asset (attempt_id, file, digest) VALUES (?, ?, ?)")
+                    .bind(attempt)
+                    .bind(folder + task + ".json")
+                    .bind("0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef")
+                    .run();
             for (int m = 0; m < metrics; ++m) {
                 score.metrics.push_back({"metric_" + std::to_string(m),
                                          1,

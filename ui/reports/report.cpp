@@ -146,29 +146,37 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
     database::CohortTableOptions options;
     options.tasks = ids_of(tasks);
     options.curriculum = curriculum;
-    report.table =
-        database::Reports(store).cohort_table(session, cohort_id, options, database::ReportPurpose::exported);
-    report.tasks = titles_of(report.table.tasks, tasks);
-    report.provenance.as_of = report.table.as_of;
-    take_basis(report.provenance, report.table);
-    report.curriculum = curriculum;
-    if (curriculum != nullptr) {
+    const auto take_table = [&](database::CohortTable&& table) {
+        report.table = std::move(table);
+        report.tasks = titles_of(report.table.tasks, tasks);
+        report.provenance.as_of = report.table.as_of;
+        take_basis(report.provenance, report.table);
+        report.curriculum = curriculum;
+        if (curriculum == nullptr) return;
         const std::int64_t at = report.table.as_of;
         const int offset_s = QDateTime::fromMSecsSinceEpoch(at).offsetFromUtc();
         report.dashboard =
             database::dashboard_of(report.table.standings, *curriculum, {at, offset_s / 60, plan_weeks});
+    };
+    const database::Reports reports(store);
+    if (people == PeoplePages::none) {
+        take_table(reports.cohort_table(session, cohort_id, options, database::ReportPurpose::exported));
+        return report;
     }
-    if (people == PeoplePages::none) return report;
     database::PersonDataOptions pages;
     pages.tasks = ids_of(tasks);
     pages.curriculum = curriculum;
     pages.detail = database::PointDetail::none;
-    const bool all = database::Reports(store).each_of_cohort(
-        session, cohort_id, pages, [&](database::PersonData&& data, double done) {
-            report.people.push_back(report_of(std::move(data), report.provenance, tasks));
+    auto table = reports.table_with_people(
+        session, cohort_id, options, pages,
+        [&](const database::CohortTable& whole, database::PersonData&& data, double done) {
+            ReportProvenance provenance = report.provenance;
+            provenance.as_of = whole.as_of;
+            report.people.push_back(report_of(std::move(data), std::move(provenance), tasks));
             return !progress || progress(0.5 * done, {});
         });
-    if (!all) return std::nullopt;
+    if (!table) return std::nullopt;
+    take_table(std::move(*table));
     return report;
 }
 
