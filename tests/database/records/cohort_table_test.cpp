@@ -69,6 +69,88 @@ TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
     EXPECT_EQ(personal[0].best_points, 80);
 }
 
+TEST(CohortTable, OfTwoEqualAttemptsTheLaterIsTheBestOneEverywhere) {
+    Programme programme;
+    std::string later;
+    for (int i = 0; i < 2; ++i) {
+        later = programme.record("ann", true, 80);
+        programme.clock.pass_s(600);
+    }
+    const Reports reports(*programme.store);
+    const Session& director = programme.session("director");
+    CohortTableOptions options;
+    options.tasks = {"A2"};
+    EXPECT_EQ(row_of(reports.cohort_table(director, programme.cohort, options), "ann", "A2",
+                     DeviceClass::mouse_keyboard)
+                  ->best_attempt_id,
+              later);
+    EXPECT_EQ(reports.person_data(director, programme.id("ann"), {{"A2"}, nullptr}).rows[0].best_attempt_id,
+              later);
+    EXPECT_EQ(reports.person_table(director, programme.id("ann"), {"A2"})[0].best_attempt_id, later);
+}
+
+TEST(CohortTable, WithItsPeopleFromOneReadingIsTheSameTable) {
+    Programme programme;
+    programme.record("ann", true, 71.5);
+    programme.clock.pass_s(60);
+    const std::string voided = programme.record("ann", true, 95);
+    programme.record("ben", false, 5);
+    const Session& director = programme.session("director");
+    Attempts(*programme.store).void_attempt(programme.session("educator"), voided, "wrong hand");
+    const Reports reports(*programme.store);
+    CohortTableOptions options;
+    options.tasks = {"A2"};
+    PersonDataOptions pages;
+    pages.tasks = options.tasks;
+    const CohortTable alone =
+        reports.cohort_table(director, programme.cohort, options, ReportPurpose::exported);
+    std::vector<PersonData> people;
+    const auto table = reports.table_with_people(director, programme.cohort, options, pages,
+                                                 [&](const CohortTable& whole, PersonData&& person, double) {
+                                                     EXPECT_EQ(whole.rows.size(), alone.rows.size())
+                                                         << "the table is whole before the first person";
+                                                     people.push_back(std::move(person));
+                                                     return true;
+                                                 });
+    ASSERT_TRUE(table.has_value());
+    ASSERT_EQ(people.size(), 2U);
+    ASSERT_EQ(table->rows.size(), alone.rows.size());
+    for (std::size_t i = 0; i < alone.rows.size(); ++i) {
+        EXPECT_EQ(table->rows[i].best_attempt_id, alone.rows[i].best_attempt_id);
+        EXPECT_EQ(table->rows[i].attempts, alone.rows[i].attempts);
+        EXPECT_EQ(table->rows[i].best_points, people[i].rows[0].best_points);
+    }
+    EXPECT_EQ(table->assets.size(), alone.assets.size());
+    EXPECT_EQ(people[0].rows[0].best_points, 71.5) << "what was voided is in no figure";
+    ASSERT_EQ(people[0].progress[0].voided.size(), 1U);
+    EXPECT_EQ(people[0].progress[0].voided[0].attempt_id, voided);
+    int visited = 0;
+    EXPECT_FALSE(reports
+                     .table_with_people(director, programme.cohort, options, pages,
+                                        [&](const CohortTable&, PersonData&&, double) {
+                                            ++visited;
+                                            return false;
+                                        })
+                     .has_value());
+    EXPECT_EQ(visited, 1);
+    EXPECT_THROW(reports.table_with_people(programme.session("educator"), programme.cohort, options, pages,
+                                           [](const CohortTable&, PersonData&&, double) { return true; }),
+                 AccessDenied);
+}
+
+TEST(CohortTable, AWordWithAControlCharacterIsRefusedWithItsTable) {
+    Programme programme;
+    programme.record("ann", true, 80);
+    programme.store->connection().execute(
+        "DROP TRIGGER IF EXISTS attempt_is_fixed; UPDATE attempt SET variant = 'a' || char(31) || 'b'");
+    try {
+        Reports(*programme.store).cohort_table(programme.session("director"), programme.cohort);
+        FAIL() << "it was read";
+    } catch (const StoreError& error) {
+        EXPECT_EQ(error.kind(), StoreErrorKind::corrupt) << error.what();
+    }
+}
+
 TEST(Progress, AnAttemptWithoutAScoreHidesNoVersions) {
     Programme programme;
     programme.record_broken("ann");

@@ -8408,6 +8408,10 @@
         <source>contents of accepted files</source>
         <translation>Inhalte zugelassener Dateien</translation>
     </message>
+    <message>
+        <source>a word in a row of table %1 has a control character</source>
+        <translation>ein Wort in einer Zeile der Tabelle %1 enthält ein Steuerzeichen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
