@@ -9,6 +9,7 @@
 #include "app/services/application.h"
 #include "tests/app/live/forged_record.h"
 #include "tests/ui/hands.h"
+#include "ui/language/language.h"
 #include "ui/shell/main_window.h"
 
 namespace fulcrum::app {
@@ -22,17 +23,22 @@ class StationCheck : public ::testing::Test {
         for (const std::uint64_t seed : {11ULL, 12ULL})
             ids.push_back(record_expert_attempt(station, path, seed));
     }
-    /// An administrator opens the page in a window of their own, and presses the button.
-    void press_check() {
+    /// An administrator opens the page in a window of their own.
+    void open_page(ui::Language language = ui::Language::english, int percent = 100) {
         services = make_services(folder.path().toStdString());
         window = std::make_unique<ui::MainWindow>(*services);
         window->resize(1280, 800);
         window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
         window->start();
+        if (language != ui::Language::english) window->set_language(language);
+        if (percent != 100) window->set_text_size(percent);
         window->context().set_session(administrator);
         QCoreApplication::processEvents();
-        click(*window, "rail_station");
+        choose_page(*window, "rail_station");
+    }
+    void press_check() {
+        open_page();
         click(*window, "check_store");
     }
     QString verdict() {
@@ -73,6 +79,21 @@ TEST_F(StationCheck, SaysHowManyAttemptsWereSimulatedAgainAndThatAllAgree) {
     EXPECT_FALSE(sees(*window, "cancel_job"));
     EXPECT_TRUE(find<QPushButton>(*window, "check_store")->isEnabled());
     keep_picture(*window, "station-check");
+}
+
+TEST_F(StationCheck, ItsResultIsReadableInGermanWithLargeText) {
+    open_page(ui::Language::german, 200);
+    window->resize(1024, 768);
+    bring(*find<QPushButton>(*window, "check_store"));
+    click(*window, "check_store");
+    EXPECT_TRUE(verdict().contains("unversehrt")) << verdict().toStdString();
+    auto* said = find<QLabel>(*window, "check_verdict");
+    EXPECT_TRUE(wait_for([&] {
+        return said->height() >= said->heightForWidth(said->width()) && window->width() == 1024;
+    })) << "its lines are cut off, or the page is wider than the window";
+    keep_picture(*window, "station-check-german");
+    window->set_text_size(100);
+    ui::use_language(ui::Language::english);
 }
 
 TEST_F(StationCheck, NamesAnAttemptThatWasReplacedAndSignedAgain) {
