@@ -19,8 +19,8 @@ namespace fulcrum::app {
 /// take longer and memory does not grow with the attempt. add() from one thread, the rest from any.
 class FrameStore {
   public:
-    /// Enough for ten minutes of the largest scene on a slow machine (docs/results/lab_seek.md).
-    static constexpr std::size_t most_bytes = 320U << 20U;
+    /// Ten minutes of the largest scene fit, also on a slow machine (docs/results/lab_seek.md).
+    static constexpr std::size_t most_bytes = 384U << 20U;
     static constexpr std::size_t frames_in_group = 32;
     /// s of processor time that simulating from one frame to the next may take, of the 0.2 s of a seek.
     static constexpr double longest_gap_s = 0.08;
