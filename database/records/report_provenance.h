@@ -27,9 +27,9 @@ class MetricVersions {
 
 class Provenance {
   public:
-    /// Over the attempts (table `a`) for which `whose` holds with this value. `kinds`: those of benchmark
-    /// sets alone are a third of them.
+    /// Which files are asked for: the sets are a third of them.
     enum class Kinds { all, benchmark_sets };
+    /// Over the attempts (table `a`) for which `whose` holds with this value.
     Provenance(const Store& store, MetricVersions& versions, const QString& whose, const std::string& value,
                Kinds kinds = Kinds::all)
         : store_(store), versions_(versions), whose_(whose), value_(value), kinds_(kinds) {}
