@@ -41,25 +41,40 @@ double dot(const Lanes* a, const Lanes* b, std::size_t count) {
 
 double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
                    const Lanes* x, Lanes* gradient) {
-    return add_springs({tables.first.data(), tables.second.data(), tables.first.size()}, stiffness, rest, x,
-                       gradient);
-}
-
-double add_springs(const SpringEnds& ends, const double* stiffness, const double* rest, const Lanes* x,
-                   Lanes* gradient) {
-    Lanes energy = all_lanes(0);
-    const std::int32_t *first = ends.first, *second = ends.second;
-    for (std::size_t s = 0; s < ends.count; s += 4) {
-        const Four four = lengths(first + s, second + s, x);
-        const Lanes k = load_lanes(stiffness + s), stretch = four.length - load_lanes(rest + s);
-        energy += k * stretch * stretch;
-        const Lanes pull = k * stretch / four.length;
-        for (int q = 0; q < 4; ++q) {
-            const Lanes force = all_lanes(pull[q]) * four.difference[q];
-            gradient[first[s + static_cast<std::size_t>(q)]] += force;
-            gradient[second[s + static_cast<std::size_t>(q)]] -= force;
+    const std::size_t count = tables.first.size();
+    if (count == 0) return 0;
+    // Springs of one first node follow one another: its sum stays in a register until the next node. Roots
+    // and quotients of some fours are computed before their sums, since they do not wait for one another.
+    constexpr std::size_t block = 4;
+    Lanes energy = all_lanes(0), pulls[block], differences[block][4];
+    const std::int32_t *first = tables.first.data(), *second = tables.second.data();
+    std::int32_t node = first[0];
+    Lanes at_node = gradient[node];
+    for (std::size_t begin = 0; begin < count; begin += 4 * block) {
+        const std::size_t fours = std::min(block, (count - begin) / 4);
+        for (std::size_t b = 0; b < fours; ++b) {
+            const std::size_t s = begin + 4 * b;
+            const Four four = lengths(first + s, second + s, x);
+            const Lanes k = load_lanes(stiffness + s), stretch = four.length - load_lanes(rest + s);
+            energy += k * stretch * stretch;
+            pulls[b] = k * stretch / four.length;
+            std::copy_n(four.difference, 4, differences[b]);
+        }
+        for (std::size_t b = 0; b < fours; ++b) {
+            for (std::size_t q = 0; q < 4; ++q) {
+                const std::size_t s = begin + 4 * b + q;
+                const Lanes force = all_lanes(pulls[b][q]) * differences[b][q];
+                if (first[s] != node) {
+                    gradient[node] = at_node;
+                    node = first[s];
+                    at_node = gradient[node];
+                }
+                at_node += force;
+                gradient[second[s]] -= force;
+            }
         }
     }
+    gradient[node] = at_node;
     return 0.5 * sum_lanes(energy);
 }
 

@@ -17,7 +17,8 @@ struct Membrane::Tables {
     std::vector<std::int32_t> node_of;  ///< node of a vertex
     std::vector<std::int32_t> vertex_of;
     std::vector<double> mass;  ///< kg, by node
-    /// Springs by node numbers, padded to a multiple of four with springs of no stiffness.
+    /// Springs by node numbers, first < second, ascending; padded at the end to a multiple of four with
+    /// springs of no stiffness from node 0 to node 0.
     std::vector<std::int32_t> first, second;
     std::vector<double> stiffness, rest;
     std::vector<std::int32_t> spring_of;  ///< number in springs(), -1 for padding
@@ -93,16 +94,14 @@ using Data = MembraneScratch::Data;
 
 double dot(const Lanes* a, const Lanes* b, std::size_t count);
 
+/// Energy of springs of the given stiffness and rest length, gradient added.
+double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
+                   const Lanes* x, Lanes* gradient);
 /// Ends of springs by node numbers; count is a multiple of four, padded with springs of no stiffness.
 struct SpringEnds {
     const std::int32_t *first = nullptr, *second = nullptr;
     std::size_t count = 0;
 };
-/// Energy of springs of the given stiffness and rest length, gradient added.
-double add_springs(const SpringEnds& ends, const double* stiffness, const double* rest, const Lanes* x,
-                   Lanes* gradient);
-double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
-                   const Lanes* x, Lanes* gradient);
 /// Springs with dampers, gradient += stiffness * (length - rest + damping * n . (v_i - v_j)) n.
 void add_damped_springs(const SpringEnds& ends, const double* stiffness, const double* rest, double damping,
                         const Lanes* x, const Lanes* v, Lanes* gradient);
