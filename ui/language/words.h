@@ -28,6 +28,9 @@ QString words_in(const WordsOf (&table)[N], const std::string& name, const char*
 
 /// As Sentence::words() takes it.
 std::string words_in_use(const char* context, const char* source);
+/// Sentences mark commands as a terminal's reader knows it, `fulcrum db check`; a window shows them in the
+/// quotation marks of its language.
+QString with_quotation_marks(QString text);
 /// What an error says, in the reader's language.
 QString sentence_text(const Sentence& sentence);
 QString role_text(const std::string& role);

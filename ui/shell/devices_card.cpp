@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/language/language.h"
+#include "ui/language/words.h"
 #include "ui/page/background_job.h"
 #include "ui/shell/device_test.h"
 #include "ui/style/text.h"
@@ -15,7 +16,8 @@ namespace fulcrum::ui {
 
 QString device_words(const std::string& english) {
     const QString words = QCoreApplication::translate("fulcrum::device_list", english.c_str());
-    return words != text(english) ? words : QCoreApplication::translate("errors", english.c_str());
+    return with_quotation_marks(
+        words != text(english) ? words : QCoreApplication::translate("errors", english.c_str()));
 }
 
 namespace {

@@ -34,6 +34,7 @@
 #include "ui/reports/report.h"
 #include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
+#include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_table.h"
 #include "ui/style/appearance.h"
@@ -306,6 +307,11 @@ class DemonstrationWindow : public ::testing::Test {
         EXPECT_FALSE(error) << screen.toStdString() << ": " << line->text().toStdString();
         const QString pictures = QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES"));
         if (pictures.isEmpty()) return;
+        for (const auto* replay : window->findChildren<ui::ReplayPanel*>())
+            if (replay->isVisible())
+                EXPECT_TRUE(wait_for([&] { return replay->shown_time() >= 0; }, 60000))
+                    << screen.toStdString();
+        settle();
         QDir().mkpath(pictures);
         const PictureKind kind{window->size(), ui::current_theme(), ui::language_in_use(),
                                ui::text_percent()};

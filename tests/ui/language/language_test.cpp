@@ -14,9 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include "database/records/people.h"
+#include "sim_core/numerics/sentence.h"
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/language/words.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -249,6 +251,15 @@ TEST_F(GermanWindow, ShowsSignInHomeBriefingsAndProgressInGerman) {
     }
     click(*window, "rail_progress");
     expect_german("german-progress");
+}
+
+TEST_F(GermanWindow, PutsCommandsInTheQuotationMarksOfTheLanguage) {
+    const Sentence trouble("run `fulcrum db check`, then `fulcrum db restore`");
+    EXPECT_EQ(sentence_text(trouble), "run „fulcrum db check“, then „fulcrum db restore“");
+    use_language(Language::english);
+    EXPECT_EQ(sentence_text(trouble), "run “fulcrum db check”, then “fulcrum db restore”");
+    for (const char* kept : {"", "a single ` mark", "``", "no marks"})
+        EXPECT_EQ(with_quotation_marks(kept), kept);
 }
 
 TEST_F(GermanWindow, WritesNumbersWithACommaAndNothingElseChangesThem) {

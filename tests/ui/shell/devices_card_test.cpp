@@ -82,7 +82,7 @@ TEST_F(DevicesOnThePage, EachSaysItsStateWhyAndWhatToDo) {
           "write the line "
           "SUBSYSTEMS==\"usb\"",
           "– SpaceMouse: not connected", "! box trainer on a serial port: connected, cannot be used",
-          "What to do: run `sudo usermod -aG dialout $USER`"})
+          "What to do: run “sudo usermod -aG dialout $USER”"})
         EXPECT_TRUE(words().contains(line)) << line << "\n\n" << words().toStdString();
     EXPECT_FALSE(sees(*window, "force_scale")) << "mouse and keyboard give no force";
 }
