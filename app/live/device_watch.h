@@ -72,6 +72,14 @@ class DeviceWatch {
     bool lost_ = false, was_held_ = false, went_on_ = false, seen_ = false;
 };
 
+/// Alignment of the devices with the instruments while a device is lost.
+struct Watched {
+    bool back = false, in_place = false;
+    DeviceTrouble trouble = DeviceTrouble::none;
+    int culprit = 0;
+    HandAlignment hand[hand_count];
+};
+
 /// What happened to the device of `culprit` (0 left hand, 1 right hand, 2 scope), and what to do.
 Sentence loss_of(DeviceTrouble trouble, int culprit);
 

@@ -8,6 +8,7 @@
 #include "app/live/device_rig.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
+#include "app/live/scope_hold.h"
 #include "app/live/world_products.h"
 #include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
@@ -33,13 +34,6 @@ struct RecordWorld {
     Event event;
     StepRecord step;
 };
-/// Alignment of the devices with the instruments while a device is lost.
-struct Watched {
-    bool back = false, in_place = false;
-    DeviceTrouble trouble = DeviceTrouble::none;
-    int culprit = 0;
-    HandAlignment hand[hand_count];
-};
 
 }  // namespace
 
@@ -59,7 +53,8 @@ struct LiveAttempt::State : public AttemptSink {
     WorldProducts products;
     TripleBuffer<Watched> watched;
     Signal may_begin, ticks_ready;
-    DeviceWatch watch;  // haptic thread
+    DeviceWatch watch;     // haptic thread
+    ScopeHold scope_hold;  // haptic thread
 
     std::atomic<bool> built{false}, begun{false}, running{false};
     std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
@@ -94,6 +89,7 @@ struct LiveAttempt::State : public AttemptSink {
             origin.state = database::pack_bytes(engine_state(*engine));
             tick_count.store(origin.tick);
             hands = engine->loop().last_input();
+            scope_hold.begin_from(hands.camera);
         }
         targets = engine->initial_snapshot().targets;
         products.fill(*engine, dynamic_cast<ObservingRig*>(request.rig.get()) != nullptr);
@@ -177,6 +173,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         if (paused.load(std::memory_order_relaxed)) input.flags |= rig_paused;
         if (abandon.load(std::memory_order_relaxed)) input.flags |= rig_abandon;
         input.flags |= device_flags(input);
+        scope_hold.apply(input);
         TickOutput output = engine->tick(input);
         output.sample.missed = counters.missed();
         write_forces(rig, output);

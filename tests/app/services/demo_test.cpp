@@ -307,10 +307,11 @@ class DemonstrationWindow : public ::testing::Test {
         EXPECT_FALSE(error) << screen.toStdString() << ": " << line->text().toStdString();
         const QString pictures = QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES"));
         if (pictures.isEmpty()) return;
-        for (const auto* replay : window->findChildren<ui::ReplayPanel*>())
-            if (replay->isVisible())
-                EXPECT_TRUE(wait_for([&] { return replay->shown_time() >= 0; }, 60000))
-                    << screen.toStdString();
+        for (const auto* replay : window->findChildren<ui::ReplayPanel*>()) {
+            if (!replay->isVisible()) continue;
+            const bool drawn = wait_for([&] { return replay->shown_time() >= 0; }, 60000);
+            EXPECT_TRUE(drawn) << screen.toStdString();
+        }
         settle();
         QDir().mkpath(pictures);
         const PictureKind kind{window->size(), ui::current_theme(), ui::language_in_use(),
