@@ -64,6 +64,10 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
             force_[i]->continuous /= motion_;
         }
     }
+    for (Driven& driven : driven_) {  // until it answers its instrument is where it begins
+        driven.last = quantise(driven.start, {});
+        driven.last.present = 0;
+    }
 }
 
 std::optional<ForceOutput> DeviceRig::force_output(Hand hand) const {

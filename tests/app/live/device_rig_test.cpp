@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -278,6 +280,41 @@ TEST(DeviceRig, ADeviceThatSendsNothingNewDidNotAnswer) {
     at.publish();
     at.read();
     EXPECT_EQ(at.sample.hand[0].present, 0);
+}
+
+TEST(DeviceRig, UntilADeviceAnswersItsInstrumentIsWhereItBegins) {
+    OnPages at;
+    at.facts.slot[2] = true;
+    at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                         at.others, SlotUse{}, 1);
+    const auto same_handle = [](const DeviceSample& a, const DeviceSample& b) {
+        return std::equal(std::begin(a.handle), std::end(a.handle), std::begin(b.handle));
+    };
+    const CameraSpec& scope = *at.scene.camera;
+    DeviceSample begins[device_slots];
+    for (int h = 0; h < hand_count; ++h) {
+        const InstrumentSpec& spec = *at.scene.instrument(static_cast<Hand>(h));
+        begins[h] = quantise(
+            start_reading(spec.trocar.shaft_length, spec.start_insertion, spec.jaw_opening * open_jaw_share),
+            {});
+    }
+    begins[scope_slot] = quantise(start_reading(scope.trocar.shaft_length, scope.start_insertion, 0), {});
+    const DeviceSample* const part[device_slots] = {&at.sample.hand[0], &at.sample.hand[1],
+                                                    &at.sample.camera};
+    at.read();
+    for (int i = 0; i < device_slots; ++i) {
+        EXPECT_EQ(part[i]->present, 0) << i;
+        EXPECT_TRUE(same_handle(*part[i], begins[i])) << i << ": " << part[i]->handle[2];
+        EXPECT_EQ(part[i]->jaw, begins[i].jaw) << i;
+    }
+    for (DevicePose& one : at.pose) one.position[1] = 0.05;  // wherever the device is
+    at.publish();
+    at.read();
+    for (int i = 0; i < device_slots; ++i) {
+        EXPECT_EQ(part[i]->present, 1) << i;
+        EXPECT_EQ(part[i]->faulty, 0) << i;
+        EXPECT_TRUE(same_handle(*part[i], begins[i])) << i << ": no jump";
+    }
 }
 
 TEST(DeviceRig, ReadingsThatAreNotNumbersAndJumpsAreFaultyAndKeepThePose) {

@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <cmath>
 
+#include "sim_core/instrument/instrument.h"
 #include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
@@ -93,6 +94,35 @@ TEST_F(TouchWindow, AFaultPausesTheAttemptWithForceZeroAndSaysWhatToDoUntilItHas
     EXPECT_EQ(attempt.meta.force_devices[1]->peak, 3.3);
     expect_replays(attempt.meta.id);
     EXPECT_EQ(page->misuse, 0U);
+}
+
+TEST_F(TouchWindow, AnAttemptThatBeginsWithoutAnAnswerResumesWhereItsInstrumentsBegin) {
+    create_programme_and_trainee();
+    ui::window_test::click(window, "briefing_A2");
+    expect_page("briefing_page");
+    ui::window_test::check(window, "mode_practice");
+    ui::window_test::click(window, "start_attempt");
+    // The device is open, the scene is still being built.
+    page->device[1].tick_error = 0x0200;
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }, 120000));
+    const Scene& scene = theatre().session()->scene();
+    const InstrumentSpec& spec = *scene.instrument(Hand::right);
+    const Vector3 start =
+        tool_pose(make_instrument(spec, scene.tick_period()), start_sample(spec.trocar, spec.start_insertion))
+            .tip;
+    const auto tip = [&] { return theatre().session()->snapshot().tools[1].tip; };
+    const std::uint32_t lost_at = theatre().session()->health().ticks;
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->snapshot().tick >= lost_at; }));
+    EXPECT_LT((tip() - start).norm(), 1e-4) << tip().transpose() << ", not " << start.transpose();
+    page->device[1].tick_error = 0;
+    ASSERT_TRUE(wait_for([&] { return aligned().back; })) << panel().toStdString();
+    ASSERT_TRUE(wait_for([&] { return aligned().in_place; }, 10000)) << aligned().hand[1].distance;
+    QTest::keyClick(theatre().view(), Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->health().ticks > lost_at + 300; }));
+    EXPECT_LT((tip() - start).norm(), 1e-3) << "it does not jump";
+    abandon();
+    expect_replays(newest_attempt().meta.id);
 }
 
 TEST_F(TouchWindow, LocksWhenTheDeviceRestsAndNotWhileAHandMovesIt) {
