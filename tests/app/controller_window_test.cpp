@@ -17,6 +17,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/built.h"
+#include "ui/shell/idle_watch.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -126,6 +127,30 @@ TEST_F(ControllerWindow, EachStickMovesItsHandAndAnUnpluggedControllerPausesTheA
     EXPECT_EQ(targets().hand[1].jaw, 0) << "what was held when the controller was lost is still held";
     press(button_right_stick);
     ASSERT_TRUE(wait_for([&] { return targets().hand[1].jaw > 0; }));
+    abandon();
+    expect_stored(AttemptState::abandoned);
+}
+
+TEST_F(ControllerWindow, StartDoesNothingWhileTheWindowIsLocked) {
+    create_programme_and_trainee();
+    start("A2", false);
+    auto* idle = window.findChild<ui::IdleWatch*>();
+    ASSERT_NE(idle, nullptr);
+    idle->lock_after(300);
+    ASSERT_TRUE(wait_for([&] { return sees(window, "unlock"); }));
+    EXPECT_EQ(phase(), AttemptPhase::paused);
+    idle->lock_after(ui::IdleWatch::lock_after_ms);
+    press(button_start);
+    QTest::qWait(200);
+    EXPECT_EQ(phase(), AttemptPhase::paused);
+    EXPECT_TRUE(sees(window, "unlock"));
+    ui::window_test::type(window, "unlock_password", "tara's password");
+    ui::window_test::click(window, "unlock");
+    ASSERT_TRUE(wait_for([&] { return !sees(window, "unlock"); }));
+    QTest::qWait(200);
+    EXPECT_EQ(phase(), AttemptPhase::paused) << "the press before is not kept";
+    press(button_start);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
     abandon();
     expect_stored(AttemptState::abandoned);
 }

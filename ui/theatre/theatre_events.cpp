@@ -164,7 +164,8 @@ void TheatrePage::read_controller() {
         if (!motion.connected) input_->hold_jaws();
         input_->set_connected(motion.connected);
     }
-    if (!motion.connected || !view_->window()->isActiveWindow()) return;
+    // Behind the lock nobody resumes: the scene is not seen.
+    if (!motion.connected || !view_->isVisible() || !view_->window()->isActiveWindow()) return;
     if (motion.used) context().note_input();
     if (motion.starts % 2 == 1 && demonstrated_.isEmpty()) {
         if (aligning_) {
