@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "sim_core/instrument/mouse_mapping.h"
@@ -76,6 +77,13 @@ std::optional<ForceOutput> DeviceRig::force_output(Hand hand) const {
 
 std::optional<RigUse> DeviceRig::use() const {
     RigUse use;
+    const bool moves = std::any_of(std::begin(driven_), std::end(driven_),
+                                   [](const Driven& driven) { return driven.slot >= 0; });
+    if (!moves) {
+        use = others_->use().value_or(use);
+        if (has_pedal_) use.pedal = pedal_;
+        return use;
+    }
     use.stated = stated_rate_;
     use.motion = motion_;
     use.pedal = pedal_;

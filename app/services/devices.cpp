@@ -3,6 +3,7 @@
 
 #include <QSettings>
 #include <algorithm>
+#include <iterator>
 
 #include "app/live/device_rig.h"
 #include "sim_core/devices/device_table.h"
@@ -235,13 +236,21 @@ ui::DeviceInUse Devices::in_use() const {
                           : row != nullptr   ? row->device_class
                                              : DeviceClass::haptic;
     device.title = client_ != nullptr ? client_->facts().title : specification_;
-    if (client_ == nullptr) return device;
     const ui::SlotChoice use = slot_choice(device.kind);
     const int parts[device_slots] = {use.left, use.right, use.scope};
+    const auto moves = [this](int part) {
+        return part >= 0 && part < device_slots && (client_ == nullptr || client_->facts().slot[part]);
+    };
+    if (std::none_of(std::begin(parts), std::end(parts), moves)) {
+        const ui::DeviceInUse mouse{};  // it moves everything
+        device.device_class = mouse.device_class;
+        device.title = mouse.title;
+    }
+    if (client_ == nullptr) return device;
     device.pedal = use.pedal;
     for (int i = 0; i < device_slots; ++i) {
         const int part = parts[i];
-        device.drives[i] = part >= 0 && part < device_slots && client_->facts().slot[part];
+        device.drives[i] = moves(part);
         if (!device.drives[i]) continue;
         const bool has_pedal = row != nullptr && (row->moves & moves_pedal) != 0;
         if (client_->facts().clutch[part]) {

@@ -125,6 +125,36 @@ TEST_F(TouchWindow, AnAttemptThatBeginsWithoutAnAnswerResumesWhereItsInstruments
     expect_replays(newest_attempt().meta.id);
 }
 
+TEST_F(TouchWindow, AnAttemptInWhichNoPartOfTheDeviceMovesAnythingIsOneByMouse) {
+    struct Usual {
+        ServicesWithRig& of;
+        ~Usual() { of.set_slot_choice("touch", {}); }
+    };
+    const Usual usual{services};
+    create_programme_and_trainee();
+    EXPECT_EQ(services.device_in_use().device_class, DeviceClass::haptic);
+    services.set_slot_choice("touch", {-1, -1, -1});
+    EXPECT_EQ(services.device_in_use().device_class, DeviceClass::mouse_keyboard) << "before it is open";
+    start("A2", true);
+    EXPECT_FALSE(theatre().session()->health().force_felt[0]);
+    EXPECT_EQ(services.device_in_use().kind, "touch") << "its settings are still those of the page";
+    move_hands(10);
+    abandon();
+    const database::AttemptSummary attempt = newest_attempt();
+    EXPECT_EQ(attempt.meta.mode, AttemptMode::assessed);
+    EXPECT_EQ(attempt.meta.device_class, DeviceClass::mouse_keyboard);
+    EXPECT_EQ(attempt.meta.device, "mouse and keyboard");
+    EXPECT_FALSE(attempt.meta.force_devices[0].has_value());
+    ASSERT_TRUE(attempt.meta.rig_use.has_value());
+    EXPECT_EQ(attempt.meta.rig_use->stated, 0) << "the rate of the device is not that of the mouse";
+    expect_replays(attempt.meta.id);
+    // B1 is assessed with haptic and tracked devices.
+    emit window.context().attempt_wanted(QStringLiteral("B1"), true, 0, false);
+    ASSERT_TRUE(wait_for([&] { return sees(window, "message_text"); }));
+    EXPECT_TRUE(shown("message_text").contains("are not assessed")) << shown("message_text").toStdString();
+    expect_page("debrief_page");
+}
+
 TEST_F(TouchWindow, LocksWhenTheDeviceRestsAndNotWhileAHandMovesIt) {
     create_programme_and_trainee();
     start("A2", false);
