@@ -194,6 +194,7 @@ void DeviceRig::add_keys(Driven& driven, bool is_scope, const DeviceSample& keys
         driven.keys_begun = true;
         driven.keys_roll = keys.roll;
         driven.keys_head = keys.jaw;
+        driven.keys_hold = (keys.buttons & button_primary) != 0;
     }
     const auto add = [](std::int32_t& to, std::int32_t from, std::int32_t begun) {
         constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
@@ -204,9 +205,12 @@ void DeviceRig::add_keys(Driven& driven, bool is_scope, const DeviceSample& keys
         add(sample.jaw, keys.jaw, driven.keys_head);
         return;
     }
-    sample.buttons = static_cast<std::uint16_t>(
-        sample.buttons | (keys.buttons & unsigned{button_energy | button_exchange | button_primary}));
-    if ((keys.buttons & button_primary) == 0 || sample.faulty != 0) return;
+    unsigned pressed = keys.buttons & unsigned{button_energy | button_exchange | button_primary};
+    driven.keys_hold = driven.keys_hold && (pressed & button_primary) != 0;
+    driven.took_over = driven.keys_hold && (driven.took_over || (sample.buttons & button_primary) != 0);
+    if (driven.took_over) pressed &= ~unsigned{button_primary};
+    sample.buttons = static_cast<std::uint16_t>(sample.buttons | pressed);
+    if ((pressed & button_primary) == 0 || sample.faulty != 0) return;
     sample.jaw = 0;
     sample.grip = static_cast<std::int32_t>(std::lround(driven.grip / device_force_unit));
 }

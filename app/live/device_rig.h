@@ -74,6 +74,9 @@ class DeviceRig : public Rig {
         double stays_roll = 0;
         bool keys_begun = false;
         std::int32_t keys_roll = 0, keys_head = 0;  ///< of the other rig at its first tick
+        /// Its jaws are closed since then: jaws that held where the attempt began.
+        bool keys_hold = false;
+        bool took_over = false;  ///< the device closed its own jaws while they held
     };
     void see_overseer() noexcept;
     void read_slot(Driven& driven, bool is_scope, std::int64_t now, DeviceSample& sample) noexcept;

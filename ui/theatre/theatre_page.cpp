@@ -473,8 +473,9 @@ void TheatrePage::show_world() {
     hud.force_felt = !demonstrated_.isEmpty() || health.force_felt[0] || health.force_felt[1];
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = session_->scene().instrument(static_cast<Hand>(h));
-        hud.jaws_closed[h] = demonstrated_.isEmpty() ? input_->jaws_closed(static_cast<Hand>(h))
-                                                     : world.tools[h].jaw_angle < 0.3;
+        const bool by_input = demonstrated_.isEmpty() && !hands_.drives[h];
+        hud.jaws_closed[h] =
+            by_input ? input_->jaws_closed(static_cast<Hand>(h)) : world.tools[h].jaw_angle < 0.3;
         hud.has_jaws[h] = spec != nullptr && type_of(spec->kind).jaws;
         if (spec != nullptr && !spec->exchange.empty() && !world.field.empty()) {
             hud.has_jaws[h] = type_of(world.field[0].tools[h].kind).jaws;

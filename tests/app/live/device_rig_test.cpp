@@ -384,6 +384,37 @@ TEST(DeviceRig, KeysWorkWithADeviceForWhatItCannotDo) {
     EXPECT_EQ(at.sample.hand[0].buttons, button_none);
 }
 
+// As after *Practise from here*: the other rig has the jaws closed from its first tick on.
+TEST(DeviceRig, JawsThatHeldAtTheStartAreTheDevicesOnceItHasClosedItsOwn) {
+    OnPages at;
+    const auto with_jaws_at = [&at](double share) {
+        at.pose[0].jaw = share;
+        at.publish();
+        at.read();
+        return at.sample.hand[0];
+    };
+    at.others->keys = button_primary;
+    for (int i = 0; i < 3; ++i) {
+        const DeviceSample holds = with_jaws_at(1);
+        EXPECT_EQ(holds.jaw, 0) << "although those of the device are open";
+        EXPECT_GT(holds.grip, 0);
+        EXPECT_EQ(holds.buttons, button_primary);
+    }
+    EXPECT_EQ(with_jaws_at(0).jaw, 0);
+    const DeviceSample opened = with_jaws_at(1);
+    EXPECT_GT(opened.jaw, 0);
+    EXPECT_EQ(opened.grip, 0);
+    EXPECT_EQ(opened.buttons, button_none);
+    at.others->keys = button_primary | button_energy;
+    EXPECT_EQ(with_jaws_at(1).buttons, button_energy) << "the other keys work";
+    at.others->keys = button_none;
+    EXPECT_GT(with_jaws_at(1).jaw, 0);
+    at.others->keys = button_primary;
+    EXPECT_EQ(with_jaws_at(1).jaw, 0) << "the key is pressed again";
+    EXPECT_EQ(with_jaws_at(0).jaw, 0);
+    EXPECT_EQ(with_jaws_at(1).jaw, 0) << "and closes them whatever the device does";
+}
+
 TEST(DeviceRig, TicksAllocateNothing) {
     OnPages at;
     at.publish();
