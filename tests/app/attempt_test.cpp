@@ -4,6 +4,7 @@
 #include "database/records/recorder.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
+#include "ui/shell/idle_watch.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -202,6 +203,86 @@ TEST_F(Window, InterruptedAttemptIsScoredAtTheNextSignInAndShownOnHome) {
     EXPECT_TRUE(attempts.interrupted_without_score(tara).empty());
     click(window, "interrupted_attempt");
     wait_for_debrief();
+}
+
+/// The lock page is shown; afterwards what is behind it.
+void unlock_as_tara(MainWindow& window) {
+    type(window, "unlock_password", "tara's password");
+    click(window, "unlock");
+    EXPECT_TRUE(wait_for([&] { return !sees(window, "unlock"); }));
+}
+
+TEST_F(Window, TheTheatreHasTheKeyboardAfterUnlocking) {
+    create_programme_and_trainee();
+    auto* idle = window.findChild<IdleWatch*>();
+    ASSERT_NE(idle, nullptr);
+    const auto runs = [&] { return theatre().session()->phase() == AttemptPhase::running; };
+    click(window, "briefing_A2");
+    expect_page("briefing_page");
+    click(window, "watch_demonstration");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for(runs));
+    emit idle->lock();
+    EXPECT_EQ(theatre().session()->phase(), AttemptPhase::paused);
+    unlock_as_tara(window);
+    ASSERT_TRUE(wait_for(runs)) << "the demonstration continues";
+    ASSERT_NE(window.focusWidget(), nullptr);
+    QTest::keyClick(window.focusWidget(), Qt::Key_Escape);
+    expect_page("briefing_page");
+    home();
+    start("A2", false);
+    emit idle->lock();
+    unlock_as_tara(window);
+    EXPECT_EQ(theatre().session()->phase(), AttemptPhase::paused);
+    ASSERT_NE(window.focusWidget(), nullptr);
+    EXPECT_EQ(window.focusWidget()->objectName().toStdString(), "panel_resume");
+    QTest::keyClick(window.focusWidget(), Qt::Key_Space);
+    ASSERT_TRUE(wait_for(runs));
+    abandon();
+}
+
+TEST_F(Window, TheLockSaysOfWhatItClosedWhetherItIsStored) {
+    create_programme_and_trainee();
+    auto* idle = window.findChild<IdleWatch*>();
+    ASSERT_NE(idle, nullptr);
+    const auto phase = [&] { return theatre().session()->phase(); };
+    const auto stored = [&] {
+        return database::Attempts(*services.store()).list(window.context().session()).size();
+    };
+    const auto close_and_go_home = [&](const char* notice) {
+        emit idle->close_attempt();
+        EXPECT_EQ(shown("lock_notice").toStdString(), notice);
+        EXPECT_FALSE(theatre().is_running());
+        unlock_as_tara(window);
+        ASSERT_NE(window.focusWidget(), nullptr);
+        QTest::keyClick(window.focusWidget(), Qt::Key_Space);  // Home
+        expect_page("home_page");
+    };
+    const auto open_briefing = [&] {
+        click(window, "briefing_A2");
+        expect_page("briefing_page");
+        check(window, "mode_practice");
+    };
+    open_briefing();
+    click(window, "start_attempt");
+    ASSERT_EQ(window.current_page()->objectName().toStdString(), "theatre_page");
+    emit idle->lock();  // the scene is still being built
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::ready; }));
+    QTest::qWait(200);
+    ASSERT_EQ(phase(), AttemptPhase::ready) << "nothing begins behind the lock";
+    close_and_go_home("The attempt had not begun; nothing was stored.");
+    open_briefing();
+    click(window, "watch_demonstration");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
+    emit idle->lock();
+    close_and_go_home("The demonstration was closed; nothing was stored.");
+    EXPECT_EQ(stored(), 0U);
+    start("A2", false);
+    emit idle->lock();
+    close_and_go_home("The attempt was closed as interrupted and stored.");
+    ASSERT_EQ(stored(), 1U);
+    EXPECT_EQ(newest_attempt().state, AttemptState::interrupted);
 }
 
 TEST_F(Window, DemonstrationByAnExpertIsNotStored) {

@@ -21,6 +21,7 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     who_ = make_label({});
     card_layout(card)->addWidget(who_);
     notice_ = make_label({}, "muted");
+    notice_->setObjectName(QStringLiteral("lock_notice"));
     card_layout(card)->addWidget(notice_);
     password_ = new QLineEdit;
     password_->setObjectName(QStringLiteral("unlock_password"));

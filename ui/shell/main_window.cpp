@@ -162,10 +162,8 @@ void MainWindow::connect_context() {
             });
     connect(&idle_, &IdleWatch::lock, this, &MainWindow::lock);
     connect(&idle_, &IdleWatch::close_attempt, this, [this] {
-        if (TheatrePage* theatre = running_theatre()) {
-            theatre->close_attempt(TheatrePage::Closed::by_idle_watch);
-            lock_page_->set_notice(tr("The attempt was closed as interrupted and stored."));
-        }
+        if (TheatrePage* theatre = running_theatre())
+            lock_page_->set_notice(theatre->close_attempt(TheatrePage::Closed::by_idle_watch));
     });
     connect(&context_, &Context::theme_wanted, this, &MainWindow::set_theme);
     connect(&context_, &Context::text_size_wanted, this, &MainWindow::set_text_size);

@@ -234,21 +234,19 @@ void TheatrePage::leave() {
     close_attempt(Closed::by_trainee);
 }
 
-void TheatrePage::close_attempt(Closed why) {
-    if (session_ == nullptr) return;
-    const bool begun = has_begun() && demonstrated_.isEmpty();
+QString TheatrePage::close_attempt(Closed why) {
+    if (session_ == nullptr) return {};
+    const bool watched = !demonstrated_.isEmpty(), begun = has_begun() && !watched;
     const bool abandons = why == Closed::by_trainee;
     if (begun && abandons) session_->abandon();
     if (begun && !abandons) session_->interrupt();
     end_session();
-    if (!begun) {
-        show_panel(Panel::failed, tr("Closed"), tr("The attempt had not begun; nothing was stored."));
-        return;
-    }
-    const QString line = abandons ? tr("The attempt was closed, counts as abandoned and is stored.")
-                                  : tr("The attempt was closed as interrupted and stored.");
-    view_->set_notice(line);
-    show_panel(Panel::failed, abandons ? tr("Abandoned") : tr("Interrupted"), line);
+    const QString line = watched    ? tr("The demonstration was closed; nothing was stored.")
+                         : !begun   ? tr("The attempt had not begun; nothing was stored.")
+                         : abandons ? tr("The attempt was closed, counts as abandoned and is stored.")
+                                    : tr("The attempt was closed as interrupted and stored.");
+    show_panel(Panel::failed, !begun ? tr("Closed") : abandons ? tr("Abandoned") : tr("Interrupted"), line);
+    return line;
 }
 
 void TheatrePage::pause() {
@@ -306,7 +304,8 @@ void TheatrePage::abandon() {
 void TheatrePage::show_panel(Panel panel, const QString& heading, const QString& line) {
     shown_ = panel;
     panel_->setVisible(panel != Panel::none);
-    const bool hides = panel != Panel::none;
+    const bool hides = panel != Panel::none, can_choose = hides && panel != Panel::finishing;
+    setFocusProxy(can_choose ? static_cast<QWidget*>(resume_) : view_);  // of the page, when it is unlocked
     view_->set_notice(hides ? QStringLiteral(" ") : QString());
     pause_->setEnabled(!hides);
     help_->setEnabled(!hides);
@@ -320,13 +319,12 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     panel_heading_->setText(heading);
     panel_text_->setText(line);
     panel_text_->setVisible(!line.isEmpty());
-    const bool can_choose = panel != Panel::finishing;
     resume_->setVisible(can_choose);
     resume_->setText(panel == Panel::failed ? tr("Home") : tr("Resume"));
     abandon_->setVisible(can_choose && panel != Panel::failed);
     place_panel();
     panel_->raise();
-    if (can_choose) resume_->setFocus();
+    if (can_choose && isVisible()) resume_->setFocus();
 }
 
 void TheatrePage::place_panel() {
@@ -428,7 +426,7 @@ void TheatrePage::align() {
     }
     if (shown_ != Panel::none) {
         show_panel(Panel::none, {}, {});
-        view_->setFocus();
+        if (isVisible()) view_->setFocus();
         mouse_known_ = false;
     }
     view_->set_realignment(realignment);

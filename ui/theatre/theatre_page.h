@@ -44,7 +44,8 @@ class TheatrePage : public Page {
     /// Who ends an attempt before its time: the trainee, who abandons it, or the watch over idle hands, which
     /// interrupts it.
     enum class Closed { by_trainee, by_idle_watch };
-    void close_attempt(Closed why);
+    /// What was closed and whether it is stored; empty: nothing ran.
+    QString close_attempt(Closed why);
     /// Someone wants to go elsewhere while the attempt runs: pause and ask.
     void ask_before_leaving();
     TheatreView* view() const { return view_; }

@@ -15057,10 +15057,6 @@ Kennzahlen: %2</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>The attempt was closed as interrupted and stored.</source>
-        <translation>Der Versuch wurde als unterbrochen geschlossen und gespeichert.</translation>
-    </message>
-    <message>
         <source>Fulcrum — %1, %2</source>
         <translation>Fulcrum — %1, %2</translation>
     </message>
@@ -18265,6 +18261,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Sound on (%1)</source>
         <translation>Ton an (%1)</translation>
+    </message>
+    <message>
+        <source>The demonstration was closed; nothing was stored.</source>
+        <translation>Die Vorführung wurde geschlossen; es wurde nichts gespeichert.</translation>
     </message>
 </context>
 <context>
