@@ -92,7 +92,7 @@ bool TheatrePage::open(const std::function<void()>& work) {
 }
 
 AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,
-                                    const Scene& scene) {
+                                    const Scene& scene, const Goal* first) {
     watch_ = std::make_shared<HandWatch>(scene);
     const auto rig = std::make_shared<WatchedRig>(context().services().hands(scene, input.rig()), watch_);
     pad_ = context().services().game_controller();
@@ -101,6 +101,10 @@ AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, M
     input.set_sensitivity(context().services().motion_scale(device.kind));
     input.set_keys(KeyMap::of_person(context().session().person_id()));
     take_up(device, input);
+    if (input.keys().left_handed()) input.take_hand(Hand::left);
+    if (first != nullptr) input.take_hand(asked_hand(*first).value_or(input.active_hand()));
+    // The mouse is for the hand that the device does not move.
+    if (hands_.drives[0] != hands_.drives[1]) input.take_hand(hands_.drives[0] ? Hand::right : Hand::left);
     return {context().session(),
             task_id,
             assessed,
@@ -121,15 +125,9 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, boo
     return task != nullptr && open([&] {
                const Scene scene = context().services().scene_for(*task, variant);
                auto input = std::make_unique<MouseKeyboardInput>(scene);
-               AttemptRequest asked = request(task_id, assessed, *input, scene);
-               if (input->keys().left_handed()) input->take_hand(Hand::left);
-               if (!task->goals.empty()) {
-                   const Goal& first = task->goals[static_cast<std::size_t>(goal)];
-                   input->take_hand(asked_hand(first).value_or(input->active_hand()));
-               }
-               // The mouse is for the hand that the device does not move.
-               if (hands_.drives[0] != hands_.drives[1])
-                   input->take_hand(hands_.drives[0] ? Hand::right : Hand::left);
+               const Goal* const first =
+                   task->goals.empty() ? nullptr : &task->goals[static_cast<std::size_t>(goal)];
+               AttemptRequest asked = request(task_id, assessed, *input, scene, first);
                asked.goal = goal;
                asked.ghost = ghost;
                asked.variant = variant;

@@ -62,9 +62,10 @@ class TheatrePage : public Page {
   private:
     enum class Panel { none, paused, leaving, device_lost, finishing, failed };
     bool open(const std::function<void()>& work);
-    /// An attempt with the device in use; `input` moves what that device does not have.
+    /// An attempt with the device in use; `input` moves what that device does not have. `first`: the goal
+    /// that it begins with; null: not known.
     AttemptRequest request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,
-                           const Scene& scene);
+                           const Scene& scene, const Goal* first = nullptr);
     bool has_begun() const;
     bool takes_hands() const;
     bool hands_are_there();

@@ -7,6 +7,8 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QSlider>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +16,7 @@
 #include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/own_folder.h"
+#include "ui/review/replay_panel.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -26,10 +29,10 @@ using ui::window_test::wait_for;
 
 /// Before the services are made.
 struct ScriptedDevice {
-    ScriptedDevice() {
+    explicit ScriptedDevice(bool both_hands = true) {
         std::ofstream(script) << R"({"format": "fulcrum-device-script", "title": "a scripted hand",
-            "force": {"damping": 0.5, "peak": 3.3, "continuous": 0.88}, "repeat": true,
-            "left": {"path": [{"t": 0, "position": [0, 0, 0]}], "hand": {"mass": 0.2}},
+            "force": {"damping": 0.5, "peak": 3.3, "continuous": 0.88}, "repeat": true,)"
+                              << (both_hands ? left_hand : "") << R"(
             "right": {"path": [{"t": 0, "position": [0, 0, 0]}, {"t": 2, "position": [0.02, 0, 0]},
                                {"t": 4, "position": [0, 0, 0]}]}})";
         setenv("FULCRUM_DEVICE", ("virtual:" + script).c_str(), 1);
@@ -41,6 +44,8 @@ struct ScriptedDevice {
         unsetenv("FULCRUM_DEVICE");
         unsetenv("FULCRUM_HAPTICD");
     }
+    static constexpr const char* left_hand =
+        R"("left": {"path": [{"t": 0, "position": [0, 0, 0]}], "hand": {"mass": 0.2}},)";
     fulcrum::test::OwnFolder own;
     std::string script = (own / "hand.json").string();
 };
@@ -219,6 +224,31 @@ TEST_F(DeviceWindow, AnAttemptWaitsForTheHandleAtTheRingUntilEnter) {
     EXPECT_FALSE(theatre().view()->cover().contains(enter));
     abandon();
     QSettings().clear();
+}
+
+class OneHandWindow : public ScriptedDevice, public Window {
+  protected:
+    OneHandWindow() : ScriptedDevice(false) {}
+};
+
+TEST_F(OneHandWindow, PracticeFromAMomentGivesTheMouseTheHandThatTheDeviceDoesNotMove) {
+    create_programme_and_trainee();
+    start("A2", false);
+    EXPECT_EQ(theatre().input()->active_hand(), Hand::left);
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 3; }));
+    abandon();
+    auto* panel = wait_for_debrief().findChild<ui::ReplayPanel*>();
+    ASSERT_NE(panel, nullptr);
+    ASSERT_TRUE(wait_for([&] { return panel->shown_time() >= 0; }, 120000));
+    auto* slider = find<QSlider>(window, "replay_slider");
+    QTest::keyClick(slider, Qt::Key_End);
+    for (int i = 0; i < 3; ++i) QTest::keyClick(slider, Qt::Key_PageDown);
+    ASSERT_TRUE(wait_for([&] { return std::abs(panel->shown_time() - panel->time()) < 0.02; }, 120000));
+    ui::window_test::click(window, "replay_take_over");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }, 120000));
+    EXPECT_EQ(theatre().input()->active_hand(), Hand::left);
+    abandon();
 }
 
 }  // namespace
