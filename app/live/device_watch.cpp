@@ -23,6 +23,12 @@ double angle_between(const Vector3& a, const Vector3& b) {
 
 }  // namespace
 
+void DeviceWatch::begin_from(const DeviceSample& left, const DeviceSample& right) noexcept {
+    held_[0] = left;
+    held_[1] = right;
+    seen_ = was_held_ = true;  // as HapticLoop::clutch_in()
+}
+
 void DeviceWatch::lose(DeviceTrouble trouble, int culprit) noexcept {
     lost_ = true;
     trouble_ = trouble;

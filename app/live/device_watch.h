@@ -40,6 +40,9 @@ class DeviceWatch {
   public:
     explicit DeviceWatch(const DeviceWatchLimits& limits = {}) : limits_(limits) {}
 
+    /// Before the first tick of an attempt that begins with a state of another one: what its instruments
+    /// follow there (HapticLoop::held()).
+    void begin_from(const DeviceSample& left, const DeviceSample& right) noexcept;
     /// Processes one tick; returns the flag to add to the sample's flags (rig_device_lost or 0). `paused`:
     /// the instruments are stopped for another reason. `resume`: the trainee asks to resume; ignored unless
     /// in_place().

@@ -53,8 +53,8 @@ struct LiveAttempt::State : public AttemptSink {
     WorldProducts products;
     TripleBuffer<Watched> watched;
     Signal may_begin, ticks_ready;
-    DeviceWatch watch;     // haptic thread
-    ScopeHold scope_hold;  // haptic thread
+    DeviceWatch watch;     // haptic thread, once it runs
+    ScopeHold scope_hold;  // haptic thread, once it runs
 
     std::atomic<bool> built{false}, begun{false}, running{false};
     std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
@@ -90,6 +90,7 @@ struct LiveAttempt::State : public AttemptSink {
             tick_count.store(origin.tick);
             hands = engine->loop().last_input();
             scope_hold.begin_from(hands.camera);
+            watch.begin_from(engine->loop().held(Hand::left), engine->loop().held(Hand::right));
         }
         targets = engine->initial_snapshot().targets;
         products.fill(*engine, dynamic_cast<ObservingRig*>(request.rig.get()) != nullptr);

@@ -247,6 +247,10 @@ const RigSample& HapticLoop::last_input() const noexcept {
     return parts_->output.input;
 }
 
+const DeviceSample& HapticLoop::held(Hand hand) const noexcept {
+    return parts_->held[static_cast<int>(hand)];
+}
+
 void HapticLoop::clutch_in() noexcept {
     parts_->on_hold = true;
     for (HandOutput& sends : parts_->sends) sends.restart();

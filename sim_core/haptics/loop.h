@@ -41,6 +41,8 @@ class HapticLoop {
     void transfer(StateArchive& archive, const World& world);
     /// What the devices said at the last tick.
     const RigSample& last_input() const noexcept;
+    /// What an instrument follows: what its device said, with the clutch; stays in pauses and losses.
+    const DeviceSample& held(Hand hand) const noexcept;
     /// As after a pause: from the next tick on the devices move the instruments from where these are,
     /// wherever the devices are, and the force on the hands grows from 0.
     void clutch_in() noexcept;

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "assessment/attempt/engine.h"
+#include "database/scoring/loaded_task.h"
+#include "sim_core/haptics/loop.h"
+#include "sim_core/instrument/instrument.h"
 #include "ui/language/language.h"
 #include "ui/style/text.h"
 
@@ -132,6 +136,53 @@ TEST(DeviceWatch, RequiresTheSamePoseWhateverTheClutchOffset) {
     bench.reading[0].handle.x() -= 0.03;
     bench.steps(5);
     EXPECT_NEAR(bench.watch.alignment(Hand::left).distance, 0.03, 2e-7);
+}
+
+TEST(DeviceWatch, AttemptFromAMomentHasItsInstrumentsWhereTheyWereThen) {
+    DeviceReading there;
+    there.handle = Vector3(0.03, 0.01, -0.12);
+    there.roll = 0.4;
+    const DeviceSample held = quantise(there, {});
+    Bench bench;
+    bench.watch.begin_from(held, held);
+    bench.lose_by_silence();
+    bench.steps(120);
+    ASSERT_TRUE(bench.watch.back());
+    const HandAlignment& left = bench.watch.alignment(Hand::left);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(left.device.handle[i], held.handle[i]) << i;
+    EXPECT_EQ(left.device.roll, held.roll);
+    EXPECT_EQ(left.distance, 0);
+    EXPECT_TRUE(bench.watch.in_place());
+    bench.reading[0].handle.x() += 0.02;
+    bench.step();
+    EXPECT_EQ(left.device.handle[0], held.handle[0] + 200000) << "from there it follows the device";
+    EXPECT_NEAR(left.distance, 0.02, 2e-7);
+}
+
+// The ghosts of a lost device are drawn where its instruments will be.
+TEST(DeviceWatch, HasTheClutchOfTheLoopInAnAttemptFromAMoment) {
+    const LoadedTask loaded = load_task_and_scene("A2");
+    AttemptEngine engine(loaded.scene, loaded.task, 7);
+    engine.begin_here();
+    DeviceWatch watch;
+    watch.begin_from(engine.loop().held(Hand::left), engine.loop().held(Hand::right));
+    RigSample input;
+    for (DeviceSample& hand : input.hand) hand.handle[2] = -1'200'000;  // wherever the device is
+    for (int i = 0; i < 10; ++i) {
+        input.tick = engine.next_tick();
+        for (DeviceSample& hand : input.hand) hand.handle[0] += 20'000;  // 2 mm
+        watch.tick(input, false, false);
+        const TickSample sample = engine.tick(input).sample;
+        for (int h = 0; h < hand_count; ++h) {
+            const auto hand = static_cast<Hand>(h);
+            const InstrumentSpec& spec = *loaded.scene.instrument(hand);
+            const Vector3 tip =
+                tool_pose(make_instrument(spec, loaded.scene.tick_period()), watch.alignment(hand).device)
+                    .tip;
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(sample.hand[h].tip[axis] * sample_length_unit, tip[axis], 1e-6) << i;
+        }
+    }
 }
 
 TEST(DeviceWatch, ExpiresAfterAMinuteAndNotBefore) {
