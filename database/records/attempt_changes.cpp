@@ -45,11 +45,20 @@ void write_void(const Store& store, const Session& educator, const std::string& 
         .run();
 }
 
-/// Everything but scores and reviews, as an attempt of that person.
-void copy_attempt(Connection& connection, const std::string& attempt_id, const std::string& copy,
+/// A copy has a trace of its own: made where there is none, it would have none anywhere.
+void require_trace_to_copy(const Store& store, const std::string& attempt_id) {
+    Query row(store.connection(), "SELECT events FROM attempt WHERE id = ?");
+    row.bind(attempt_id);
+    if (row.next() && row.integer(0) != trace_not_kept) require_trace_here(store, attempt_id);
+}
+
+/// Everything but scores and reviews, as an attempt of that person. The copy is this station's, as its trace
+/// is, wherever the original was recorded.
+void copy_attempt(const Store& store, const std::string& attempt_id, const std::string& copy,
                   const std::string& person_id) {
+    Connection& connection = store.connection();
     Query(connection,
-          "INSERT INTO attempt SELECT ?, ?, station_id, task_id, task_version, mode, device_class, device, "
+          "INSERT INTO attempt SELECT ?, ?, ?, task_id, task_version, mode, device_class, device, "
           "operator_name, variant, "
           "seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, started, "
           "utc_offset_min, 'running', "
@@ -57,6 +66,7 @@ void copy_attempt(Connection& connection, const std::string& attempt_id, const s
           "WHERE id = ?")
         .bind(copy)
         .bind(person_id)
+        .bind(store.station_id())
         .bind(attempt_id)
         .run();
     Query(connection,
@@ -145,8 +155,9 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
     Connection& connection = store_.connection();
     Transaction transaction(connection);
     write_void(store_, educator, attempt_id, reason);
+    require_trace_to_copy(store_, attempt_id);
     std::string copy = random_uuid();
-    copy_attempt(connection, attempt_id, copy, person_id);
+    copy_attempt(store_, attempt_id, copy, person_id);
     std::vector<std::string> ids;
     {
         Query rows(connection,

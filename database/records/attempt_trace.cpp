@@ -124,9 +124,12 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, TracePart p
 }  // namespace
 
 QString has_trace_here(const QString& attempt) {
+    // Copies for another person that an older program made name the station of the original, but their trace
+    // is where the copy was made.
     return QString(
-               "(%1.events <> %2 AND (%1.station_id = COALESCE((SELECT value FROM setting WHERE key = "
-               "'this_station'), '') OR EXISTS (SELECT 1 FROM trace_chunk here WHERE here.attempt_id = "
+               "(%1.events <> %2 AND ((%1.station_id = COALESCE((SELECT value FROM setting WHERE key = "
+               "'this_station'), '') AND NOT EXISTS (SELECT 1 FROM attempt_reassignment moved WHERE "
+               "moved.to_id = %1.id)) OR EXISTS (SELECT 1 FROM trace_chunk here WHERE here.attempt_id = "
                "%1.id)))")
         .arg(attempt)
         .arg(trace_not_kept);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happens where both sides changed, and where somebody was erased.
+// What happens where both sides changed, where an attempt is reassigned elsewhere, and where somebody was
+// erased.
 #include <set>
 
 #include "database/records/person_merge.h"
+#include "database/sync/enrolment.h"
+#include "database/sync/server_enrolment.h"
+#include "database/sync/trace_fetch.h"
+#include "tests/database/station_keys.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -117,6 +122,51 @@ TEST_F(SyncConflict, WhatTheServersOwnerChangesByHandIsFound) {
     finds("UPDATE audit_signature SET signature = 'x' WHERE sequence = 4", "its signature does not fit");
     finds("INSERT INTO attempt_void SELECT id, person_id, 1, 'x' FROM attempt WHERE id = '" + attempt + "'",
           "void of attempt " + attempt + ": there without");
+}
+
+// The copy comes back without its trace, which is where the copy was made.
+TEST_F(SyncConflict, AnAttemptReassignedAtAnotherStationIsWholeWhereItWasRecorded) {
+    const KeysOfOneTest keys;
+    enrol_station(*a.store, a.session("administrator"), server,
+                  make_enrolment_token(server, "lab", {}, usual_token_h).text);
+    const std::string attempt = a.record("ann");
+    sync(a);
+    sync(b);
+    const Session& here = a.session("educator");
+    const Session there = b.sign_in("educator");
+    const auto reassign = [&] {
+        return Attempts(*b.store).reassign(there, attempt, a.id("ben"), "he was the one");
+    };
+    EXPECT_EQ(error_kind(reassign), StoreErrorKind::not_found) << "his attempt would have no trace anywhere";
+    EXPECT_EQ(Attempts(*b.store).read(there, attempt).voided_at, 0);
+    fetch_trace(*b.store, there, server, attempt);
+    const std::string copy = reassign();
+    sync(b);
+    sync(a);
+    expect_sound(*a.store);
+    const auto expect_elsewhere = [&] {
+        EXPECT_TRUE(can_fetch_trace(*a.store, here, copy));
+        EXPECT_EQ(error_kind([&] { a.attempts().read_trace(here, copy); }), StoreErrorKind::not_found);
+        for (const CheckItem& item : a.store->check(a.store->station_session()).items)
+            EXPECT_TRUE(item.ok || item.id != CheckId::trace_checksums) << item.problems.front().words();
+    };
+    expect_elsewhere();
+    {
+        // As older programs wrote a copy: with the station of the original.
+        Connection& connection = a.store->connection();
+        const Transaction undone(connection);
+        connection.execute("DROP TRIGGER attempt_is_fixed");
+        Query(connection, "UPDATE attempt SET station_id = ? WHERE id = ?")
+            .bind(a.store->station_id())
+            .bind(copy)
+            .run();
+        expect_elsewhere();
+    }
+    EXPECT_GT(fetch_trace(*a.store, here, server, copy).chunks, 0);
+    EXPECT_EQ(a.attempts().read_trace(here, copy).samples.size(), 1000U);
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+    expect_sound(server);
 }
 
 class SyncErasure : public SyncConflict {};
