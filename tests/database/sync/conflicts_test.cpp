@@ -210,6 +210,35 @@ TEST_F(SyncErasure, ErasedOnTheServerStaysErasedAfterAnOfflineStationsPush) {
     expect_sound(server);
 }
 
+// The server erases her after the station has read the list of erasures and before it reads people.
+TEST_F(SyncErasure, APersonWhoArrivesErasedIsErasedByTheNextExchange) {
+    const std::string ann = a.id("ann"), attempt = b.record("ann", 77);
+    erase_at_programme_server(server, ann, false);
+    Connection& connection = b.store->connection();
+    for (const char* table : {"person_role", "credential"})
+        Query(connection, QString("DELETE FROM %1 WHERE person_id = ?").arg(table)).bind(ann).run();
+    Query(connection,
+          "UPDATE person SET login = ?, login_key = ?, display_name = 'Erased person', active = 0, version = "
+          "1000000000 WHERE id = ?")
+        .bind("erased-" + ann)
+        .bind("erased-" + ann)
+        .bind(ann)
+        .run();
+    EXPECT_EQ(sync(b).erased, 1);
+    for (const std::string& row : rows_at(*b.store)) {
+        EXPECT_EQ(row.find(attempt), std::string::npos) << row;
+        EXPECT_TRUE(row.find(ann) == std::string::npos || row.rfind("person|", 0) == 0) << row;
+    }
+    Query said(connection,
+               "SELECT COUNT(*) FROM audit_payload p JOIN audit_entry e ON e.station_id = p.station_id AND "
+               "e.sequence = p.sequence WHERE e.object_id IN (?, ?)");
+    said.bind(ann).bind(attempt);
+    EXPECT_TRUE(said.next() && said.integer(0) == 0);
+    EXPECT_EQ(sync(b).erased, 0) << "once";
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
 TEST_F(SyncErasure, TheServerItselfRefusesRowsOfAnErasedPerson) {
     const std::string ann = a.id("ann"), attempt = a.record("ann");
     erase_at_programme_server(server, ann, false);
