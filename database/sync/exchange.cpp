@@ -13,6 +13,7 @@
 #include "database/sync/erasure.h"
 #include "database/sync/server_link.h"
 #include "database/sync/server_schema.h"
+#include "database/sync/station_erasure.h"
 
 namespace fulcrum::database {
 namespace {
@@ -93,7 +94,10 @@ void Exchange::require_known_log() {
                                "the audit log of this store is not the one that the server knows (row %1): "
                                "an older copy is in its place, or it was rewritten"),
              newest.text(0)},
-            QT_TRANSLATE_NOOP("errors", "restore the newest backup; nothing was transferred"));
+            QT_TRANSLATE_NOOP("errors",
+                              "restore the newest backup; if this is the newest, keep this file and begin "
+                              "with an empty store (`fulcrum db create`), which joins as a further station "
+                              "and gets people and attempts by sync; nothing was transferred"));
 }
 
 void Exchange::look_at_clock() {
@@ -137,10 +141,14 @@ void Exchange::note_given(const std::string& held, const std::string& held_whole
 }
 
 void Exchange::apply_erasures() {
+    std::vector<std::string> people;
     Query rows(server_, "SELECT person_id FROM erasure ORDER BY person_id");
-    while (rows.next())
-        if (erase_at_station(store_, rows.text(0), store_.station_session(),
-                             "erased on the programme server"))
+    while (rows.next()) people.push_back(rows.text(0));
+    if (people.empty()) return;
+    // A backup from before brings them back, to a station whose log may be refused from then on.
+    add_to_erasure_list(store_, people);
+    for (const std::string& id : people)
+        if (erase_at_station(store_, id, store_.station_session(), "erased on the programme server"))
             ++result.erased;
 }
 
@@ -397,10 +405,10 @@ void Exchange::finish() {
 void Exchange::run() {
     server_id_ = require_server(server_);
     require_one_programme();
+    apply_erasures();  // it writes here only, so an older copy of the store is no reason to leave it out
     require_known_log();
     look_at_clock();
     use_enrolment();
-    apply_erasures();
     std::vector<Units> all;
     for (const SyncTable& table : sync_tables()) all.emplace_back(table, station_);
     steps_ = 2 * all.size() + 2;

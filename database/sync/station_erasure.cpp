@@ -44,23 +44,6 @@ std::vector<Listed> read_list(const std::string& path) {
     return list;
 }
 
-/// Lasts when it returns. Under the write lock of the store, so that two do not overwrite each other.
-void add_to_list(const Store& store, const std::vector<std::string>& people) {
-    const std::string path = erasure_list_path(store.station_id());
-    std::vector<Listed> list = read_list(path);
-    for (const std::string& id : people) list.push_back({id, iso_utc(store.now())});
-    std::string text = std::string(list_heading) + "\n";
-    std::set<std::string> written;
-    for (const Listed& one : list)
-        if (written.insert(one.person_id).second) text += one.person_id + " " + one.time + "\n";
-    try {
-        QDir().mkpath(QFileInfo(QString::fromStdString(path)).path());
-        write_output_file(path, text, OutputFile::Existing::replace, OutputFile::Access::owner_only);
-    } catch (const std::system_error& error) {
-        fail_list(path, {QT_TRANSLATE_NOOP("errors", "cannot be written (%1)"), error.code().message()});
-    }
-}
-
 void require_erasable(const Store& store, const std::string& person_id) {
     if (store.is_demo())
         throw StoreError(StoreErrorKind::sealed_demo,
@@ -91,6 +74,30 @@ std::string erasure_list_path(const std::string& station_id) {
     return (key.path() + QLatin1Char('/') + key.completeBaseName() + QStringLiteral(".erased")).toStdString();
 }
 
+void add_to_erasure_list(const Store& store, const std::vector<std::string>& people) {
+    // Under the write lock of the store, so that two do not overwrite each other.
+    Transaction transaction(store.connection());
+    const std::string path = erasure_list_path(store.station_id());
+    std::string text = std::string(list_heading) + "\n";
+    std::set<std::string> written;
+    const auto write = [&](const Listed& one) {
+        if (!written.insert(one.person_id).second) return false;
+        text += one.person_id + " " + one.time + "\n";
+        return true;
+    };
+    for (const Listed& one : read_list(path)) write(one);
+    bool is_new = false;
+    for (const std::string& id : people) is_new = write({id, iso_utc(store.now())}) || is_new;
+    if (!is_new) return;
+    try {
+        QDir().mkpath(QFileInfo(QString::fromStdString(path)).path());
+        write_output_file(path, text, OutputFile::Existing::replace, OutputFile::Access::owner_only);
+    } catch (const std::system_error& error) {
+        fail_list(path, {QT_TRANSLATE_NOOP("errors", "cannot be written (%1)"), error.code().message()});
+    }
+    transaction.commit();
+}
+
 std::vector<ErasedRows> erase_person(const Store& store, const Session& director,
                                      const std::string& person_id, const std::string& reason, bool dry_run) {
     store.require(director, Operation::erase_person, Subject::person(person_id));
@@ -106,7 +113,7 @@ std::vector<ErasedRows> erase_person(const Store& store, const Session& director
     const std::vector<std::string> people = with_merged(store.connection(), person_id);
     for (const std::string& id : people) erase_at_station(store, id, director, reason);
     // Cut off between the list and the commit: the next start erases whom it names.
-    add_to_list(store, people);
+    add_to_erasure_list(store, people);
     transaction.commit();
     return rows;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Erasing a person at a station whose programme has no server. Whom it has erased stands in a list away from
-// the store, next to the station's key (UUID and time, nothing else): a backup that is older than the erasure
-// still has the person, and the list erases them again when it is restored.
+// Erasing a person at a station whose programme has no server. Whom it has erased, and whom a programme's
+// server has, is in a list away from the store, next to the station's key (UUID and time, nothing else): a
+// backup that is older than the erasure still has the person, and the list erases them again when it is
+// restored.
 #pragma once
 
 #include <string>
@@ -18,6 +19,9 @@ namespace fulcrum::database {
 /// while the person performs.
 std::vector<ErasedRows> erase_person(const Store& store, const Session& director,
                                      const std::string& person_id, const std::string& reason, bool dry_run);
+
+/// Enters people whom the server or this station erases; lasts when it returns. Throws StoreError (failed).
+void add_to_erasure_list(const Store& store, const std::vector<std::string>& people);
 
 /// Erases whom the station's list names and the store still has: after a restore, at the start of a program,
 /// and where an erasure was cut off. Returns how many.

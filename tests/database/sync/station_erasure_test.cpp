@@ -198,5 +198,39 @@ TEST_F(SyncAndErase, AProgrammeWithAServerErasesThere) {
         StoreErrorKind::conflict);
 }
 
+TEST_F(SyncAndErase, ARestoredBackupDoesNotBringBackWhomTheServerErased) {
+    const KeysOfOneTest own_keys;
+    a.record("ann");
+    sync(a);
+    const std::string backup = a.folder.filePath("older.db").toStdString();
+    a.store->backup(a.session("administrator"), backup);
+    erase_at_programme_server(server, a.id("ann"), false);
+    EXPECT_EQ(sync(a).erased, 1);
+    const auto name_of_ann = [&] {
+        Query row(a.store->connection(), "SELECT display_name FROM person WHERE id = ?");
+        row.bind(a.id("ann"));
+        return row.next() ? row.text(0) : std::string();
+    };
+    const auto restore = [&] {
+        a.store.reset();
+        restore_store(
+            backup, a.path, [&](const Store&) { return a.session("administrator"); }, a.clock.options());
+        a.open();
+        EXPECT_EQ(name_of_ann(), "Ann Trainee") << "the backup has her";
+    };
+    restore();
+    EXPECT_EQ(erase_listed(*a.store), 1);
+    EXPECT_EQ(name_of_ann(), "Erased person");
+    expect_sound(*a.store);
+    // Without its list the station gets it from the server again, though the exchange is refused.
+    ASSERT_TRUE(QFile::remove(QString::fromStdString(erasure_list_path(a.store->station_id()))));
+    restore();
+    EXPECT_EQ(erase_listed(*a.store), 0);
+    EXPECT_EQ(error_kind([&] { sync(a); }), StoreErrorKind::conflict) << "an older copy";
+    EXPECT_EQ(name_of_ann(), "Erased person");
+    expect_sound(*a.store);
+    expect_sound(server);
+}
+
 }  // namespace
 }  // namespace fulcrum::database::test

@@ -5805,8 +5805,8 @@
         <translation>das Protokoll dieses Speichers ist nicht das, das der Server kennt (Zeile %1): An seiner Stelle liegt eine ältere Kopie, oder es wurde umgeschrieben</translation>
     </message>
     <message>
-        <source>restore the newest backup; nothing was transferred</source>
-        <translation>stellen Sie die neueste Sicherung wieder her; es wurde nichts übertragen</translation>
+        <source>restore the newest backup; if this is the newest, keep this file and begin with an empty store (`fulcrum db create`), which joins as a further station and gets people and attempts by sync; nothing was transferred</source>
+        <translation>stellen Sie die neueste Sicherung wieder her; ist dies die neueste, behalten Sie diese Datei und beginnen Sie mit einem leeren Speicher (`fulcrum db create`), der als weitere Station beitritt und Personen und Versuche durch den Abgleich erhält; es wurde nichts übertragen</translation>
     </message>
     <message>
         <source>the demonstration is never synchronised</source>
