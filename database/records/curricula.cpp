@@ -8,6 +8,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/rows/same_person.h"
+#include "database/store/accepted_assets.h"
 #include "database/store/audit.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -84,6 +85,29 @@ const Curriculum& require_version(const Curriculum& newest, const std::string& n
     throw StoreError(StoreErrorKind::bad_value,
                      {QT_TRANSLATE_NOOP("errors", "no curriculum %1 is installed"), name},
                      {QT_TRANSLATE_NOOP("errors", "name one of these: %1"), known});
+}
+
+/// Whether people can stay on this text of a version: it is that of the first attempt with the version.
+/// Stations that are apart may publish one version with different contents, and each keeps its own: so it may
+/// also be a text that the programme accepts, unless this station's attempts began with another one.
+bool is_text_of(const Store& store, const std::string& name, const Curriculum& version) {
+    const std::string digest = sha256_hex(version.text);
+    const QString begun =
+        "SELECT x.digest FROM attempt a JOIN attempt_asset x ON x.attempt_id = a.id AND x.file LIKE "
+        "'curricula/%' WHERE a.curriculum = ? ";
+    const QString first = "ORDER BY a.started, a.id LIMIT 1";
+    Query of_all(store.connection(), begun + first);
+    of_all.bind(name);
+    if (!of_all.next() || of_all.text(0) == digest) return true;
+    // A copy that was made here of another station's attempt has that station's text.
+    Query own(store.connection(),
+              begun +
+                  "AND a.station_id = ? AND NOT EXISTS (SELECT 1 FROM attempt_reassignment r WHERE "
+                  "r.to_id = a.id) " +
+                  first);
+    own.bind(name).bind(store.station_id());
+    if (own.next() && own.text(0) != digest) return false;
+    return AcceptedAssets(store).unknown({{"curricula/" + version.file, digest}}).empty();
 }
 
 }  // namespace
@@ -230,13 +254,7 @@ void Curricula::check(const Curriculum& newest) const {
                     "put its file back next to the newer one (one that was published at another "
                     "station: `fulcrum assets place`); people stay on their version until an "
                     "educator moves them"));
-        if (version->text.empty()) continue;
-        Query used(
-            store_.connection(),
-            "SELECT x.digest FROM attempt a JOIN attempt_asset x ON x.attempt_id = a.id AND x.file LIKE "
-            "'curricula/%' WHERE a.curriculum = ? ORDER BY a.started, a.id LIMIT 1");
-        used.bind(name);
-        if (used.next() && used.text(0) != sha256_hex(version->text))
+        if (!version->text.empty() && !is_text_of(store_, name, *version))
             throw InputError(
                 "curricula/" + version->file, "/version",
                 {QT_TRANSLATE_NOOP("errors",

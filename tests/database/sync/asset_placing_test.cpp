@@ -7,6 +7,7 @@
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum_draft.h"
 #include "assessment/scoring/benchmark_builder.h"
+#include "database/records/curricula.h"
 #include "database/records/curriculum_publishing.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/benchmark_files.h"
@@ -14,6 +15,7 @@
 #include "database/sync/enrolment.h"
 #include "database/sync/server_enrolment.h"
 #include "database/sync/server_link.h"
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 #include "tests/database/station_keys.h"
 #include "tests/database/sync/stations.h"
@@ -72,6 +74,17 @@ class AssetPlacing : public Sync {
     void join() {
         sync(a);
         sync(b);
+    }
+    /// An attempt that names the folder's curriculum and its file, as the program stores it.
+    static void record(const std::string& path, const ManualClock& clock, const Session& trainee,
+                       const AssetFolder& at) {
+        const Curriculum curriculum = at.curriculum();
+        AttemptMeta meta = example_meta(trainee.person_id());
+        meta.curriculum = curriculum.name();
+        meta.assets.push_back({"curricula/" + curriculum.file, sha256_hex(curriculum.text)});
+        Recorder recorder(path, trainee, meta, clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(example_result(true, 70));
     }
     Station b;
     AssetFolder at_a, at_b;
@@ -142,6 +155,32 @@ TEST_F(AssetPlacing, OfTwoCurriculaOfOneVersionNoneIsReplacedAndTheReasonIsPrint
     AssetFolder neither;
     expect_placed(neither.take(*b.store), 1);
     EXPECT_EQ(neither.curriculum().title, "First");
+}
+
+TEST_F(AssetPlacing, OfTwoCurriculaOfOneVersionEachIsFollowedWhereItWasPublished) {
+    join();
+    at_a.publish_curriculum(*a.store, a.session("educator"), "First");
+    b.clock.pass_s(60);
+    at_b.publish_curriculum(*b.store, b.sign_in("educator"), "Second");
+    record(a.path, a.clock, a.session("ann"), at_a);
+    sync(a);
+    sync(b);
+    const Curricula here(*a.store), there(*b.store);
+    EXPECT_NO_THROW(here.check(at_a.curriculum()));
+    EXPECT_NO_THROW(there.check(at_b.curriculum())) << "nobody has begun with it";
+    record(b.path, b.clock, b.sign_in("ben"), at_b);
+    sync(b);
+    sync(a);
+    EXPECT_NO_THROW(here.check(at_a.curriculum()));
+    EXPECT_NO_THROW(there.check(at_b.curriculum()));
+    // Edited by hand it is refused as ever, also where an educator accepts the change.
+    Curriculum edited = at_b.curriculum();
+    edited.text += " ";
+    EXPECT_THROW(here.check(edited), InputError);
+    EXPECT_THROW(there.check(edited), InputError);
+    AcceptedAssets(*b.store).accept(b.sign_in("educator"),
+                                    {"curricula/" + edited.file, sha256_hex(edited.text)}, "looks right");
+    EXPECT_THROW(there.check(edited), InputError);
 }
 
 TEST_F(AssetPlacing, PutsNothingInPlaceThatIsNotWhatWasAccepted) {
