@@ -154,7 +154,7 @@ std::string publish_benchmark(const database::Store& store, const database::Sess
         const database::AssetFile asset{"benchmarks/" + name, database::sha256_hex(text)};
         const database::AcceptedAssets accepted(store);
         // Already so where an earlier try was cut off after it: without the file it had no effect.
-        if (!accepted.unknown({asset}).empty()) accepted.accept(educator, asset, reason, text);
+        if (accepted.is_to_accept(asset)) accepted.accept(educator, asset, reason, text);
         keep_superseded(path, before);
         file.commit();
     } catch (const std::system_error& error) {

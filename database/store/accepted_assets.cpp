@@ -21,7 +21,24 @@ bool is_accepted(const Store& store, const std::string& digest) {
     return row.next();
 }
 
+bool is_passed_on(const AssetFile& file) {
+    return file.name.rfind("curricula/", 0) == 0 || file.name.rfind("benchmarks/", 0) == 0;
+}
+
+/// Accepted at a station that could not pass on what it says, or before schema 21.
+bool lacks_text(const Store& store, const AssetFile& file) {
+    Query row(store.connection(),
+              "SELECT 1 FROM asset_acceptance a WHERE a.digest = ? AND a.file = ? AND NOT EXISTS (SELECT 1 "
+              "FROM asset_text t WHERE t.digest = a.digest)");
+    row.bind(file.digest).bind(file.name);
+    return is_passed_on(file) && row.next();
+}
+
 }  // namespace
+
+bool AcceptedAssets::is_to_accept(const AssetFile& file) const {
+    return !unknown({file}).empty() || lacks_text(store_, file);
+}
 
 std::vector<AssetFile> AcceptedAssets::unknown(const std::vector<AssetFile>& files) const {
     std::vector<AssetFile> found;
@@ -58,23 +75,26 @@ void AcceptedAssets::accept(const Session& educator, const AssetFile& file, cons
                          QT_TRANSLATE_NOOP("errors", "a reason is missing or too long"),
                          QT_TRANSLATE_NOOP("errors", "give a reason of 1 to 4,000 characters"));
     Transaction transaction(store_.connection());
-    if (unknown({file}).empty())
+    const bool is_known = unknown({file}).empty();
+    if (is_known && (text.empty() || !lacks_text(store_, file)))
         throw StoreError(
             StoreErrorKind::conflict,
             {QT_TRANSLATE_NOOP("errors", "%1: this file can be used in assessed attempts already"),
              file.name},
             QT_TRANSLATE_NOOP("errors", "there is nothing left to do"));
-    Query(store_.connection(),
-          "INSERT INTO asset_acceptance (digest, file, person_id, time, reason) VALUES (?, ?, ?, ?, ?)")
-        .bind(file.digest)
-        .bind(file.name)
-        .bind(educator.person_id())
-        .bind(store_.now())
-        .bind(reason)
-        .run();
-    std::vector<RecordName> records{{RecordKind::asset, file.digest}};
-    const bool is_passed_on = file.name.rfind("curricula/", 0) == 0 || file.name.rfind("benchmarks/", 0) == 0;
-    if (is_passed_on && !text.empty()) {
+    std::vector<RecordName> records;
+    if (!is_known) {
+        Query(store_.connection(),
+              "INSERT INTO asset_acceptance (digest, file, person_id, time, reason) VALUES (?, ?, ?, ?, ?)")
+            .bind(file.digest)
+            .bind(file.name)
+            .bind(educator.person_id())
+            .bind(store_.now())
+            .bind(reason)
+            .run();
+        records.push_back({RecordKind::asset, file.digest});
+    }
+    if (is_passed_on(file) && !text.empty()) {
         Query(store_.connection(), "INSERT INTO asset_text (digest, text) VALUES (?, ?)")
             .bind(file.digest)
             .bind(text)

@@ -33,11 +33,14 @@ class AcceptedAssets {
     explicit AcceptedAssets(const Store& store) : store_(store) {}
     /// Those of `files` that are neither delivered nor accepted.
     std::vector<AssetFile> unknown(const std::vector<AssetFile>& files) const;
+    /// Whether accept() with its text would add anything.
+    bool is_to_accept(const AssetFile& file) const;
     /// Newest first. Operation::read_tissues' readers may know: it names no trainee.
     std::vector<AcceptedAsset> list() const;
     /// From now on attempts with this file can be assessed. `text`: what it says, kept of curricula and
     /// benchmark sets, so that the programme's other stations get it (database/scoring/asset_placing.h).
-    /// Throws StoreError bad_value without a reason, conflict where it is delivered or accepted already.
+    /// Where such a file is accepted and its text is not kept, the text is added.
+    /// Throws StoreError bad_value without a reason, conflict where there is nothing to add.
     /// Operation::accept_assets.
     void accept(const Session& educator, const AssetFile& file, const std::string& reason,
                 const std::string& text = {}) const;

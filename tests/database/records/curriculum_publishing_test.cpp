@@ -99,6 +99,7 @@ TEST_F(CurriculumPublished, ATryThatWasCutOffCanBeRepeated) {
         .accept(programme.session("educator"), {"curricula/rectal-1001.json", sha256_hex(text)}, "first try");
     publish("educator", text);
     EXPECT_EQ(newest().title, "Cut off");
+    EXPECT_EQ(AcceptedAssets(*programme.store).texts().size(), 1U) << "for the other stations";
 }
 
 TEST_F(CurriculumPublished, AFolderThatCannotBeWrittenIsReportedAndNothingIsAccepted) {

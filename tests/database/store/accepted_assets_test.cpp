@@ -84,5 +84,33 @@ TEST(AcceptedAssets, OthersMakePracticeUntilAnEducatorAcceptsThem) {
     EXPECT_FALSE(programme.store->check(programme.session("station")).ok);
 }
 
+TEST(AcceptedAssetsText, IsAddedToAFileThatWasAcceptedWithoutIt) {
+    Programme programme;
+    const AcceptedAssets assets(*programme.store);
+    const Session& educator = programme.session("educator");
+    const std::string text = "limits of our experts";
+    const AssetFile set{"benchmarks/A2.json", sha256_hex(text)},
+        scene{"scenes/own.json", sha256_hex("scene")};
+    EXPECT_TRUE(assets.is_to_accept(set));
+    assets.accept(educator, set, "before texts were kept");
+    EXPECT_TRUE(assets.texts().empty());
+    EXPECT_TRUE(assets.is_to_accept(set));
+    EXPECT_EQ(error_kind([&] { assets.accept(educator, set, "again"); }), StoreErrorKind::conflict);
+    assets.accept(educator, set, "again, with what it says", text);
+    ASSERT_EQ(assets.texts().size(), 1U);
+    EXPECT_EQ(assets.texts()[0].text, text);
+    ASSERT_EQ(assets.list().size(), 1U);
+    EXPECT_EQ(assets.list()[0].reason, "before texts were kept");
+    EXPECT_FALSE(assets.is_to_accept(set));
+    EXPECT_EQ(error_kind([&] { assets.accept(educator, set, "again", text); }), StoreErrorKind::conflict);
+    // Of other files no text is kept.
+    assets.accept(educator, scene, "our scene", "scene");
+    EXPECT_FALSE(assets.is_to_accept(scene));
+    EXPECT_EQ(error_kind([&] { assets.accept(educator, scene, "again", "scene"); }),
+              StoreErrorKind::conflict);
+    EXPECT_EQ(assets.texts().size(), 1U);
+    EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
+}
+
 }  // namespace
 }  // namespace fulcrum::database::test

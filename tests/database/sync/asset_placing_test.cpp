@@ -250,6 +250,39 @@ TEST_F(AssetPlacing, AStationOfSomeCohortsReceivesButSendsNone) {
     EXPECT_EQ(at_a.set().source, "ward 3");
 }
 
+TEST_F(AssetPlacing, WhatAStationOfSomeCohortsPublishedIsPassedOnByOneOfTheWholeProgramme) {
+    const KeysOfOneTest keys;
+    const auto token = [&](const std::vector<std::string>& cohorts) {
+        return make_enrolment_token(server, "lab", cohorts, usual_token_h).text;
+    };
+    const auto sync_linked = [](const Store& store, const Session& session) {
+        return sync_with_server(store, session, server_of(store));
+    };
+    enrol_station(*a.store, a.session("administrator"), server, token({}));
+    sync_linked(*a.store, a.session("administrator"));
+    enrol_station(*b.store, b.store->station_session(), server, token({"Year 1"}));
+    sync_linked(*b.store, b.store->station_session());
+    at_b.publish_set(*b.store, b.sign_in("educator"), "ward 5");
+    EXPECT_EQ(sync_linked(*b.store, b.sign_in("administrator")).conflicts.size(), 1U) << "it stays there";
+    sync_linked(*a.store, a.session("administrator"));
+    EXPECT_EQ(AcceptedAssets(*a.store).list().size(), 1U);
+    EXPECT_TRUE(AcceptedAssets(*a.store).texts().empty()) << "accepted, and nobody knows what it says";
+
+    at_a.publish_set(*a.store, a.session("educator"), "ward 5");
+    ASSERT_EQ(AcceptedAssets(*a.store).texts().size(), 1U);
+    EXPECT_EQ(at_a.set().source, "ward 5");
+    sync_linked(*a.store, a.session("administrator"));
+    Station c("c.db");
+    const AssetFolder at_c;
+    enrol_station(*c.store, c.store->station_session(), server, token({}));
+    sync_linked(*c.store, c.store->station_session());
+    expect_placed(at_c.take(*c.store), 1);
+    EXPECT_EQ(at_c.set().source, "ward 5");
+    EXPECT_TRUE(sync_linked(*b.store, b.sign_in("administrator")).conflicts.empty());
+    for (const Store* store : {a.store.get(), b.store.get(), c.store.get()}) expect_sound(*store);
+    expect_sound(server);
+}
+
 TEST(AssetText, IsNeverChangedOrDeletedAndDbCheckFindsBoth) {
     for (const char* sql : {"UPDATE asset_text SET text = 'x'", "DELETE FROM asset_text"}) {
         Programme programme;
