@@ -51,8 +51,11 @@ int XapiOutbox::add(const std::vector<OutboxStatement>& statements) const {
     }
     int added = 0;
     for (const OutboxStatement& one : statements) {
-        Query known(connection, "SELECT 1 FROM xapi_outbox WHERE endpoint = ? AND id = ?");
-        known.bind(endpoint_).bind(one.id);
+        // Erased since the statement was made: what an erasure has deleted does not come back.
+        Query known(connection,
+                    "SELECT 1 FROM xapi_outbox WHERE endpoint = ? AND id = ? UNION ALL SELECT 1 FROM person "
+                    "WHERE id = ? AND login = 'erased-' || id");
+        known.bind(endpoint_).bind(one.id).bind(one.person_id);
         if (known.next()) continue;
         Query(
             connection,

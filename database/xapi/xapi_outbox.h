@@ -48,7 +48,8 @@ class XapiOutbox {
   public:
     XapiOutbox(const Store& store, const Session& session, std::string endpoint);
 
-    /// Those with an id that is there already are left as they are. All or none; returns how many are new.
+    /// Those with an id that is there already are left as they are, those of an erased person are left out.
+    /// All or none; returns how many are new.
     int add(const std::vector<OutboxStatement>& statements) const;
     /// The first one that waits and whose time has come.
     std::optional<OutboxStatement> next() const;

@@ -218,6 +218,25 @@ TEST_F(RecordStoreTest, IsSentNothingOfAPersonWhoWasErased) {
     EXPECT_EQ(lrs.requests.size(), 2U);
 }
 
+TEST_F(RecordStoreTest, QueuesNothingOfAPersonWhoWasErasedWhileTheStatementsWereMade) {
+    std::vector<OutboxStatement> statements;
+    for (const char* login : {"ann", "ben"}) {
+        OutboxStatement one;
+        const int number = static_cast<int>(statements.size());
+        one.id = example_id(number);
+        one.person_id = programme.id(login);
+        one.text = example_statement(number);
+        statements.push_back(one);
+    }
+    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ann"), programme.store->station_session(),
+                                 "asked for it"));
+    EXPECT_EQ(outbox().add(statements), 1);
+    EXPECT_EQ(outbox().counts().waiting, 1);
+    const auto next = outbox().next();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->person_id, programme.id("ben"));
+}
+
 TEST_F(RecordStoreTest, KilledAnywhereNothingIsLostOrSentUnderAnotherId) {
     constexpr int statements = 40;
     add(statements);
