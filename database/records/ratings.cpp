@@ -217,9 +217,9 @@ std::vector<std::string> awaited_attempts(const Store& store, const Session& rat
     std::vector<std::string> awaited, people;
     if (!asks_for_ratings(curriculum)) return awaited;
     {
-        Query rows(store.connection(),
-                   "SELECT DISTINCT a.person_id FROM attempt a WHERE a.mode = 'assessed' AND " +
-                       visible_people(rater, Operation::rate, "a.person_id"));
+        Query rows(store.connection(), "SELECT DISTINCT p.id FROM attempt a " +
+                                           join_owner("a.person_id", "p") + "WHERE a.mode = 'assessed' AND " +
+                                           visible_people(rater, Operation::rate, "p.id"));
         bind_visible_people(rows, rater, Operation::rate);
         while (rows.next()) people.push_back(rows.text(0));
     }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/assets/assets.h"
+#include "database/records/person_merge.h"
 #include "database/records/ratings.h"
 #include "tests/database/programme_fixture.h"
 
@@ -175,6 +176,31 @@ TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
     EXPECT_EQ(of_a2().standing, Standing::awaiting_rating);
     EXPECT_EQ(of_a2().rated_attempt, again);
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+}
+
+TEST(Standings, RatersSeeTheAwaitedAttemptOfAMergedAccountFirst) {
+    const Programme programme;
+    Curriculum curriculum = rectal();
+    for (CurriculumTask& task : curriculum.tasks)
+        if (task.task == "A2") {
+            task.rule = parse_pass_rule("row:2");
+            task.ratings = RatingRule{"goals", 2, 4, {}, false, false};
+        }
+    programme.record("eve");
+    programme.clock.pass_s(86'400);
+    const std::string rated = programme.record("eve");
+    PersonMerge(*programme.store)
+        .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "entered twice");
+    programme.clock.pass_s(60);
+    programme.record("ben");
+    EXPECT_EQ(standing(programme, curriculum, "A2", programme.store->now()).rated_attempt, rated);
+    for (const char* login : {"educator", "director"}) {
+        const std::vector<RatableAttempt> listed =
+            Ratings(*programme.store).to_rate(programme.session(login), &curriculum);
+        ASSERT_EQ(listed.size(), 3U) << login;
+        EXPECT_EQ(listed[0].attempt_id, rated) << login;
+        EXPECT_TRUE(listed[0].awaited) << login;
+    }
 }
 
 TEST(Standings, TheCohortTableCarriesThemWithTheLatestAttempts) {
