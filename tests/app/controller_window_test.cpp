@@ -59,6 +59,7 @@ class ControllerWindow : public FakeController, public Window {
 };
 
 TEST_F(ControllerWindow, EachStickMovesItsHandAndAnUnpluggedControllerPausesTheAttempt) {
+    QSettings().clear();
     window.resize(1024, 768);
     create_programme_and_trainee();
     start("A2", false);

@@ -232,10 +232,11 @@ class OneHandWindow : public ScriptedDevice, public Window {
 };
 
 TEST_F(OneHandWindow, PracticeFromAMomentGivesTheMouseTheHandThatTheDeviceDoesNotMove) {
+    QSettings().clear();
     create_programme_and_trainee();
     start("A2", false);
     EXPECT_EQ(theatre().input()->active_hand(), Hand::left);
-    ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 3; }));
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->snapshot().tick > 3000; }));
     abandon();
     auto* panel = wait_for_debrief().findChild<ui::ReplayPanel*>();
     ASSERT_NE(panel, nullptr);
@@ -249,6 +250,7 @@ TEST_F(OneHandWindow, PracticeFromAMomentGivesTheMouseTheHandThatTheDeviceDoesNo
     ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }, 120000));
     EXPECT_EQ(theatre().input()->active_hand(), Hand::left);
     abandon();
+    QSettings().clear();
 }
 
 }  // namespace
