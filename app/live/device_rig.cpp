@@ -78,7 +78,7 @@ std::optional<ForceOutput> DeviceRig::force_output(Hand hand) const {
 std::optional<RigUse> DeviceRig::use() const {
     RigUse use;
     const bool moves = std::any_of(std::begin(driven_), std::end(driven_),
-                                   [](const Driven& driven) { return driven.slot >= 0; });
+                                   [](const Driven& driven) { return driven.exists && driven.slot >= 0; });
     if (!moves) {
         use = others_->use().value_or(use);
         if (has_pedal_) use.pedal = pedal_;

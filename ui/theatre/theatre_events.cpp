@@ -146,7 +146,7 @@ void TheatrePage::read_mice() {
     mice_->read(motion);
     const bool connected = motion[0].connected && motion[1].connected;
     if (connected != input_->targets().hand[0].present) input_->set_connected(connected);
-    if (!takes_hands() || !view_->isActiveWindow()) return;
+    if (!takes_hands() || !view_->isVisible() || !view_->isActiveWindow()) return;
     for (int h = 0; h < hand_count; ++h) {
         const auto hand = static_cast<Hand>(h);
         input_->move_hand(hand, QPointF(motion[h].right, motion[h].down), motion[h].notches,

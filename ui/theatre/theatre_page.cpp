@@ -2,6 +2,7 @@
 #include "ui/theatre/theatre_page.h"
 
 #include "assessment/task/asked_hand.h"
+#include "ui/services/device_in_scene.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
@@ -96,7 +97,8 @@ AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, M
     watch_ = std::make_shared<HandWatch>(scene);
     const auto rig = std::make_shared<WatchedRig>(context().services().hands(scene, input.rig()), watch_);
     pad_ = context().services().game_controller();
-    const DeviceInUse device = context().services().device_in_use();  // known once it is open
+    // Known once it is open.
+    const DeviceInUse device = device_in_scene(context().services().device_in_use(), scene);
     mice_ = device.two_mice ? TwoMice::open(device.virtual_mice) : nullptr;
     input.set_sensitivity(context().services().motion_scale(device.kind));
     input.set_keys(KeyMap::of_person(context().session().person_id()));

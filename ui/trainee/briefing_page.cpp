@@ -11,6 +11,7 @@
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
+#include "ui/services/device_in_scene.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/standing_badge.h"
@@ -91,6 +92,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     card_layout(start_card)->addWidget(practice_);
     card_layout(start_card)->addLayout(make_beginning());
     mode_note_ = make_label({}, "muted");
+    mode_note_->setObjectName(QStringLiteral("mode_note"));
     card_layout(start_card)->addWidget(mode_note_);
     tissue_note_ = make_label({});
     tissue_note_->setObjectName(QStringLiteral("tissue_note"));
@@ -252,8 +254,17 @@ QString BriefingPage::why_locked() {
     return {};
 }
 
+DeviceInUse BriefingPage::device() {
+    DeviceInUse device = context().services().device_in_use();
+    const TaskDefinition* task = context().task(task_id_);
+    if (task != nullptr && !device.kind.empty())
+        context().guarded(
+            [&] { device = device_in_scene(device, context().services().scene_for(*task, variant())); });
+    return device;
+}
+
 DeviceClass BriefingPage::device_class() {
-    return context().services().device_in_use().device_class;
+    return device().device_class;
 }
 
 QString BriefingPage::why_files() {
@@ -276,7 +287,7 @@ void BriefingPage::fill() {
     title_->setText(context().task_title(task_id_));
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
-    const DeviceInUse device = context().services().device_in_use();
+    const DeviceInUse device = this->device();
     const bool assessable = task != nullptr && can_be_assessed(*task, device.device_class) &&
                             device.practice_only == PracticeOnly::no;
     variants_->clear();

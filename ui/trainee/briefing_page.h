@@ -40,6 +40,8 @@ class BriefingPage : public Page {
     /// Why the installed files make it practice only; empty where they do not.
     QString why_files();
     /// Of the device in use.
+    /// What an attempt at this task would be made with.
+    DeviceInUse device();
     DeviceClass device_class();
     std::vector<JudgedLimit> limits();
     /// Of the last attempt of who is signed in.

@@ -155,6 +155,26 @@ TEST_F(TouchWindow, AnAttemptInWhichNoPartOfTheDeviceMovesAnythingIsOneByMouse) 
     expect_page("debrief_page");
 }
 
+TEST_F(TouchWindow, ATaskOfTheScopeAloneIsOneByMouse) {
+    create_programme_and_trainee();
+    start("A1", true);
+    EXPECT_EQ(services.device_in_use().device_class, DeviceClass::haptic) << "it is open, for other tasks";
+    abandon();
+    const database::AttemptSummary attempt = newest_attempt();
+    EXPECT_EQ(attempt.meta.mode, AttemptMode::assessed);
+    EXPECT_EQ(attempt.meta.device_class, DeviceClass::mouse_keyboard);
+    EXPECT_EQ(attempt.meta.device, "mouse and keyboard");
+    ASSERT_TRUE(attempt.meta.rig_use.has_value());
+    EXPECT_EQ(attempt.meta.rig_use->stated, 0);
+    // The page of the task says so too; that of a task of the hands names the device.
+    emit window.context().briefing_wanted(QStringLiteral("A1"));
+    expect_page("briefing_page");
+    EXPECT_TRUE(shown("mode_note").contains("You hold the scope with mouse and keyboard"))
+        << shown("mode_note").toStdString();
+    emit window.context().briefing_wanted(QStringLiteral("A2"));
+    EXPECT_TRUE(shown("mode_note").contains("You work with: ")) << shown("mode_note").toStdString();
+}
+
 TEST_F(TouchWindow, LocksWhenTheDeviceRestsAndNotWhileAHandMovesIt) {
     create_programme_and_trainee();
     start("A2", false);
