@@ -302,6 +302,7 @@ void TaskMonitor::begin_again() noexcept {
     state.begun = state.display.moving_seen = state.paused = state.lost = state.late = false;
     state.unpaused_ticks = state.elapsed_ticks = state.lost_ticks = state.late_ticks = 0;
     state.run_ticks = {};
+    state.display.critical = false;  // that of the attempt before
     state.show();
 }
 

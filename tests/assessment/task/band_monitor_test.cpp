@@ -228,6 +228,8 @@ TEST(BandMonitor, InjuriesAreCriticalAndReportedOnce) {
     other.view().worst_nerve_dose = other.view().lateral_dose = 61;
     other.step(5);
     EXPECT_TRUE(other.monitor.display().critical);
+    other.monitor.begin_again();
+    EXPECT_FALSE(other.monitor.display().critical) << "practice from a moment has none of its own";
     ASSERT_EQ(other.sink.of(EventKind::nerve_injury).size(), 1U);
     EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[0].detail, 1);
     EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[0].value, 61.0F);
