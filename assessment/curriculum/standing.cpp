@@ -144,7 +144,7 @@ class TaskRun {
   public:
     bool unlocked = false, unlocked_by_override = false;
 
-    bool met_ever() const { return declared_ever_ || met_provisionally_; }
+    bool met_ever() const { return first_declared_at_ != 0 || met_provisionally_; }
 
     void attempt(const CurriculumTask& task, const CountedAttempt& one, const RatingsByAttempt& ratings) {
         last_ = one.time;
@@ -174,7 +174,7 @@ class TaskRun {
 
     void declare(std::int64_t time, bool by_override) {
         declared_at_ = time;
-        declared_ever_ = true;
+        if (first_declared_at_ == 0) first_declared_at_ = time;
         declared_by_override_ = by_override;
         relapsed_ = maintained_ = false;
         cusum_ = RelapseCusum();
@@ -189,6 +189,7 @@ class TaskRun {
         result.attempts = attempts_;
         result.passes = passes_;
         result.last_attempt = last_;
+        result.first_declared_at = first_declared_at_;
         result.by_override = declared_at_ != 0 ? declared_by_override_ : unlocked_by_override;
         if (relapsed_) {
             result.standing = Standing::relapsed;
@@ -285,8 +286,8 @@ class TaskRun {
     std::int64_t last_ = 0;
     RuleRun all_, firm_;
     std::vector<Outcome> since_relapse_;
-    std::int64_t declared_at_ = 0, next_check_ = 0;
-    bool declared_ever_ = false, declared_by_override_ = false, relapsed_ = false, maintained_ = false;
+    std::int64_t declared_at_ = 0, first_declared_at_ = 0, next_check_ = 0;
+    bool declared_by_override_ = false, relapsed_ = false, maintained_ = false;
     RelapseCusum cusum_;
     Check check_;
 };

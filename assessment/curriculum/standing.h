@@ -95,6 +95,7 @@ struct TaskStanding {
     double progress = 0;                ///< 0 to 1 towards the rule, before it is met
     std::vector<std::string> waits_for;  ///< locked: prerequisites that are missing
     std::int64_t declared_at = 0;        ///< UTC ms; 0: not proficient
+    std::int64_t first_declared_at = 0;  ///< UTC ms; a relapse does not end it; 0: never
     std::int64_t next_check = 0;         ///< UTC ms; 0: none
     std::int64_t last_attempt = 0;       ///< UTC ms, of those that count; 0: none
 };

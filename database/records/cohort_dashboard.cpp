@@ -95,7 +95,7 @@ void add_waiting(CohortDashboard& dashboard, const std::vector<PersonStandings>&
             if (task.first_attempt == 0) continue;
             const DashboardPerson one{p, task.standing.task, task.first_attempt, task.standing.attempts};
             if (task.first_pass == 0) dashboard.waiting_to_pass[t].push_back(one);
-            if (task.standing.declared_at == 0) dashboard.waiting_for_proficiency[t].push_back(one);
+            if (task.standing.first_declared_at == 0) dashboard.waiting_for_proficiency[t].push_back(one);
         }
     }
 }

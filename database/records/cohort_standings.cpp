@@ -129,7 +129,7 @@ std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people
             ++one.attempted;
             if (task.first_pass > 0) ++one.passed;
             observe(to_pass, task, task.first_pass);
-            observe(to_proficiency, task, task.standing.declared_at);
+            observe(to_proficiency, task, task.standing.first_declared_at);
         }
         one.share = wilson(one.passed, one.attempted);
         one.pass_curve = survival_curve(to_pass);

@@ -68,7 +68,8 @@ struct TaskOverview {
     int provisional = 0;             ///< people whose every pass is by provisional limits
     int attempted = 0, passed = 0;   ///< people with an attempt that counts, with a pass
     Share share;                     ///< passed of attempted
-    /// Days from the first attempt that counts; who is not there yet is censored at `at`.
+    /// Days from the first attempt that counts to the first pass and the first declaration, whatever relapse
+    /// came later; who is not there yet is censored at `at`.
     SurvivalMedian days_to_pass, days_to_proficiency;
     std::vector<SurvivalStep> pass_curve, proficiency_curve;  ///< behind the medians
     double longest_days = 0;                                  ///< that anybody was observed

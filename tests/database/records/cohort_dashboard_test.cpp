@@ -42,7 +42,7 @@ void tried(PersonTask& task, std::int64_t first, std::int64_t pass, Standing sta
     task.first_pass = pass * dashboard_day_ms;
     task.standing.standing = standing;
     if (standing == Standing::proficient || standing == Standing::due)
-        task.standing.declared_at = pass * dashboard_day_ms;
+        task.standing.declared_at = task.standing.first_declared_at = pass * dashboard_day_ms;
 }
 
 /// Ann is done with stage A and has a check overdue, Ben has begun, Cyd has never practised.
@@ -114,6 +114,46 @@ TEST(CohortDashboard, PassRatesAndCurvesAreThoseOfTheOverview) {
     EXPECT_DOUBLE_EQ(dashboard.overview[0].pass_curve[0].time, 10);
     EXPECT_DOUBLE_EQ(dashboard.overview[0].pass_curve[0].waiting, 0) << "Ben was observed for a week only";
     EXPECT_DOUBLE_EQ(dashboard.overview[0].longest_days, 10);
+}
+
+AttemptSummary counting_attempt(std::int64_t day, bool passed) {
+    AttemptSummary one;
+    one.meta.id = "attempt-" + std::to_string(day);
+    one.meta.task_id = "A1";
+    one.meta.started = day * dashboard_day_ms;
+    one.meta.device_class = DeviceClass::haptic;
+    one.recorded_state = one.state = AttemptState::completed;
+    one.counting = true;
+    one.passed = passed;
+    return one;
+}
+
+TEST(CohortDashboard, TimeToProficiencyEndsWithTheFirstDeclarationWhateverRelapseFollows) {
+    Curriculum curriculum = two_stages();
+    for (CurriculumTask& task : curriculum.tasks) {
+        task.rule = parse_pass_rule("row:2");
+        task.device_classes = {DeviceClass::haptic};
+    }
+    const std::int64_t first = dashboard_today - 100;
+    std::vector<AttemptSummary> attempts = {counting_attempt(first, true),
+                                            counting_attempt(first + 10, true)};
+    // Two failures on the day of a check, which is due 14 days after the declaration.
+    for (int i = 0; i < 2; ++i) {
+        attempts.push_back(counting_attempt(first + 30, false));
+        attempts.back().meta.id += i == 0 ? "-a" : "-b";
+        attempts.back().meta.started += i * 3'600'000;
+    }
+    const auto expect_ten_days = [&](Standing standing) {
+        const std::vector<PersonStandings> people = {person_standings(attempts, {}, curriculum, noon().at)};
+        ASSERT_EQ(people[0].tasks[0].standing.standing, standing);
+        const CohortDashboard dashboard = dashboard_of(people, curriculum, noon());
+        ASSERT_TRUE(dashboard.overview[0].days_to_proficiency.median);
+        EXPECT_DOUBLE_EQ(*dashboard.overview[0].days_to_proficiency.median, 10);
+        EXPECT_TRUE(dashboard.waiting_for_proficiency[0].empty());
+    };
+    expect_ten_days(Standing::relapsed);
+    for (int i = 0; i < 3; ++i) attempts.push_back(counting_attempt(dashboard_today - 3 + i, true));
+    expect_ten_days(Standing::proficient);
 }
 
 TEST(CohortDashboard, IsEmptyWithoutPeopleAndTakesAnyPlan) {
