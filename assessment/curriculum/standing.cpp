@@ -385,6 +385,21 @@ class Programme {
 
 }  // namespace
 
+const Curriculum* curriculum_at(const std::vector<CurriculumAssignment>& assignments, std::int64_t at) {
+    // As entries_of() orders them.
+    const auto earlier = [](const CurriculumAssignment* a, const CurriculumAssignment* b) {
+        return std::make_tuple(a->time, a->curriculum->name()) <
+               std::make_tuple(b->time, b->curriculum->name());
+    };
+    const CurriculumAssignment *first = nullptr, *last = nullptr;
+    for (const CurriculumAssignment& one : assignments) {
+        if (first == nullptr || earlier(&one, first)) first = &one;
+        if (one.time <= at && (last == nullptr || !earlier(&one, last))) last = &one;
+    }
+    const CurriculumAssignment* found = last != nullptr ? last : first;
+    return found == nullptr ? nullptr : found->curriculum;
+}
+
 std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at) {
     Programme programme(record.ratings);
     for (const Entry& entry : entries_of(record, at)) programme.take(entry);

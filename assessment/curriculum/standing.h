@@ -105,7 +105,11 @@ inline constexpr int retention_days[] = {14, 30, 91, 182};
 inline constexpr int overdue_days = 14;
 inline constexpr int most_attempts = 60;  ///< without a declaration, before the educator is asked
 
-/// Of every task of the curriculum in force at `at`, in its order; empty without an assignment. `at`: UTC ms.
+/// The curriculum in force at `at`, whose tasks standing_of() gives: a move may carry a time ahead of this
+/// station's clock. Before the first assignment that of the first one; null without any. `at`: UTC ms.
+const Curriculum* curriculum_at(const std::vector<CurriculumAssignment>& assignments, std::int64_t at);
+
+/// Of every task of the curriculum in force at `at`, in its order; empty before an assignment. `at`: UTC ms.
 std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at);
 
 }  // namespace fulcrum

@@ -5,7 +5,6 @@
 #include <cctype>
 
 #include "assessment/curriculum/standing.h"
-#include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
@@ -51,9 +50,10 @@ bool is_proficient(Standing standing) {
 
 std::vector<Certificate> certificates(const Store& store, const Session& session,
                                       const std::string& person_id, const Curriculum& newest) {
-    const Curriculum& curriculum = Curricula(store).in_force(session, person_id, newest);
-    const std::vector<TaskStanding> standings =
-        standing_of(Standings(store).record(session, person_id, newest), store.now());
+    const PersonRecord record = Standings(store).record(session, person_id, newest);
+    const std::int64_t at = store.now();  // one moment: a move may come into force at any
+    const Curriculum& curriculum = *curriculum_at(record.assignments, at);
+    const std::vector<TaskStanding> standings = standing_of(record, at);
     if (store.is_demo()) return {};
     const std::optional<Person> person = People(store).find(session, person_id);
     if (!person || person->kind != PersonKind::real) return {};

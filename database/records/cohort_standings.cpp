@@ -63,7 +63,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     record.ratings = std::move(ratings);
     record.assignments = followed;
     if (followed.empty()) record.assignments.push_back({0, &curriculum});
-    const Curriculum& own = *record.assignments.back().curriculum;  // moves are in the order of time
+    const Curriculum& own = *curriculum_at(record.assignments, at);
     person.curriculum = own.name();
     std::map<std::int64_t, int> days;
     for (const AttemptSummary* attempt : by_time) {

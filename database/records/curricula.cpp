@@ -136,7 +136,7 @@ std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_
 
 const Curriculum& Curricula::in_force(const Session& session, const std::string& person_id,
                                       const Curriculum& newest) const {
-    return *assignments(session, person_id, newest).back().curriculum;
+    return *curriculum_at(assignments(session, person_id, newest), store_.now());
 }
 
 std::vector<CurriculumChange> Curricula::preview(const Session& session, const std::string& person_id,

@@ -42,7 +42,7 @@ class Curricula {
     std::map<std::string, std::vector<CurriculumAssignment>> assignments_in(const Session& session,
                                                                             const std::string& cohort_id,
                                                                             const Curriculum& newest) const;
-    /// The version that the person follows now.
+    /// The version that the person follows now: a move whose time lies ahead is not yet in force.
     const Curriculum& in_force(const Session& session, const std::string& person_id,
                                const Curriculum& newest) const;
     /// What moving the person to this version would change, the tasks that stay as they are left out.

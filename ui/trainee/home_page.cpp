@@ -4,7 +4,6 @@
 #include <QGridLayout>
 
 #include "assessment/scoring/score.h"
-#include "database/records/curricula.h"
 #include "database/records/report_data.h"
 #include "database/records/reviews.h"
 #include "database/records/standings.h"
@@ -59,11 +58,12 @@ void HomePage::enter() {
     standings_.clear();
     followed_ = &context().services().curriculum();
     context().guarded([&] {
-        followed_ = &database::Curricula(context().store())
-                         .in_force(session, session.person_id(), context().services().curriculum());
-        standings_ = standing_of(database::Standings(context().store())
-                                     .record(session, session.person_id(), context().services().curriculum()),
-                                 context().store().now());
+        const PersonRecord record =
+            database::Standings(context().store())
+                .record(session, session.person_id(), context().services().curriculum());
+        const std::int64_t now = context().store().now();  // one moment: a move may come into force at any
+        followed_ = curriculum_at(record.assignments, now);
+        standings_ = standing_of(record, now);
     });
     const Summaries summaries = summarise(rows);
     goals_->show_person(session.person_id());

@@ -244,6 +244,22 @@ TEST(Standing, DeclarationsOutliveAChangeOfTheCurriculum) {
     EXPECT_EQ(ben.at("A", begin + 3 * day).standing, Standing::passed);
 }
 
+TEST(Standing, AMoveComesIntoForceAtItsTime) {
+    const Curriculum whole = example();
+    Curriculum less = example();
+    less.version = 2;
+    less.tasks.pop_back();
+    Trainee ann(whole);
+    EXPECT_EQ(curriculum_at({}, begin), nullptr);
+    // Recorded at a station whose clock is ahead.
+    ann.record.assignments.push_back({begin + day, &less});
+    EXPECT_EQ(curriculum_at(ann.record.assignments, begin), &whole);
+    EXPECT_EQ(standing_of(ann.record, begin).size(), whole.tasks.size());
+    EXPECT_EQ(curriculum_at(ann.record.assignments, begin + day), &less);
+    EXPECT_EQ(standing_of(ann.record, begin + day).size(), less.tasks.size());
+    EXPECT_EQ(curriculum_at(ann.record.assignments, -1), &whole) << "before the first one";
+}
+
 TEST(Standing, OtherDevicesDoNotCount) {
     const Curriculum curriculum = example();
     Trainee ann(curriculum);

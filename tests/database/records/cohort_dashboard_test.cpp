@@ -156,6 +156,25 @@ TEST(CohortDashboard, TimeToProficiencyEndsWithTheFirstDeclarationWhateverRelaps
     expect_ten_days(Standing::proficient);
 }
 
+TEST(CohortDashboard, AMoveAheadOfTheClockIsNotYetFollowed) {
+    Curriculum whole = two_stages();
+    for (CurriculumTask& task : whole.tasks) task.device_classes = {DeviceClass::haptic};
+    Curriculum less = whole;
+    less.version = 2;
+    less.tasks.erase(less.tasks.begin());  // A1
+    const std::vector<AttemptSummary> attempts = {counting_attempt(dashboard_today - 1, true)};
+    const std::vector<CurriculumAssignment> followed = {{0, &whole}, {noon().at + 3'600'000, &less}};
+    const PersonStandings now = person_standings(attempts, {}, whole, noon().at, followed);
+    EXPECT_EQ(now.curriculum, whole.name());
+    ASSERT_EQ(now.tasks.size(), 3U);
+    EXPECT_EQ(now.tasks[0].standing.standing, Standing::passed);
+    EXPECT_EQ(now.tasks[0].recent.size(), 1U);
+    const PersonStandings later =
+        person_standings(attempts, {}, whole, noon().at + 2 * std::int64_t{3'600'000}, followed);
+    EXPECT_EQ(later.curriculum, less.name());
+    EXPECT_EQ(later.tasks[0].standing.standing, Standing::locked) << "the person's version lacks it";
+}
+
 TEST(CohortDashboard, IsEmptyWithoutPeopleAndTakesAnyPlan) {
     const CohortDashboard dashboard = dashboard_of({}, two_stages(), {0, 0, -5});
     EXPECT_EQ(dashboard.people, 0);

@@ -115,6 +115,24 @@ TEST(Curricula, AMoveKeepsWhatWasDeclaredAndIsAudited) {
     EXPECT_TRUE(one.programme.store->check(one.programme.session("administrator")).ok);
 }
 
+TEST(Curricula, AMoveAheadOfTheClockIsFollowedFromItsTimeOn) {
+    const Followers one;
+    one.programme.record("ann");
+    one.programme.clock.set_forward_s(3600);
+    ASSERT_EQ(one.curricula.move(one.educator, {one.programme.id("ann")}, one.newest, "rectal@2", "new"), 1);
+    one.programme.clock.set_forward_s(-3000);
+    const auto in_force = [&] {
+        return one.curricula.in_force(one.educator, one.programme.id("ann"), one.newest).name();
+    };
+    EXPECT_EQ(in_force(), "rectal@1");
+    // B3, which the later version lacks, has a standing still.
+    EXPECT_TRUE(
+        certificates(*one.programme.store, one.programme.session("ann"), one.programme.id("ann"), one.newest)
+            .empty());
+    one.programme.clock.set_forward_s(3000);
+    EXPECT_EQ(in_force(), "rectal@2");
+}
+
 TEST(Curricula, AnybodyEnteredTwiceIsCountedOnce) {
     const Followers one;
     const PersonMerge merge(*one.programme.store);
