@@ -7,6 +7,7 @@
 
 #include "assessment/metrics/metric.h"
 #include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
@@ -118,7 +119,7 @@ void end_goal(const Store& store, const Session& trainee, const std::string& goa
 }
 
 /// Attempts that have ended and are not voided; with the metric, those that were completed have its worst
-/// row as their value.
+/// row as their value, as a gate would judge it: of some metrics with a sign the size.
 std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal& goal, bool higher) {
     Query rows(
         connection,
@@ -130,6 +131,7 @@ std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal
             "'running' AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) ORDER BY "
             "a.started, a.id");
     rows.bind(goal.wish.metric).bind(goal.person_id).bind(goal.wish.task);
+    const MetricDescriptor* metric = find_metric(goal.wish.metric);
     std::vector<GoalAttempt> attempts;
     std::string last;
     while (rows.next()) {
@@ -140,7 +142,7 @@ std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal
         }
         std::optional<double>& value = attempts.back().value;
         if (rows.is_null(3)) continue;
-        const double one = rows.real(3);
+        const double one = metric == nullptr ? rows.real(3) : gated_value(*metric, rows.real(3));
         value = !value ? one : higher ? std::min(*value, one) : std::max(*value, one);
     }
     return attempts;

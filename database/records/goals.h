@@ -37,7 +37,8 @@ struct PersonalGoal {
 /// An attempt as a goal counts it.
 struct GoalAttempt {
     std::int64_t started = 0, day = 0;  ///< UTC ms; local day
-    /// Of the goal's metric, the worst of both hands and all tissues; only of an attempt that was completed.
+    /// Of the goal's metric, the worst of both hands and all tissues, its size where only that counts; only
+    /// of an attempt that was completed.
     std::optional<double> value;
 };
 

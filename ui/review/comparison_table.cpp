@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -40,21 +41,22 @@ QString difference_text(double own, double other, const std::string& unit) {
     return words;
 }
 
-void set_verdict(QTableWidget* table, int row, Direction direction, double own, double other,
-                 double precision) {
-    if (direction == Direction::context || std::abs(own - other) < precision) {
+/// As a gate would judge them: of some metrics with a sign the size alone counts.
+void set_verdict(QTableWidget* table, int row, const ComparedMetric& metric, double own, double other) {
+    double precision = 0;
+    if (const MetricDescriptor* known = find_metric(metric.id)) {
+        own = gated_value(*known, own);
+        other = gated_value(*known, other);
+        precision = known->precision;
+    }
+    if (metric.direction == Direction::context || std::abs(own - other) < precision) {
         table->setItem(row, verdict_column, make_cell(CompareWords::tr("–")));
         return;
     }
-    const bool better = (own < other) == (direction == Direction::lower);
+    const bool better = (own < other) == (metric.direction == Direction::lower);
     auto* cell = make_cell(better ? CompareWords::tr("✓ better") : CompareWords::tr("✕ worse"));
     set_tint(cell, better ? Tint::good : Tint::bad);
     table->setItem(row, verdict_column, cell);
-}
-
-double precision_of(const std::string& id) {
-    const MetricDescriptor* metric = find_metric(id);
-    return metric == nullptr ? 0 : metric->precision;
 }
 
 QTableWidgetItem* value_cell(const ComparedMetric& metric) {
@@ -137,7 +139,7 @@ void ComparisonTable::show_pair(const std::vector<ComparedMetric>& own,
         table_->setItem(row, difference_column,
                         make_cell(difference_text(*metric.value, *against->value, metric.unit),
                                   Qt::AlignRight | Qt::AlignVCenter));
-        set_verdict(table_, row, metric.direction, *metric.value, *against->value, precision_of(metric.id));
+        set_verdict(table_, row, metric, *metric.value, *against->value);
     }
     table_->horizontalHeaderItem(other_column)->setText(CompareWords::tr("Other attempt"));
     fit_columns(table_);
@@ -163,7 +165,7 @@ void ComparisonTable::show_cohort(const std::vector<ComparedMetric>& own, const 
         if (*metric.value >= spread.low && *metric.value <= spread.high)
             table_->setItem(row, verdict_column, make_cell(CompareWords::tr("in the middle half")));
         else
-            set_verdict(table_, row, metric.direction, *metric.value, spread.middle, precision_of(metric.id));
+            set_verdict(table_, row, metric, *metric.value, spread.middle);
     }
     table_->horizontalHeaderItem(other_column)->setText(CompareWords::tr("Cohort: median (middle half)"));
     fit_columns(table_);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "ui/charts/attempt_chart.h"
@@ -32,6 +33,13 @@ const database::MetricRow* find_row(const database::ProgressPoint& point, const 
         if (text(metric.id + "/" + metric.hand + "/" + metric.tissue) == key) return &metric;
     }
     return nullptr;
+}
+
+/// What the chart draws of it, as limits and experts are given: the size where only that counts.
+std::optional<double> charted(const database::MetricRow& metric) {
+    const MetricDescriptor* known = find_metric(metric.id);
+    if (!metric.value || known == nullptr) return metric.value;
+    return gated_value(*known, *metric.value);
 }
 
 }  // namespace
@@ -251,10 +259,12 @@ void ProgressPage::draw() {
             for (const database::ProgressPoint& point : series.points) {
                 AttemptPoint mark{point.attempt_id, point.number, {}, point.passed, point.counting, {}};
                 std::string unit;
+                std::optional<double> value;  // with its sign
                 if (key == QLatin1String("points")) {
-                    mark.value = point.points;
+                    mark.value = value = point.points;
                 } else if (const database::MetricRow* metric = find_row(point, key)) {
-                    mark.value = metric->value;
+                    value = metric->value;
+                    mark.value = charted(*metric);
                     unit = metric->unit;
                 }
                 if (!unit.empty() && !unit_text(unit).isEmpty()) {
@@ -263,7 +273,7 @@ void ProgressPage::draw() {
                 }
                 mark.tip = tr("attempt %1, %2: %3, %4")
                                .arg(point.number)
-                               .arg(local_time(point.started), figure_with_unit(mark.value, unit),
+                               .arg(local_time(point.started), figure_with_unit(value, unit),
                                     verdict(point.passed, point.provisional));
                 counting += point.counting ? 1 : 0;
                 passed += point.counting && point.passed.value_or(false) ? 1 : 0;
@@ -319,7 +329,7 @@ QString ProgressPage::add_curve(const database::ProgressSeries& series, AttemptS
             continue;
         const database::MetricRow* metric = points ? nullptr : find_row(point, key);
         const std::optional<double> value = points              ? point.points
-                                            : metric != nullptr ? metric->value
+                                            : metric != nullptr ? charted(*metric)
                                                                 : std::nullopt;
         if (!value) continue;
         values.push_back({point.number, *value});

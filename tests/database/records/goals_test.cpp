@@ -119,6 +119,33 @@ TEST(PersonalGoals, AreSetChangedAndDroppedByTheirOwnerAndReadByEducators) {
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
 }
 
+TEST(PersonalGoals, OfAMetricWithASignAreReachedByItsSize) {
+    const Programme programme;
+    const Goals goals(*programme.store);
+    const Session& ann = programme.session("ann");
+    const std::int64_t today = day_at(programme.store->now(), 0);
+    goals.set(ann, {GoalOf::metric, "A2", "plane_dev_median", 1.0, today + 5}, today);
+    const auto perform = [&](double side) {
+        programme.clock.pass_s(60);
+        AttemptResult result = test::example_result(true, 70);
+        ScoreRow score = test::example_score(true, 70);
+        score.metrics.push_back({"plane_dev_median", 1, "", "", side, {}, "mm", Direction::lower, {}});
+        result.score = score;
+        Recorder recorder(programme.path, ann, test::example_meta(programme.id("ann")),
+                          programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(result);
+        return goals.progress(ann, programme.id("ann"), today).at(0);
+    };
+    const GoalProgress shallow = perform(-3.2);
+    EXPECT_EQ(shallow.best, 3.2);
+    EXPECT_FALSE(shallow.reached) << "far on the other side";
+    EXPECT_TRUE(perform(0.5).reached);
+    const GoalProgress later = perform(-0.9);
+    EXPECT_EQ(later.best, 0.5);
+    EXPECT_EQ(goals.latest_value(ann, programme.id("ann"), "A2", "plane_dev_median"), 0.9);
+}
+
 TEST(PersonalGoals, AreAuditedWithoutWhatTheySay) {
     const Programme programme;
     const Goals goals(*programme.store);

@@ -21,6 +21,7 @@
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
 #include "ui/charts/time_chart.h"
+#include "ui/review/comparison_table.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
@@ -194,6 +195,36 @@ class Comparing : public ::testing::Test {
     std::unique_ptr<MainWindow> window;
     int recorded = 0;
 };
+
+TEST(ComparedMetrics, OfAMetricWithASignTheSizeSaysWhichIsBetter) {
+    const auto side = [](double value) {
+        ComparedMetric metric;
+        metric.id = "plane_dev_median";
+        metric.unit = "mm";
+        metric.direction = Direction::lower;
+        metric.value = value;
+        return std::vector<ComparedMetric>{metric};
+    };
+    ComparisonTable shown;
+    const auto* table = shown.findChild<QTableWidget*>(QStringLiteral("comparison_table"));
+    ASSERT_NE(table, nullptr);
+    const auto verdict_of_pair = [&](double own, double other) {
+        shown.show_pair(side(own), side(other));
+        return table->item(0, 5)->text();
+    };
+    EXPECT_TRUE(verdict_of_pair(-3.0, 0.2).contains("worse"));
+    EXPECT_TRUE(verdict_of_pair(0.2, -3.0).contains("better"));
+    EXPECT_EQ(verdict_of_pair(-3.0, 3.0), QStringLiteral("–"));
+    EXPECT_TRUE(verdict_of_pair(1.0, 3.0).contains("better"));
+    Spread cohort;
+    cohort.low = -0.5;
+    cohort.middle = 0.2;
+    cohort.high = 0.5;
+    MetricSpreads spreads;
+    spreads[{"plane_dev_median", ""}] = cohort;
+    shown.show_cohort(side(-3.0), spreads);
+    EXPECT_TRUE(table->item(0, 5)->text().contains("worse"));
+}
 
 TEST_F(Comparing, TwoAttemptsMoveTogetherAlignedByTheirSteps) {
     record("tara", {2, 1, "standard", true, 90});
