@@ -45,8 +45,8 @@ struct Concern {
 using PointsByTask = std::map<std::string, std::vector<double>>;
 
 /// In the order of ConcernKind, then of the curriculum. `standings`: at `at`. `last_practice`: UTC ms of the
-/// latest attempt of any kind, 0: none (a trainee who never began is not one who stopped). `pass_mark`:
-/// points that a passed attempt has at least.
+/// latest attempt of any kind at a task of ours, 0: none (a trainee who never began is not one who stopped).
+/// `pass_mark`: points that a passed attempt has at least.
 std::vector<Concern> concerns_of(const std::vector<TaskStanding>& standings, const PointsByTask& points,
                                  std::int64_t last_practice, double pass_mark, std::int64_t at);
 

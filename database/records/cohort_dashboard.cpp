@@ -11,13 +11,13 @@ namespace {
 void add_plan(CohortDashboard& dashboard, const std::vector<PersonStandings>& people, std::int64_t today) {
     for (std::size_t p = 0; p < people.size(); ++p) {
         const PersonStandings& person = people[p];
-        if (person.days.empty()) {
+        if (!person.begun) {
             dashboard.not_begun.push_back({p});
             continue;
         }
         PlanPoint point;
         point.person = p;
-        point.weeks = static_cast<double>(std::max<std::int64_t>(0, today - person.days.front().day)) / 7;
+        point.weeks = static_cast<double>(std::max<std::int64_t>(0, today - *person.begun)) / 7;
         point.done = static_cast<int>(std::count_if(person.tasks.begin(), person.tasks.end(), is_done));
         point.planned = dashboard.tasks * std::min(1.0, point.weeks / dashboard.plan_weeks);
         dashboard.plan.push_back(point);

@@ -25,7 +25,7 @@ struct DashboardPerson {
 /// How far someone is who has begun.
 struct PlanPoint {
     std::size_t person = 0;
-    double weeks = 0;    ///< since the first day of practice
+    double weeks = 0;    ///< since the first day of practice here
     int done = 0;        ///< tasks
     double planned = 0;  ///< tasks by the plan
     bool behind() const { return done < static_cast<int>(planned); }
@@ -55,7 +55,7 @@ struct StageStep {
 struct CohortDashboard {
     int people = 0, tasks = 0, plan_weeks = 0;
     std::vector<PlanPoint> plan;             ///< in the order of the standings
-    std::vector<DashboardPerson> not_begun;  ///< nothing practised so far
+    std::vector<DashboardPerson> not_begun;  ///< nothing practised here so far
     std::vector<TaskOverview> overview;      ///< pass rates and times, task by task
     std::vector<PracticeWeek> weeks;         ///< the last dashboard_weeks, oldest first
     std::vector<CheckSlot> checks;           ///< overdue, due, the weeks ahead, later

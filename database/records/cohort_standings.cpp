@@ -66,10 +66,15 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     const Curriculum& own = *curriculum_at(record.assignments, at);
     person.curriculum = own.name();
     std::map<std::int64_t, int> days;
+    std::int64_t last_practice = 0;
     for (const AttemptSummary* attempt : by_time) {
         if (attempt->counting) record.attempts.push_back(counted_attempt(*attempt));
-        ++days[local_day(attempt->meta)];
+        const std::int64_t day = local_day(attempt->meta);
+        ++days[day];
         person.last_attempt = attempt->meta.started;
+        if (is_external_task(attempt->meta.task_id)) continue;
+        person.begun = std::min(day, person.begun.value_or(day));
+        last_practice = attempt->meta.started;
     }
     for (const auto& [day, count] : days) person.days.push_back({day, count});
     for (const OverrideRow& row : overrides) record.overrides.push_back(row.decision);
@@ -104,7 +109,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                               task.recent.end() - static_cast<std::ptrdiff_t>(most_recent));
         person.tasks.push_back(std::move(task));
     }
-    person.concerns = concerns_of(standings, points, person.last_attempt, pass_mark, at);
+    person.concerns = concerns_of(standings, points, last_practice, pass_mark, at);
     return person;
 }
 

@@ -48,6 +48,9 @@ struct PersonStandings {
     std::string curriculum;         ///< version that the person follows, "rectal@2"
     std::vector<PersonTask> tasks;  ///< of the curriculum, in its order
     std::vector<PracticeDay> days;  ///< oldest first
+    /// The first day with an attempt at a task of ours, as PracticeDay::day; none: not begun. What was
+    /// recorded elsewhere and imported is in `days`, and moves neither the plan nor the concerns.
+    std::optional<std::int64_t> begun;
     std::vector<Concern> concerns;  ///< in the order of ConcernKind
     std::int64_t last_attempt = 0;  ///< UTC ms, of any kind; 0: none
 };

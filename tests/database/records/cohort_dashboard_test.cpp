@@ -49,12 +49,14 @@ void tried(PersonTask& task, std::int64_t first, std::int64_t pass, Standing sta
 std::vector<PersonStandings> three_people() {
     PersonStandings ann = someone("ann"), ben = someone("ben"), cyd = someone("cyd");
     ann.days = {{dashboard_today - 70, 2}, {dashboard_today - 8, 3}, {dashboard_today - 2, 1}};
+    ann.begun = dashboard_today - 70;
     tried(ann.tasks[0], dashboard_today - 70, dashboard_today - 60, Standing::due);
     ann.tasks[0].standing.overdue = true;
     ann.tasks[0].standing.next_check = (dashboard_today - 20) * dashboard_day_ms;
     tried(ann.tasks[1], dashboard_today - 70, dashboard_today - 50, Standing::proficient);
     ann.tasks[1].standing.next_check = (dashboard_today + 9) * dashboard_day_ms;
     ben.days = {{dashboard_today - 7, 4}, {dashboard_today, 1}};
+    ben.begun = dashboard_today - 7;
     tried(ben.tasks[0], dashboard_today - 7, 0, Standing::attempted);
     return {ann, ben, cyd};
 }
@@ -173,6 +175,36 @@ TEST(CohortDashboard, AMoveAheadOfTheClockIsNotYetFollowed) {
         person_standings(attempts, {}, whole, noon().at + 2 * std::int64_t{3'600'000}, followed);
     EXPECT_EQ(later.curriculum, less.name());
     EXPECT_EQ(later.tasks[0].standing.standing, Standing::locked) << "the person's version lacks it";
+}
+
+TEST(CohortDashboard, AnImportedRecordingMovesNeitherThePlanNorTheConcerns) {
+    Curriculum curriculum = two_stages();
+    for (CurriculumTask& task : curriculum.tasks) task.device_classes = {DeviceClass::haptic};
+    const auto imported = [](std::int64_t day) {
+        AttemptSummary one = counting_attempt(day, false);
+        one.meta.task_id = "external-peg-transfer";
+        one.meta.device_class = DeviceClass::external;
+        one.counting = false;
+        one.passed.reset();
+        return one;
+    };
+    const auto standings = [&](const std::vector<AttemptSummary>& attempts) {
+        return person_standings(attempts, {}, curriculum, noon().at);
+    };
+    const std::int64_t long_ago = dashboard_today - 365, yesterday = dashboard_today - 1;
+    const std::vector<PersonStandings> people = {
+        standings({imported(long_ago), counting_attempt(yesterday, true)}), standings({imported(long_ago)}),
+        standings({counting_attempt(dashboard_today - 30, true), imported(yesterday)})};
+    const CohortDashboard dashboard = dashboard_of(people, curriculum, noon());
+    ASSERT_EQ(dashboard.plan.size(), 2U);
+    EXPECT_LT(dashboard.plan[0].weeks, 1);
+    EXPECT_FALSE(dashboard.plan[0].behind());
+    ASSERT_EQ(dashboard.not_begun.size(), 1U);
+    EXPECT_EQ(dashboard.not_begun[0].person, 1U);
+    EXPECT_TRUE(people[1].concerns.empty()) << "who never began has not stopped";
+    EXPECT_EQ(people[1].days.size(), 1U) << "the calendar shows it";
+    ASSERT_EQ(people[2].concerns.size(), 1U) << "a recording from elsewhere is no practice here";
+    EXPECT_EQ(people[2].concerns[0].kind, ConcernKind::stopped);
 }
 
 TEST(CohortDashboard, IsEmptyWithoutPeopleAndTakesAnyPlan) {
