@@ -30,8 +30,8 @@ std::vector<SurvivalStep> survival_curve(std::vector<Observation> people) {
             const double half = z_95 * std::sqrt(variance) / std::fabs(logarithm);
             step.low = std::pow(waiting, std::exp(half));
             step.high = std::pow(waiting, std::exp(-half));
-        } else {
-            step.high = 0;
+        } else if (!curve.empty()) {
+            step.high = curve.back().high;  // none is defined at 0: the curve is not above where it was
         }
         curve.push_back(step);
     }

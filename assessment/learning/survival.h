@@ -14,7 +14,7 @@ struct Observation {
 };
 struct SurvivalStep {
     double time = 0, waiting = 1;  ///< share that is not there yet after `time`
-    double low = 0, high = 1;      ///< 95 %, log-log
+    double low = 0, high = 1;  ///< 95 %, log-log; where nobody waits any more 0 and that of the step before
 };
 /// A step for each time at which someone got there. Times >= 0.
 std::vector<SurvivalStep> survival_curve(std::vector<Observation> people);

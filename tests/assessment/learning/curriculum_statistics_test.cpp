@@ -334,6 +334,26 @@ TEST(Survival, MedianOfTheRemissionData) {
     EXPECT_FALSE(survival_median({}).median.has_value());
 }
 
+TEST(Survival, TheMedianOfAFewHasNoUpperEnd) {
+    const SurvivalMedian one = survival_median(survival_curve({Observation{5, true}}));
+    EXPECT_EQ(one.median, 5);
+    EXPECT_EQ(one.low, 5);
+    EXPECT_FALSE(one.high.has_value()) << "no interval is defined where the curve is 0";
+    const std::vector<SurvivalStep> two = survival_curve({Observation{5, true}, Observation{8, true}});
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_EQ(two[1].waiting, 0);
+    EXPECT_EQ(two[1].low, 0);
+    EXPECT_EQ(two[1].high, two[0].high);
+    EXPECT_FALSE(survival_median(two).high.has_value());
+    // Of 21 the interval ends before the last one is there.
+    std::vector<Observation> people;
+    for (int i = 1; i <= 21; ++i) people.push_back({static_cast<double>(i), true});
+    const SurvivalMedian many = survival_median(survival_curve(people));
+    EXPECT_EQ(many.median, 11);
+    ASSERT_TRUE(many.high.has_value());
+    EXPECT_LT(*many.high, 21);
+}
+
 TEST(Survival, WilsonIntervals) {
     // Newcombe 1998, table I, method 3: 81 of 263 and 0 of 20.
     EXPECT_NEAR(wilson(81, 263).low, 0.2553, 1e-4);
