@@ -91,6 +91,7 @@ std::vector<TriedAttempt> tried_attempts(const database::Store& store, const dat
         one.gates = score->gates;
         for (const database::MetricRow& row : score->metrics) one.metric_versions[row.id] = row.version;
         one.critical = !score->critical_errors.empty();
+        one.completed = summary.recorded_state == AttemptState::completed;
         one.passed = score->passed;
         tried.push_back(std::move(one));
     }
@@ -99,7 +100,7 @@ std::vector<TriedAttempt> tried_attempts(const database::Store& store, const dat
 
 std::optional<bool> passes_under(const TaskDefinition& task, const TriedAttempt& attempt,
                                  const BenchmarkSet& set) {
-    if (attempt.critical) return false;
+    if (attempt.critical || !attempt.completed) return false;
     bool judged = true;
     for (const GateSpec& spec : task.gates) {
         const database::GateRow* gate = find_gate(attempt, spec);

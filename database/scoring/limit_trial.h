@@ -23,6 +23,7 @@ struct TriedAttempt {
     std::vector<database::GateRow> gates;        ///< of the score in force
     std::map<std::string, int> metric_versions;  ///< by metric
     bool critical = false;                       ///< a critical error: failed under any limits
+    bool completed = true;                       ///< false: abandoned, out of time; failed under any limits
     std::optional<bool> passed;                  ///< in force
 };
 

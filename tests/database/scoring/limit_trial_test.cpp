@@ -8,6 +8,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "tests/database/programme_fixture.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -80,6 +81,47 @@ TEST(LimitTrial, WhatIsBrokenUnderAnyLimitsStaysFailed) {
         gate.passed = false;
     }
     EXPECT_EQ(passes_under(trial.task, not_done, wide), false);
+}
+
+TEST(LimitTrial, WhatWasAbandonedOrRanOutOfTimePassesUnderNoLimits) {
+    const Trial trial;
+    TriedAttempt attempt = trial.attempt(0);
+    EXPECT_EQ(passes_under(trial.task, attempt, trial.set), true);
+    attempt.completed = false;
+    EXPECT_EQ(passes_under(trial.task, attempt, trial.set), false);
+
+    const database::test::Programme programme;
+    for (const AttemptState state :
+         {AttemptState::completed, AttemptState::abandoned, AttemptState::timed_out}) {
+        database::AttemptMeta meta = database::test::example_meta(programme.id("ann"));
+        meta.task_version = trial.task.version;
+        meta.device_class = trial.set.device_class;
+        database::Recorder recorder(programme.path, programme.session("ann"), meta,
+                                    programme.clock.options());
+        database::test::Programme::append_second(recorder);
+        database::AttemptResult result = database::test::example_result(false, 0);
+        result.state = state;
+        result.score->gates = trial.attempt(0).gates;  // all of them met
+        result.score->metrics.clear();
+        for (const database::GateRow& gate : result.score->gates) {
+            if (!gate.value) continue;
+            database::MetricRow row;
+            row.id = gate.metric;
+            row.version = find_metric(gate.metric)->version;
+            row.hand = gate.hand;
+            row.tissue = gate.tissue;
+            row.value = gate.value;
+            row.unit = find_metric(gate.metric)->unit;
+            result.score->metrics.push_back(row);
+        }
+        recorder.finish(result);
+    }
+    const std::vector<TriedAttempt> tried =
+        tried_attempts(*programme.store, programme.session("director"), trial.task, trial.set.key());
+    ASSERT_EQ(tried.size(), 3U);
+    const TrialCount count = count_passes(trial.task, tried, trial.set);
+    EXPECT_EQ(count.passed, 1) << "the one that was completed";
+    EXPECT_EQ(count.not_judged, 0);
 }
 
 TEST(LimitTrial, ASetNarrowsAnAbsoluteLimitAndAnotherDoesNot) {
