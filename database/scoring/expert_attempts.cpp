@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "assessment/assets/assets.h"
+#include "assessment/metrics/registry.h"
 #include "database/records/people.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/benchmark_files.h"
@@ -34,6 +35,30 @@ database::AttemptFilter filter_for(const TaskDefinition& task) {
     filter.include_voided = false;
     filter.limit = most_attempts_read;
     return filter;
+}
+
+/// All values of the task's gates are of the program's versions of their metrics.
+bool is_up_to_date(const database::ScoreRow& score, const TaskDefinition& task) {
+    return std::all_of(score.metrics.begin(), score.metrics.end(), [&](const database::MetricRow& row) {
+        const bool gated = std::any_of(task.gates.begin(), task.gates.end(),
+                                       [&](const GateSpec& gate) { return gate.metric == row.id; });
+        return !gated || find_metric(row.id)->version == row.version;
+    });
+}
+
+/// The score in force, or the newest of the others where that one has values of older versions: limits made
+/// of such values would name a version that did not measure them. Nothing where all have.
+std::optional<database::ScoreRow> score_for_limits(const database::Attempts& attempts,
+                                                   const database::Session& session,
+                                                   const std::string& attempt_id,
+                                                   const TaskDefinition& task) {
+    std::optional<database::ScoreRow> in_force = attempts.score(session, attempt_id);
+    if (!in_force || is_up_to_date(*in_force, task)) return in_force;
+    const std::vector<database::ScoreRow> scores = attempts.scores(session, attempt_id);
+    const auto newest = std::find_if(scores.rbegin(), scores.rend(), [&](const database::ScoreRow& score) {
+        return is_up_to_date(score, task);
+    });
+    return newest == scores.rend() ? std::nullopt : std::optional<database::ScoreRow>(*newest);
 }
 
 BenchmarkAttempt counted_attempt(const std::string& person, const database::ScoreRow& score) {
@@ -96,7 +121,7 @@ std::optional<std::vector<BenchmarkAttempt>> expert_attempts(
             if (progress && !progress(static_cast<double>(i) / static_cast<double>(experts.size())))
                 return std::nullopt;
             if (!is_for(summary, loaded.task, key) || ++seen <= familiarisation_attempts) continue;
-            const auto score = attempts.score(session, summary.meta.id);
+            const auto score = score_for_limits(attempts, session, summary.meta.id, loaded.task);
             if (!score) continue;
             if (cutting_difference(cutting_values(load_recorded(attempts, session, summary).scene),
                                    cutting_values(loaded.scene))

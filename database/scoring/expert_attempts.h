@@ -34,7 +34,8 @@ std::vector<ExpertCandidate> expert_candidates(const database::Store& store, con
 using ShareDone = std::function<bool(double)>;
 
 /// The counted attempts of these people: with this class of device, in the scene of `loaded` (its variant
-/// family, fidelity and cutting parameters). Nothing when stopped. Throws AccessDenied, StoreError.
+/// family, fidelity and cutting parameters) and with a score of the metrics' present versions. Nothing when
+/// stopped. Throws AccessDenied, StoreError.
 std::optional<std::vector<BenchmarkAttempt>> expert_attempts(
     const database::Store& store, const database::Session& session, const LoadedTask& loaded,
     DeviceClass device_class, const std::vector<ExpertCandidate>& experts, const ShareDone& progress = {});
