@@ -2,6 +2,7 @@
 #include "database/scoring/range_metrics.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "assessment/attempt/engine.h"
@@ -94,6 +95,27 @@ struct MetricGroup {
         scope = scope || metric.hands == Hands::scope;
     }
 };
+
+/// What holds at the beginning of a part since before it: the attempt's time runs, it is paused, the device
+/// is gone. Metrics read it from events.
+std::vector<Event> begun_before(const std::vector<Event>& events, std::uint32_t first) {
+    constexpr std::array<std::pair<EventKind, EventKind>, 2> stops = {
+        {{EventKind::pause, EventKind::resume}, {EventKind::device_lost, EventKind::device_back}}};
+    const Event* moved = nullptr;
+    std::array<const Event*, stops.size()> stopped{};
+    for (const Event& event : events) {
+        if (event.tick >= first) continue;
+        if (event.kind == EventKind::first_movement) moved = &event;
+        for (std::size_t i = 0; i < stops.size(); ++i) {
+            if (event.kind == stops[i].first) stopped[i] = &event;
+            if (event.kind == stops[i].second) stopped[i] = nullptr;
+        }
+    }
+    std::vector<Event> begun;
+    for (const Event* event : {moved, stopped[0], stopped[1]})
+        if (event != nullptr) begun.push_back(*event);
+    return begun;
+}
 
 struct RangeStopped {};
 
@@ -205,15 +227,10 @@ std::vector<MetricResult> metrics_of_range(const Scene& scene, const TaskDefinit
     };
     const PartOfTicks ticks(trace, tick_of(from), tick_of(to));
     auto events = part_of_records(trace.events, tick_of(from), tick_of(to));
-    // The time of a part runs from its beginning where the attempt's own runs already.
-    const bool moved = std::any_of(trace.events.begin(), trace.events.end(), [&](const Event& event) {
-        return event.kind == EventKind::first_movement && event.tick < tick_of(from);
-    });
-    if (moved && ticks.size() > 0) {
-        Event begun;
-        begun.kind = EventKind::first_movement;
-        begun.tick = ticks.first_tick();
-        events.insert(events.begin(), begun);
+    if (ticks.size() > 0) {
+        std::vector<Event> begun = begun_before(trace.events, tick_of(from));
+        for (Event& event : begun) event.tick = ticks.first_tick();
+        events.insert(events.begin(), begun.begin(), begun.end());
     }
     MetricContext context = make_metric_context(scene, task, targets_of(scene, task, seed));
     context.specimen.reset();

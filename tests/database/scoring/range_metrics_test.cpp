@@ -149,6 +149,36 @@ TEST(RangeMetrics, OfNothingAndBeyondTheEndAreRowsWithoutValues) {
                     std::to_string(from) + " to " + std::to_string(to));
 }
 
+TEST(RangeMetrics, APauseThatBeganBeforeThePartIsNoWork) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
+    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    const database::Trace paused = busy_record(static_cast<int>(scene.tissues.size()), 9000);
+    database::Trace lost = paused;
+    for (Event& event : lost.events) {
+        if (event.kind == EventKind::pause) event.kind = EventKind::device_lost;
+        if (event.kind == EventKind::resume) event.kind = EventKind::device_back;
+    }
+    const auto value = [](const std::vector<MetricResult>& rows, const char* id, const char* hand) {
+        const MetricResult* row = find_result(rows, id, hand, "");
+        return row != nullptr ? row->value.value_or(-1) : -1;
+    };
+    for (const database::Trace* trace : {&paused, &lost}) {
+        // From within the pause (6.1 to 6.4 s), from its end, from later, and a part of the pause alone.
+        const auto within = metrics_of_range(scene, task, 7, *trace, 6.2, 8.0),
+                   at_end = metrics_of_range(scene, task, 7, *trace, 6.4, 8.0),
+                   later = metrics_of_range(scene, task, 7, *trace, 6.5, 8.0);
+        EXPECT_NEAR(value(within, "time", ""), 1.6, 0.05);
+        EXPECT_NEAR(value(at_end, "time", ""), 1.6, 0.05);
+        EXPECT_NEAR(value(later, "time", ""), 1.5, 0.05);
+        EXPECT_GT(value(within, "path_len", "left"), 0);
+        EXPECT_NEAR(value(within, "path_len", "left"), value(at_end, "path_len", "left"), 1e-6);
+        const auto nothing = metrics_of_range(scene, task, 7, *trace, 6.15, 6.35);
+        EXPECT_LT(value(nothing, "time", ""), 1e-9) << "no time of work";
+        expect_same(metrics_of_range(scene, task, 7, packed(*trace), 6.2, 8.0, {RangePasses::hand_by_hand}),
+                    within, "from within a pause");
+    }
+}
+
 TEST(RangeMetrics, StopAsSoonAsNobodyWantsThem) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
