@@ -21,30 +21,38 @@ QString plateau_words(const CurveFit& fit, const std::string& unit) {
         .arg(figure_with_unit(fit.plateau, unit), figure(*fit.plateau_low), figure(*fit.plateau_high));
 }
 
-QString limit_words(const std::vector<double>& values, const CurveFit& fit, double limit,
-                    bool lower_is_better, const std::string& unit) {
+/// Of the nth completed attempt, as the chart numbers it: attempts that were not completed have numbers too.
+/// Those that are still to come are taken to be completed.
+int attempt_number(const std::vector<CurveValue>& values, int n) {
+    const int known = static_cast<int>(values.size());
+    return n <= known ? values[static_cast<std::size_t>(n - 1)].number : values.back().number + n - known;
+}
+
+QString limit_words(const std::vector<CurveValue>& values, const std::vector<double>& measured,
+                    const CurveFit& fit, double limit, bool lower_is_better, const std::string& unit) {
     const QString shown = figure_with_unit(limit, unit);
-    const AttemptsToLimit met = attempts_to_limit(values, fit, limit, lower_is_better);
+    const AttemptsToLimit met = attempts_to_limit(measured, fit, limit, lower_is_better);
     if (!met.attempts)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
                                      "At this level it does not meet the limit of %1. Discuss with your "
                                      "educator what to change."))
             .arg(shown);
+    const int attempt = attempt_number(values, *met.attempts);
     if (*met.attempts <= static_cast<int>(values.size()))
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
                                      "It has met the limit of %1 since attempt %2."))
             .arg(shown)
-            .arg(*met.attempts);
+            .arg(attempt);
+    const int low = met.low ? attempt_number(values, *met.low) : attempt;
     const QString interval =
         met.high ? say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve", "%1 to %2"))
-                       .arg(met.low.value_or(*met.attempts))
-                       .arg(*met.high)
-                 : say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve", "%1 or later, or never"))
-                       .arg(met.low.value_or(*met.attempts));
+                       .arg(low)
+                       .arg(attempt_number(values, *met.high))
+                 : say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve", "%1 or later, or never")).arg(low);
     return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
                                  "It would meet the limit of %1 at attempt %2 (%3)."))
         .arg(shown)
-        .arg(*met.attempts)
+        .arg(attempt)
         .arg(interval);
 }
 
@@ -77,7 +85,9 @@ LearningCurve learning_curve(const std::vector<CurveValue>& values, const std::o
         curve.plateau_high = fit.plateau_high;
     }
     curve.words = plateau_words(fit, unit);
-    if (limit) curve.words += QStringLiteral(" ") + limit_words(measured, fit, *limit, lower_is_better, unit);
+    if (limit)
+        curve.words +=
+            QStringLiteral(" ") + limit_words(values, measured, fit, *limit, lower_is_better, unit);
     return curve;
 }
 

@@ -35,8 +35,8 @@ TEST(LearningCurveWords, SaysWhereItLevelsOffAndWhetherTheLimitIsMet) {
     ASSERT_TRUE(met.plateau_low && met.plateau_high);
     EXPECT_NEAR(*met.plateau_low, 30, 1);
     EXPECT_TRUE(words_of(met).startsWith("The curve levels off at 30")) << met.words.toStdString();
-    EXPECT_TRUE(words_of(met).contains("has met the limit of 40 mm since attempt 7"))
-        << met.words.toStdString();
+    EXPECT_TRUE(words_of(met).contains("has met the limit of 40 mm since attempt 13"))
+        << "the seventh of those that were completed: " << met.words.toStdString();
     const LearningCurve never = learning_curve(improving(30, 30), 20.0, true, "mm");
     EXPECT_TRUE(words_of(never).contains("does not meet the limit of 20 mm")) << never.words.toStdString();
     EXPECT_FALSE(learning_curve(improving(30, 30), {}, true, "mm").words.contains("limit"));
@@ -51,6 +51,22 @@ TEST(LearningCurveWords, SaysWhenTheLimitWouldBeMet) {
     EXPECT_TRUE(words_of(curve).contains("It would meet the limit of 60 s at attempt"))
         << curve.words.toStdString();
     EXPECT_FALSE(curve.plateau_low.has_value());
+}
+
+TEST(LearningCurveWords, NumberTheAttemptsToComeAfterTheLastOneOfTheChart) {
+    std::vector<CurveValue> slow;  // every other attempt was not completed; the last one is number 23
+    std::vector<double> measured;
+    for (int i = 0; i < 12; ++i) {
+        slow.push_back({2 * i + 1, 100.0 - 2.5 * i + (i % 2 == 0 ? 0.4 : -0.4)});
+        measured.push_back(slow.back().value);
+    }
+    const CurveFit fit = best_curve(fit_curves(measured));
+    const AttemptsToLimit met = attempts_to_limit(measured, fit, 60.0, true);
+    ASSERT_TRUE(met.attempts.has_value());
+    ASSERT_GT(*met.attempts, 12);
+    const LearningCurve curve = learning_curve(slow, 60.0, true, "s");
+    EXPECT_TRUE(words_of(curve).contains(QString("at attempt %1 (").arg(23 + *met.attempts - 12)))
+        << curve.words.toStdString();
 }
 
 TEST(LearningCurveWords, NameNoPlateauAboveTheHighestPossibleValue) {
