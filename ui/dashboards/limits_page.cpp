@@ -268,9 +268,19 @@ void LimitsPage::show_group() {
         mark_->setText(tr("All attempts have the same value."));
         return;
     }
-    curves.mark = contrasting_groups(curves.experts, curves.others);
+    const double ahead = curves.others.mean - curves.experts.mean;
+    const bool better = metric.direction == Direction::higher ? ahead > 0 : ahead < 0;
+    // The method takes the experts' side of the mark for the one that passes: here it is the worse one.
+    if (!better) curves.mark = contrasting_groups(curves.experts, curves.others);
     groups_->show_groups(curves);
     groups_frame_->show();
+    if (better) {
+        mark_->setText(
+            tr("No pass mark: the attempts here are better than those of the set's experts. The limit in "
+               "force is %1.")
+                .arg(figure_with_unit(limit_in(sets_.front().set, gate), metric.unit)));
+        return;
+    }
     if (!curves.mark) {
         mark_->setText(tr("No pass mark: the groups overlap."));
         return;

@@ -29,12 +29,11 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-/// Writes the gates of A2 with values around the experts' mean, some of them far worse.
-void write_gates(const TaskDefinition& task, const BenchmarkSet& set, database::ScoreRow& score,
+/// Writes the gates of A2 with values that are `skill` expert deviations worse than the experts' mean.
+void write_gates(const TaskDefinition& task, const BenchmarkSet& set, double skill, database::ScoreRow& score,
                  Random& random) {
     score.gates.clear();
     score.metrics.clear();
-    const double skill = random.uniform(0, 3);
     for (const GateSpec& spec : task.gates) {
         database::GateRow gate;
         gate.metric = spec.metric;
@@ -59,15 +58,18 @@ void write_gates(const TaskDefinition& task, const BenchmarkSet& set, database::
     }
 }
 
+/// Attempts from about the experts' mean to far worse; or from `best` to `worst`, in expert deviations.
 class LimitsView : public ::testing::Test {
   protected:
-    LimitsView() {
+    explicit LimitsView(double best = 0, double worst = 3) {
         apply_theme(*qApp, Theme::light);
         services.open_store(false);
         const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
         const auto programme = database::test::make_large_programme(
             *services.store(), 30, 4, 1, 7, {"A2"},
-            [&](database::ScoreRow& score, Random& random) { write_gates(task, set, score, random); },
+            [&](database::ScoreRow& score, Random& random) {
+                write_gates(task, set, random.uniform(best, worst), score, random);
+            },
             task.version);
         window.resize(1024, 740);
         window.show();
@@ -181,6 +183,32 @@ TEST_F(LimitsView, NamesThePassMarkBetweenExpertsAndAttempts) {
     metrics->setFocus();
     QTest::keyClick(metrics, Qt::Key_Down);
     EXPECT_NE(find<QLabel>(window, "limits_mark")->text(), mark);
+}
+
+class LimitsOfBetterAttempts : public LimitsView {
+  protected:
+    LimitsOfBetterAttempts() : LimitsView(-2, -1) {}
+};
+
+TEST_F(LimitsOfBetterAttempts, HaveNoPassMarkBetweenGroups) {
+    auto* metrics = find<QComboBox>(window, "limits_metric");
+    metrics->setFocus();
+    bool lower = false, higher = false;
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+    for (int row = 0; row < metrics->count(); ++row) {
+        ASSERT_EQ(metrics->currentIndex(), row);
+        const auto gate = static_cast<std::size_t>(metrics->currentData().toInt());
+        if (find_metric(task.gates[gate].metric)->direction == Direction::higher)
+            higher = true;
+        else
+            lower = true;
+        const QString mark = find<QLabel>(window, "limits_mark")->text();
+        EXPECT_TRUE(mark.startsWith("No pass mark: the attempts here are better")) << mark.toStdString();
+        EXPECT_TRUE(window.findChild<QWidget*>("groups_chart")->isVisibleTo(&window));
+        QTest::keyClick(metrics, Qt::Key_Down);
+    }
+    EXPECT_TRUE(lower) << "such as time";
+    EXPECT_TRUE(higher) << "such as smoothness";
 }
 
 TEST_F(LimitsView, RefusesAFileThatIsNotASetOfTheSameKind) {

@@ -14971,6 +14971,10 @@ Kennzahlen: %2</translation>
         <translation>Keine Bestehensgrenze: Die Gruppen überdecken sich.</translation>
     </message>
     <message>
+        <source>No pass mark: the attempts here are better than those of the set&apos;s experts. The limit in force is %1.</source>
+        <translation>Keine Bestehensgrenze: Die Versuche hier sind besser als die der Experten des Satzes. Der geltende Grenzwert ist %1.</translation>
+    </message>
+    <message>
         <source>The limits that attempts are compared with, and how many people would pass with other limits. This page changes nothing.</source>
         <translation>Die Grenzwerte, mit denen Versuche verglichen werden, und wie viele Personen mit anderen bestehen würden. Diese Seite ändert nichts.</translation>
     </message>
