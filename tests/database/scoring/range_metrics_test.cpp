@@ -162,7 +162,7 @@ TEST(RangeMetrics, APauseThatBeganBeforeThePartIsNoWork) {
         const MetricResult* row = find_result(rows, id, hand, "");
         return row != nullptr ? row->value.value_or(-1) : -1;
     };
-    for (const database::Trace* trace : {&paused, &lost}) {
+    for (const database::Trace* trace : std::initializer_list<const database::Trace*>{&paused, &lost}) {
         // From within the pause (6.1 to 6.4 s), from its end, from later, and a part of the pause alone.
         const auto within = metrics_of_range(scene, task, 7, *trace, 6.2, 8.0),
                    at_end = metrics_of_range(scene, task, 7, *trace, 6.4, 8.0),
