@@ -4,7 +4,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QRadioButton>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "assessment/assets/fidelity_cost.h"
 #include "database/records/attempts.h"
@@ -257,21 +259,19 @@ QString BriefingPage::why_locked() {
 DeviceInUse BriefingPage::device() {
     DeviceInUse device = context().services().device_in_use();
     const TaskDefinition* task = context().task(task_id_);
-    if (task != nullptr && !device.kind.empty())
+    const bool is_open =
+        std::any_of(std::begin(device.drives), std::end(device.drives), [](bool drives) { return drives; });
+    if (task != nullptr && is_open)
         context().guarded(
             [&] { device = device_in_scene(device, context().services().scene_for(*task, variant())); });
     return device;
-}
-
-DeviceClass BriefingPage::device_class() {
-    return device().device_class;
 }
 
 QString BriefingPage::why_files() {
     std::vector<database::AssetFile> unknown;
     context().guarded([&] {
         unknown =
-            context().services().unknown_assets(context().session(), task_id_, device_class(), variant());
+            context().services().unknown_assets(context().session(), task_id_, device_class_, variant());
     });
     if (unknown.empty()) return {};
     QStringList files;
@@ -288,6 +288,7 @@ void BriefingPage::fill() {
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
     const DeviceInUse device = this->device();
+    device_class_ = device.device_class;
     const bool assessable = task != nullptr && can_be_assessed(*task, device.device_class) &&
                             device.practice_only == PracticeOnly::no;
     variants_->clear();
@@ -342,7 +343,7 @@ void BriefingPage::show_variant(const TaskDefinition& task) {
 std::vector<JudgedLimit> BriefingPage::limits() {
     std::vector<JudgedLimit> judged;
     context().guarded([&] {
-        judged = context().services().judged_limits(context().session(), task_id_, device_class(), variant());
+        judged = context().services().judged_limits(context().session(), task_id_, device_class_, variant());
     });
     return judged;
 }
@@ -356,7 +357,7 @@ std::vector<database::MetricRow> BriefingPage::own_values() {
     context().guarded([&] {
         values = last_values(
             database::Reports(context().store()).person_progress(session, session.person_id(), task_id_),
-            device_class());
+            device_class_);
     });
     return values;
 }
@@ -404,7 +405,7 @@ void BriefingPage::show_notes() {
     context().guarded([&] {
         site = context().services().site_tissues(context().session(), task_id_);
         limits =
-            context().services().why_not_comparable(context().session(), task_id_, device_class(), variant());
+            context().services().why_not_comparable(context().session(), task_id_, device_class_, variant());
     });
     QString note;
     if (site.differ)

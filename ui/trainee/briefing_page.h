@@ -39,10 +39,8 @@ class BriefingPage : public Page {
     QString why_locked();
     /// Why the installed files make it practice only; empty where they do not.
     QString why_files();
-    /// Of the device in use.
     /// What an attempt at this task would be made with.
     DeviceInUse device();
-    DeviceClass device_class();
     std::vector<JudgedLimit> limits();
     /// Of the last attempt of who is signed in.
     std::vector<database::MetricRow> own_values();
@@ -51,6 +49,7 @@ class BriefingPage : public Page {
     void fill_beginnings(const TaskDefinition& task);
     std::string task_id_, wanted_variant_;
     int wanted_goal_ = 0;
+    DeviceClass device_class_ = window_device;  ///< of device(), when the page was filled
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
     QVBoxLayout* steps_;
     ScenePicture* picture_;

@@ -109,14 +109,20 @@ TEST(Standings, CheckFindsADecisionThatNobodyMade) {
     EXPECT_EQ(decisions().problems.size(), 1U);
 }
 
-TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
-    const Programme programme;
+/// A2 asks for two passes in a row and for two ratings.
+Curriculum rated_a2() {
     Curriculum curriculum = rectal();
     for (CurriculumTask& task : curriculum.tasks)
         if (task.task == "A2") {
             task.rule = parse_pass_rule("row:2");
             task.ratings = RatingRule{"goals", 2, 4, {}, false, false};
         }
+    return curriculum;
+}
+
+TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
+    const Programme programme;
+    const Curriculum curriculum = rated_a2();
     programme.people().set_educators(programme.session("director"), programme.cohort,
                                      {programme.id("educator"), programme.id("other_educator")});
     const ObserverForm goals = load_form(asset_path("forms/goals.json"));
@@ -180,12 +186,7 @@ TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
 
 TEST(Standings, RatersSeeTheAwaitedAttemptOfAMergedAccountFirst) {
     const Programme programme;
-    Curriculum curriculum = rectal();
-    for (CurriculumTask& task : curriculum.tasks)
-        if (task.task == "A2") {
-            task.rule = parse_pass_rule("row:2");
-            task.ratings = RatingRule{"goals", 2, 4, {}, false, false};
-        }
+    const Curriculum curriculum = rated_a2();
     programme.record("eve");
     programme.clock.pass_s(86'400);
     const std::string rated = programme.record("eve");
