@@ -362,6 +362,13 @@ std::optional<double> Analysis::first_movement(int h) const {
     return std::nullopt;
 }
 
+double running_time(const Trace& trace, double begin, double end) {
+    double time = std::max(0.0, end - begin);
+    for (const TimeInterval& pause : trace.pauses)
+        time -= std::max(0.0, std::min(end, pause.end) - std::max(begin, pause.begin));
+    return std::max(0.0, time);
+}
+
 std::vector<TimeInterval> worst_first(std::vector<ScoredInterval> intervals) {
     std::stable_sort(intervals.begin(), intervals.end(),
                      [](const ScoredInterval& a, const ScoredInterval& b) { return a.score > b.score; });

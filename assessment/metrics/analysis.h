@@ -187,6 +187,9 @@ class Analysis {
     double mean_rate_ = 0;
 };
 
+/// Seconds of [begin, end] outside the attempt's pauses.
+double running_time(const Trace& trace, double begin, double end);
+
 /// Largest number of intervals in the evidence of a row; the worst are kept.
 inline constexpr std::size_t evidence_limit = 20;
 /// An interval with a score; the evidence of a row is sorted by falling score.

@@ -37,14 +37,6 @@ Cut cut_of(const Analysis& analysis) {
     return cut;
 }
 
-/// Seconds of [begin, end] outside the attempt's pauses.
-double running_time(const Trace& trace, double begin, double end) {
-    double time = std::max(0.0, end - begin);
-    for (const TimeInterval& pause : trace.pauses)
-        time -= std::max(0.0, std::min(end, pause.end) - std::max(begin, pause.begin));
-    return std::max(0.0, time);
-}
-
 TimeInterval around(const CutElement& element) {
     return {std::max(0.0, element.begin - 0.5), element.end + 0.5};
 }

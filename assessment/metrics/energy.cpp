@@ -18,7 +18,7 @@ constexpr double shortest_on = 0.001;  // s, so that no activation weighs nothin
 /// An activation of a row's hand, with the conditions that held throughout.
 struct ActivationSpan {
     TimeInterval when;
-    double on_time = 0;  ///< s
+    double on_time = 0;  ///< s, outside pauses
     Activation held;
     double distance = 0;  ///< m, least
 };
@@ -37,7 +37,7 @@ std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
         begun[event.hand] = -1;
         const Activation held = activation_of(event);
         const auto distance = static_cast<double>(event.value);
-        const double on_time = std::max(shortest_on, t - begin);
+        const double on_time = std::max(shortest_on, running_time(analysis.trace(), begin, t));
         std::optional<std::size_t>& open = last[event.hand];
         if (open && begin - spans[*open].when.end < release_time) {
             ActivationSpan& span = spans[*open];
@@ -219,7 +219,7 @@ std::vector<Metric> energy_metrics() {
         {"energy_safe", QT_TRANSLATE_NOOP("fulcrum::metrics", "Safe use of energy"), "%", 1}, D::higher,
         Scale::raw, A::share, E::expert,
         "tip in view, on target tissue, at least 2 mm from a named structure, each throughout; "
-        "activations less than 0.5 s apart are one; weighed by on-time",
+        "activations less than 0.5 s apart are one; weighed by on-time, pauses excluded",
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "Share of the time with energy on that belongs to activations with the "
                            "tip in view, on the tissue to be divided or sealed, and clear of the "
@@ -229,7 +229,7 @@ std::vector<Metric> energy_metrics() {
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "press the pedal only when the blade is in view, on the tissue to be "
                            "divided and clear of the nerve")});
-    safe.version = 2;
+    safe.version = 3;  // 2: by on-time, pumped pulses as one; 3: pauses are no on-time
     add(std::move(safe), Hands::either, true, {}, energy_safe);
     add(describe({"energy_cut", QT_TRANSLATE_NOOP("fulcrum::metrics", "Length divided under power"), "%", 1},
                  D::higher, Scale::raw, A::share, E::expert,

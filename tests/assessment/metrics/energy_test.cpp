@@ -110,6 +110,24 @@ TEST(EnergySafe, WeighsOnTimeAndCountsAPumpedPedalAsOneActivation) {
     EXPECT_EQ(measure(trace, "energy_safe", "", apart).count, 2);
 }
 
+// The activation lasts through the pause, as its pedal does.
+TEST(EnergySafe, APauseWithThePedalDownIsNotTimeWithEnergyOn) {
+    Trace trace = make_trace(70, 100);
+    const int safe = detail_of(Activation{true, true, true}),
+              unsafe = detail_of(Activation{false, true, true});
+    const std::vector<Event> events = {told(1, EventKind::activation_begin, 0.02, unsafe, 1),
+                                       told(3, EventKind::activation_end, 0.02, unsafe, 1),
+                                       told(5, EventKind::activation_begin, 0.02, safe, 1),
+                                       make_event(6, EventKind::pause),
+                                       make_event(64, EventKind::resume),
+                                       told(65, EventKind::activation_end, 0.02, safe, 1)};
+    split_blocks(trace, events);
+    const MetricResult result = measure(trace, "energy_safe", "", events);
+    ASSERT_TRUE(result.value);
+    EXPECT_NEAR(*result.value, 50.0, 1e-9) << "2 s of each, and a pause of 58 s";
+    EXPECT_EQ(result.count, 2);
+}
+
 TEST(EnergyCut, IsTheShareOfTheLengthDividedWithEnergyOn) {
     const Trace trace = make_trace(20);
     const auto at = [&](double t, EventKind kind, double along) { return told(t, kind, along, 0, 1); };
