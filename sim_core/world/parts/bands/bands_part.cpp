@@ -86,24 +86,38 @@ void BandsPart::part_heated(double dt) noexcept {
         if (field_.heat().rise[i] > warm) field_.seal(sealed_[i], field_.temperature(i), dt);
     }
     field_.seal_outlets(dt);
-    for (int number = 0; number < hand_count; ++number) {
-        const FieldHand& hand = field_.hand(number);
-        const std::int32_t touched = grips_[static_cast<std::size_t>(number)].touched;
-        if (hand.instrument == nullptr || !hand.active || touched < 0 || hand.target != EnergyTarget::band)
-            continue;
-        const auto b = static_cast<std::size_t>(touched);
-        for (int s = 0; s < strand_segments; ++s) {
-            const std::size_t patch = segment_patch(b, s);
-            if (field_.power(patch) <= 0 || strands_[b].is_parted(s)) continue;
-            progress_[patch] += division_rate(field_.tool_model(hand), field_.temperature(patch),
-                                              strand_tension(strand_model_, strands_[b], s)) *
-                                dt;
+    for (std::size_t b = 0; b < strands_.size(); ++b) divide_heated(b, dt);
+}
+
+bool BandsPart::energises(int number, std::size_t band) const noexcept {
+    const FieldHand& hand = field_.hand(number);
+    return hand.instrument != nullptr && hand.active && hand.target == EnergyTarget::band &&
+           grips_[static_cast<std::size_t>(number)].touched == static_cast<std::int32_t>(band);
+}
+
+// A hand divides only the segments that its own power goes to. Where that of both goes to one, its
+// temperature has both powers already: the instrument that divides faster counts, not the sum.
+void BandsPart::divide_heated(std::size_t band, double dt) noexcept {
+    bool energised = false;
+    for (int number = 0; number < hand_count; ++number) energised = energised || energises(number, band);
+    if (!energised) return;
+    for (int s = 0; s < strand_segments; ++s) {
+        if (strands_[band].is_parted(s)) continue;
+        const std::size_t patch = segment_patch(band, s);
+        double rate = 0;
+        for (int number = 0; number < hand_count; ++number) {
+            const Grip& grip = grips_[static_cast<std::size_t>(number)];
+            if (!energises(number, band) || (grip.heated >> static_cast<unsigned>(s) & 1U) == 0) continue;
+            rate = std::max(rate,
+                            division_rate(field_.tool_model(field_.hand(number)), field_.temperature(patch),
+                                          strand_tension(strand_model_, strands_[band], s)));
         }
-        for (int s = 0; s < strand_segments; ++s) {
-            if (progress_[segment_patch(b, s)] < 1 || strands_[b].is_parted(s)) continue;
-            part(b, s, false);
-            break;
-        }
+        progress_[patch] += rate * dt;
+    }
+    for (int s = 0; s < strand_segments; ++s) {
+        if (progress_[segment_patch(band, s)] < 1 || strands_[band].is_parted(s)) continue;
+        part(band, s, false);
+        break;
     }
 }
 

@@ -49,6 +49,7 @@ class BandsPart : public Part {
     /// What a hand's jaws hold, and which band its power reaches.
     struct Grip {
         std::int32_t band = -1, touched = -1;
+        std::uint32_t heated = 0;  ///< segments of `touched` that its power goes to, by bit
         StrandHold hold;
     };
 
@@ -68,6 +69,9 @@ class BandsPart : public Part {
     void touch_with_blade(int number, const ToolKinematics& tool) noexcept;
     void step_strands(double dt) noexcept;
     void part_heated(double dt) noexcept;
+    /// Whether a hand's power goes to a band.
+    bool energises(int number, std::size_t band) const noexcept;
+    void divide_heated(std::size_t band, double dt) noexcept;
     void part(std::size_t band, int segment, bool torn) noexcept;
     /// Where outlets are and which tissue is around them: their bands move and part.
     void place_outlets() noexcept;

@@ -44,6 +44,7 @@ void BandsPart::step_tool(int number, const StepInput& input) noexcept {
     const ToolKinematics& tool = input.last().contact[number].tool;
     field_.clear(hand);
     grip.touched = -1;
+    grip.heated = 0;
     if (!tool.present || !tool.tip.allFinite()) {
         hand.cutting = false;
         return;
@@ -134,7 +135,9 @@ void BandsPart::apply_energy(int number, const ToolKinematics& tool, double duty
         int whole = 0;
         for (const int s : {node - 1, node}) whole += strands_[b].is_parted(s) ? 0 : 1;
         for (const int s : {node - 1, node}) {
-            if (whole > 0 && !strands_[b].is_parted(s)) field_.heat_patch(segment_patch(b, s), power / whole);
+            if (whole == 0 || strands_[b].is_parted(s)) continue;
+            field_.heat_patch(segment_patch(b, s), power / whole);
+            grip.heated |= 1U << static_cast<unsigned>(s);
         }
         hand.target = EnergyTarget::band;
         grip.touched = whole > 0 ? grip.band : -1;
@@ -154,6 +157,10 @@ void BandsPart::apply_energy(int number, const ToolKinematics& tool, double duty
         field_.reach_nerves_and_bed(hand, tool, reach);
         field_.give(hand, reach, power);
         grip.touched = reach.item;
+        if (grip.touched >= 0) {
+            const std::size_t first = segment_patch(static_cast<std::size_t>(grip.touched), 0);
+            grip.heated = 1U << static_cast<unsigned>(reach.patch - first);
+        }
     }
     field_.spread(hand, tool, duty);
 }
