@@ -20,7 +20,7 @@ struct BandView {
     bool torn = false;                                ///< it gave way to traction, not to an instrument
     float tension = 0;                                ///< N, largest along it
     std::int32_t vessel = -1;                         ///< index of the vessel in it, -1 none
-    std::int32_t clip_node = -1;                      ///< where a clip sits, -1 none
+    std::uint32_t clips = 0;                          ///< bit n: a clip sits at node n
     float parted_tension = 0;                         ///< N, when it was divided first
     bool divided() const { return parted != 0; }
 };

@@ -51,9 +51,10 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
             frame.sheets.push_back(burnt ? mark.drawn(0.0006, QVector3D(0.02F, 0.015F, 0.012F), 0.93F)
                                          : mark.drawn(vessel_radius, QVector3D(0.30F, 0.015F, 0.03F), 1.0F));
         }
-        if (band.clip_node >= 0)
-            frame.targets.push_back({band.position[static_cast<std::size_t>(band.clip_node)],
-                                     drawn_clip_radius, TargetLook::clip, Hand::left});
+        for (std::size_t n = 0; n < strand_nodes; ++n) {
+            if ((band.clips >> n & 1U) != 0)
+                frame.targets.push_back({band.position[n], drawn_clip_radius, TargetLook::clip, Hand::left});
+        }
     }
 }
 

@@ -31,7 +31,7 @@ BandsPart::BandsPart(const Scene& scene, std::uint64_t seed)
     for (const BandPlace& place : layout_.bands) strands_.push_back(make_strand_state(place.root, place.end));
     overload_time_.assign(strands_.size(), 0.0);
     torn_.assign(strands_.size(), 0);
-    clip_nodes_.assign(strands_.size(), -1);
+    clips_.assign(strands_.size(), 0);
     parted_at_.assign(strands_.size(), -1);
     parted_tension_.assign(strands_.size(), 0.0);
     progress_.assign(strands_.size() * strand_segments, 0.0);
@@ -144,7 +144,8 @@ void BandsPart::part(std::size_t band, int segment, bool torn) noexcept {
         if (is_trunk(i)) {
             open_vessel(1.0, outlet.bleed);
             outlet.bleed.sealed = sealed_[segment_patch(band, segment)];
-            outlet.bleed.clipped = clip_nodes_[band] >= 0 && clip_nodes_[band] <= segment;
+            const std::uint32_t up_to_the_cut = (2U << static_cast<unsigned>(segment)) - 1;  // nodes
+            outlet.bleed.clipped = (clips_[band] & up_to_the_cut) != 0;
             outlet.injured = !outlet.bleed.clipped && (torn || outlet.bleed.sealed < least_seal);
         } else {
             const double recoil = std::clamp(tension / spec_.recoil_tension, 0.0, 1.0);
@@ -219,7 +220,7 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         band.parted = strands_[b].parted;
         band.torn = torn_[b] != 0;
         band.vessel = layout_.bands[b].vessel;
-        band.clip_node = clip_nodes_[b];
+        band.clips = clips_[b];
         double tension = 0;
         for (int s = 0; s < strand_segments; ++s) {
             const auto k = static_cast<std::size_t>(s);
@@ -265,7 +266,7 @@ void BandsPart::list_state(StateList& list) {
     field_.list_state(list, [this](StateHash& hash, std::size_t hand) {
         hash.add(static_cast<std::int64_t>(grips_[hand].band));
     });
-    list.kept(grips_).kept(overload_time_).kept(torn_).kept(clip_nodes_);
+    list.kept(grips_).kept(overload_time_).kept(torn_).kept(clips_);
     list.kept(progress_).kept(sealed_).kept(parted_tension_).kept(parted_at_);
 }
 

@@ -93,13 +93,13 @@ class BandsPart : public Part {
     std::int16_t tissue_index_ = -1;
 
     std::vector<StrandState> strands_;
-    std::vector<double> overload_time_;     ///< s, by band
-    std::vector<std::uint8_t> torn_;        ///< by band
-    std::vector<std::int32_t> clip_nodes_;  ///< by band, -1 none
-    std::vector<double> progress_;          ///< of parting, by segment patch
-    std::vector<double> sealed_;            ///< of a vessel there, by segment patch
-    std::vector<double> parted_tension_;    ///< N, by band
-    std::vector<std::int32_t> parted_at_;   ///< first parted segment by band, -1 none
+    std::vector<double> overload_time_;    ///< s, by band
+    std::vector<std::uint8_t> torn_;       ///< by band
+    std::vector<std::uint32_t> clips_;     ///< by band, bit n: a clip sits at node n
+    std::vector<double> progress_;         ///< of parting, by segment patch
+    std::vector<double> sealed_;           ///< of a vessel there, by segment patch
+    std::vector<double> parted_tension_;   ///< N, by band
+    std::vector<std::int32_t> parted_at_;  ///< first parted segment by band, -1 none
     std::array<Grip, hand_count> grips_;
 };
 

@@ -111,14 +111,18 @@ void BandsPart::fire_clip(int number, const ToolKinematics& tool) noexcept {
     FieldHand& hand = field_.hand(number);
     double least = 0;
     if (!field_.clips_left() || field_.fire_clip(hand, tool, least)) return;
+    const Vector3 jaws = tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis;
+    std::size_t band = 0;
+    int place = -1;
     for (std::size_t b = 0; b < strands_.size(); ++b) {
         double distance = 0;
-        const int node =
-            nearest_node(strands_[b], tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis, distance);
+        const int node = nearest_node(strands_[b], jaws, distance);
         if (node < 0 || !(distance < least)) continue;
         least = distance;
-        clip_nodes_[b] = node;
+        band = b;
+        place = node;
     }
+    if (place >= 0) clips_[band] |= 1U << static_cast<unsigned>(place);
     hand.last_clip_distance = least;
 }
 
