@@ -66,7 +66,8 @@ class Jaws {
     void drop_point(int index) noexcept;
     /// Nothing is left between them.
     void lose() noexcept;
-    /// They take nothing before they were open again: their instrument was exchanged.
+    /// They take nothing before they were open again: their instrument was exchanged, or is one that does not
+    /// grasp.
     void block() noexcept { ready_ = false; }
 
     bool held() const { return held_; }

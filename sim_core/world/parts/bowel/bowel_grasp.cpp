@@ -157,7 +157,11 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolAction& action = actions[hand];
         HandGrasp& grasp = grasps_[hand];
-        if (action.instrument == nullptr || !type_of(action.instrument->kind).grasps) continue;
+        if (action.instrument == nullptr) continue;
+        if (!type_of(action.instrument->kind).grasps) {
+            grasp.jaws.block();
+            continue;
+        }
         switch (grasp.jaws.step(action.tool, action.instrument->jaw_opening)) {
             case JawAction::none:
                 continue;

@@ -66,7 +66,11 @@ void MembranesPart::apply(const StepInput& input) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         const HeldTool& held = input.held[hand];
         HandGrasp& grasp = grasps_[hand];
-        if (held.instrument == nullptr || !type_of(held.instrument->kind).grasps) continue;
+        if (held.instrument == nullptr) continue;
+        if (!type_of(held.instrument->kind).grasps) {
+            grasp.jaws.block();
+            continue;
+        }
         MembranePart* membrane =
             grasp.membrane < 0 ? nullptr : &membranes_[static_cast<std::size_t>(grasp.membrane)];
         switch (grasp.jaws.step(held.tool, held.instrument->jaw_opening)) {

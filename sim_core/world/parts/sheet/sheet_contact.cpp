@@ -221,7 +221,10 @@ double SheetContact::offer(int number, const HeldTool& held) const noexcept {
 
 void SheetContact::update_jaws(int number, const SheetAction& action, double dt) noexcept {
     SheetHand& hand = sheet_.state().hands[static_cast<std::size_t>(number)];
-    if (!type_of(action.instrument->kind).grasps) return;
+    if (!type_of(action.instrument->kind).grasps) {
+        hand.jaws.block();
+        return;
+    }
     std::array<Vector3, Jaws::most_points> tissue;
     switch (hand.jaws.step(action.tool, action.instrument->jaw_opening, hand.jaws.count() == 0)) {
         case JawAction::none:

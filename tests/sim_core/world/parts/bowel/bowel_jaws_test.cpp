@@ -126,6 +126,26 @@ TEST(BowelJaws, AreAbsentAtOtherLevels) {
     EXPECT_TRUE(bench.bowel->jaw_force(Hand::left).isZero());
 }
 
+TEST(BowelJaws, OfAnExchangedInstrumentTakeNothingBeforeTheyWereOpen) {
+    Bench bench(ToolContactLevel::dynamic_point);
+    const InstrumentSpec grasper = *bench.scene.instrument(Hand::left);
+    InstrumentSpec hook = grasper;
+    hook.kind = InstrumentKind::hook;
+    ToolAction& action = bench.actions[static_cast<int>(Hand::left)];
+    action = open_jaws(grasper, 2 * radius);
+    const auto holds_with = [&](const InstrumentSpec& spec, bool closed) {
+        action.instrument = &spec;
+        action.tool.jaw_angle = closed ? 0.02 : spec.jaw_opening;
+        action.tool.grip = closed ? 4 : 0;
+        bench.step();
+        return bench.bowel->holds(static_cast<int>(Hand::left));
+    };
+    EXPECT_FALSE(holds_with(hook, true));
+    EXPECT_FALSE(holds_with(grasper, true)) << "closed since before the exchange";
+    EXPECT_FALSE(holds_with(grasper, false));
+    EXPECT_TRUE(holds_with(grasper, true));
+}
+
 TEST(BowelJaws, AllocateNothing) {
     Bench bench(ToolContactLevel::jaws);
     bench.actions[static_cast<int>(Hand::left)] =

@@ -285,6 +285,39 @@ TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
     EXPECT_LT(unexplained, 0.02 * exchanged) << "residual of the solve";
 }
 
+TEST(MembranePart, JawsOfAnExchangedInstrumentTakeNothingBeforeTheyWereOpen) {
+    const Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
+    MembranesPart part(scene);
+    const MembranePart& sheet = part.membranes()[0];
+    Vector3 place = Vector3::Zero();  // in the middle of a triangle that can move
+    for (const Triangle& corners : sheet.membrane().triangles()) {
+        if (!sheet.membrane().any_free(corners)) continue;
+        place.setZero();
+        for (const std::int32_t corner : corners)
+            place += sheet.state().positions[static_cast<std::size_t>(corner)] / 3;
+    }
+    const InstrumentSpec& grasper = scene.instruments[0];
+    InstrumentSpec hook = grasper;
+    hook.kind = InstrumentKind::hook;
+    StepInput input;
+    input.dt = dt;
+    input.taker[0] = &part;
+    ToolKinematics& tool = input.held[0].tool;
+    tool.present = tool.inside = true;
+    tool.tip = place + 0.5 * grasper.jaw_length * tool.axis;
+    const auto holds_with = [&](const InstrumentSpec& spec, bool closed) {
+        input.held[0].instrument = &spec;
+        tool.jaw_angle = closed ? 0.02 : spec.jaw_opening;
+        tool.grip = closed ? 4 : 0;
+        part.apply(input);
+        return part.holds(0);
+    };
+    EXPECT_FALSE(holds_with(hook, true));
+    EXPECT_FALSE(holds_with(grasper, true)) << "closed since before the exchange";
+    EXPECT_FALSE(holds_with(grasper, false));
+    EXPECT_TRUE(holds_with(grasper, true));
+}
+
 TEST(MembranePart, RefusesMembranesTooHeavyForTheRod) {
     MembraneSpec stiff = Pair::mesentery();
     EXPECT_LT(Pair(RodEnd::clamped, true, stiff).edge->coupling(), 0.5);
