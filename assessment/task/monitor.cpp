@@ -38,6 +38,12 @@ double shaft_overlap(const ToolPose& a, const ToolPose& b, double reach) noexcep
     return std::max(0.0, reach - (w + s * u - t * v).norm());
 }
 
+// How a tick ends the attempt, once what its step did is reported.
+struct Ending {
+    bool due = false;
+    EventKind kind = EventKind::interrupted;
+};
+
 // Passes events on and notes the critical ones.
 class CriticalFilter : public EventSink {
   public:
@@ -126,13 +132,17 @@ struct TaskMonitor::State {
     /// Starts the clock with the first movement or work; `h`: a hand, or hand_count for the scope.
     void watch_movement(std::size_t h, double speed, bool at_work, std::uint32_t tick,
                         CriticalFilter& events) noexcept;
-    /// One tick; returns true if it was not paused.
-    bool tick(const TickSample& sample, const WorldSnapshot& world, CriticalFilter& events) noexcept;
+    /// One tick; returns true if it was not paused. `ending` is set where the attempt ends with it.
+    bool tick(const TickSample& sample, const WorldSnapshot& world, Ending& ending,
+              CriticalFilter& events) noexcept;
     /// A hold that a hand's step changed: whether it is a repeated grasp or a drop.
     void watch_hold(std::size_t h, HoldChange change, const WorldSnapshot& world,
                     CriticalFilter& events) noexcept;
-    /// After the last tick of a step of which `running` ticks were not paused.
-    void step(const WorldSnapshot& world, std::uint32_t running, CriticalFilter& events) noexcept;
+    /// What a step did to tissue and what the hands hold after it. Returns how each hold changed.
+    std::array<HoldChange, hand_count> report(const WorldSnapshot& world, CriticalFilter& events) noexcept;
+    /// After the last tick of a step of which `running` ticks were not paused. `ending`: of its last tick.
+    void step(const WorldSnapshot& world, std::uint32_t running, const Ending& ending,
+              CriticalFilter& events) noexcept;
     void show() noexcept;
 };
 
@@ -195,16 +205,16 @@ void TaskMonitor::State::watch_movement(std::size_t h, double speed, bool at_wor
     events.emit(tick - age, EventKind::first_movement, 0, 0, h < hand_count ? static_cast<int>(h) : no_hand);
 }
 
-bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& world,
+bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& world, Ending& ending,
                               CriticalFilter& events) noexcept {
     last_tick = sample.tick;
     watch_rig(sample, events);
     if ((sample.rig_flags & rig_abandon) != 0) {
-        end(sample.tick, EventKind::abandoned, events);
+        ending = {true, EventKind::abandoned};
         return false;
     }
     if (lost_ticks * tick_period > device_grace) {
-        end(sample.tick, EventKind::interrupted, events);
+        ending = {true, EventKind::interrupted};
         return false;
     }
     if (paused || lost) {
@@ -220,7 +230,7 @@ bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& wor
     if (goals.done()) return true;
     // An attempt without any movement also times out; otherwise it would never end.
     const std::uint32_t clock = display.moving_seen ? elapsed_ticks : unpaused_ticks;
-    if (clock * tick_period >= task.time_limit_s) end(sample.tick, EventKind::timed_out, events);
+    if (clock * tick_period >= task.time_limit_s) ending = {true, EventKind::timed_out};
     return true;
 }
 
@@ -246,8 +256,8 @@ void TaskMonitor::State::watch_hold(std::size_t h, HoldChange change, const Worl
     }
 }
 
-void TaskMonitor::State::step(const WorldSnapshot& world, std::uint32_t running,
-                              CriticalFilter& events) noexcept {
+std::array<HoldChange, hand_count> TaskMonitor::State::report(const WorldSnapshot& world,
+                                                              CriticalFilter& events) noexcept {
     const std::uint32_t now = last_tick;
     const auto happened = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(0, world.event_count)), 0,
                                                   world.events.size());
@@ -265,12 +275,27 @@ void TaskMonitor::State::step(const WorldSnapshot& world, std::uint32_t running,
     const double overlap = shaft_overlap(world.tools[0], world.tools[1], tool_reach);
     if (overlap > 0 && !colliding) events.emit(now, EventKind::tool_collision, 0, overlap);
     colliding = overlap > 0;
-    if (running > 0 && !goals.done()) goals.step(world, changes, now, running, events);
-    if (world.outcome == fault_outcome) {
-        events.emit(now, EventKind::simulator_fault, static_cast<std::int32_t>(world.outcome));
+    return changes;
+}
+
+void TaskMonitor::State::step(const WorldSnapshot& world, std::uint32_t running, const Ending& ending,
+                              CriticalFilter& events) noexcept {
+    const std::uint32_t now = last_tick;
+    const std::array<HoldChange, hand_count> changes = report(world, events);
+    // A goal that this step reaches counts, though the time is up with it; not one after the attempt was
+    // left.
+    const bool left = ending.due && ending.kind != EventKind::timed_out;
+    if (running > 0 && !left && !goals.done()) goals.step(world, changes, now, running, events);
+    const bool fault = world.outcome == fault_outcome;
+    if (fault) events.emit(now, EventKind::simulator_fault, static_cast<std::int32_t>(world.outcome));
+    if (left) {
+        end(now, ending.kind, events);
+    } else if (fault) {
         end(now, EventKind::interrupted, events);
     } else if (goals.done()) {
         end(now, EventKind::completed, events);
+    } else if (ending.due) {
+        end(now, ending.kind, events);
     }
 }
 
@@ -318,11 +343,12 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
     }
     for (HandMonitor& hand : state.hands) hand.begin_step();
     std::uint32_t running = 0;
+    Ending ending;
     for (std::size_t i = 0; i < count; ++i) {
-        running += state.tick(ticks[i], world, events) ? 1U : 0U;
-        if (state.display.ended || state.goals.done()) break;
+        running += state.tick(ticks[i], world, ending, events) ? 1U : 0U;
+        if (ending.due || state.goals.done()) break;
     }
-    if (!state.display.ended) state.step(world, running, events);
+    state.step(world, running, ending, events);
     state.show();
 }
 
