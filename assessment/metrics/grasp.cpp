@@ -211,7 +211,8 @@ std::vector<Metric> grasp_metrics() {
         counted<EventKind::slip>);
     add_count(
         {"regrasp", QT_TRANSLATE_NOOP("fulcrum::metrics", "Repeated grasps"), "-", 1}, true,
-        "event: the same patch grasped again within 2 s",
+        "event: the same patch, or a place of a sheet nearer than the jaws are long, grasped again "
+        "within 2 s, pauses excluded",
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "Number of times the same patch was grasped again within 2 s of release."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",

@@ -21,6 +21,8 @@ void HandMonitor::configure(Hand hand, const Scene& scene, const std::vector<Tis
     tissues_ = tissues;
     tick_rate_ = scene.tick_rate;
     warning_margin_ = warning_margin;
+    const InstrumentSpec* instrument = scene.instrument(hand);
+    jaw_length_ = instrument != nullptr ? instrument->jaw_length : 0;
     // 20 ms of ticks at any rate: quantisation (0.1 um) and one tick's noise then stay far below the 5 mm/s
     // that count as moving.
     span_ = std::clamp(scene.tick_rate / 50, 1, static_cast<int>(tips_.size()) - 1);
@@ -116,7 +118,8 @@ void HandMonitor::tick(const TickSample& tick_sample, EventSink& sink) noexcept 
     on_wall_ = watch.wall;
 }
 
-HoldChange HandMonitor::hold(const GraspState& grasp, std::uint32_t tick, EventSink& sink) noexcept {
+HoldChange HandMonitor::hold(const GraspState& grasp, std::uint32_t tick, std::uint32_t clock,
+                             EventSink& sink) noexcept {
     HoldChange change = HoldChange::none;
     if (grasp.held && !held_) {
         held_ = true;
@@ -130,12 +133,18 @@ HoldChange HandMonitor::hold(const GraspState& grasp, std::uint32_t tick, EventS
         } else {
             emit(sink, tick, EventKind::release, last_grasp_.tissue, last_grasp_.patch,
                  last_grasp_.arc_length);
-            released_ = {last_grasp_.patch, tick, true};
+            released_ = {last_grasp_.body, last_grasp_.patch, last_grasp_.offset, clock, true};
             change = HoldChange::released;
         }
     }
     last_grasp_ = grasp;
     return change;
+}
+
+bool HandMonitor::takes_again(const Released& place, const GraspState& grasp) const noexcept {
+    if (!place.valid || place.body != grasp.body || place.patch != grasp.patch) return false;
+    if (grasp.patch >= 0) return true;
+    return grasp.body == HeldBody::sheet && (grasp.offset - place.rest).norm() < jaw_length_;
 }
 
 }  // namespace fulcrum

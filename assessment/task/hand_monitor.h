@@ -31,17 +31,24 @@ class HandMonitor {
     void tick(const TickSample& sample, EventSink& sink) noexcept;
     /// Where the tip is in this tick, 0.1 um: for speed() alone. tick() does this too.
     void move(const std::int32_t (&tip)[3], bool inside) noexcept;
-    /// After the step: the hold as the world left it. `tick` stamps the events.
-    HoldChange hold(const GraspState& grasp, std::uint32_t tick, EventSink& sink) noexcept;
+    /// After the step: the hold as the world left it. `tick` stamps the events; `clock`: ticks of the attempt
+    /// so far, pauses excluded.
+    HoldChange hold(const GraspState& grasp, std::uint32_t tick, std::uint32_t clock,
+                    EventSink& sink) noexcept;
     /// Speed of the tip over the last 20 ms inside the body, m/s; 0 outside or before 20 ms have passed.
     double speed() const noexcept { return speed_; }
-    /// Whether this hand grasped last, its patch and when it let go, to tell a regrasp by either hand.
+    /// What this hand let go of last, to tell a regrasp by either hand.
     struct Released {
+        HeldBody body = HeldBody::none;
         std::int32_t patch = -1;
-        std::uint32_t tick = 0;
+        Vector3 rest = Vector3::Zero();  ///< m, of a sheet: the place at rest
+        std::uint32_t clock = 0;         ///< ticks of the attempt until then, pauses excluded
         bool valid = false;
     };
     const Released& released() const noexcept { return released_; }
+    /// Whether a grasp of this hand takes what was released there: the same patch; of a sheet, which has
+    /// none, a place nearer than this hand's jaws are long. What has neither (a membrane) is never the same.
+    bool takes_again(const Released& place, const GraspState& grasp) const noexcept;
     void forget_released() noexcept { released_.valid = false; }
 
     /// Since the last begin_step(): for the display.
@@ -66,6 +73,7 @@ class HandMonitor {
     const std::vector<TissueWatch>* tissues_ = nullptr;
     Hand hand_ = Hand::left;
     double tick_rate_ = 1000, warning_margin_ = 0;
+    double jaw_length_ = 0;  // m
     std::array<std::array<std::int32_t, 3>, 128> tips_{};
     int span_ = speed_span;
     std::uint64_t samples_ = 0;

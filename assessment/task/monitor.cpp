@@ -19,7 +19,7 @@ namespace {
 constexpr double moving_speed = 0.005;      // m/s, docs/METRICS.md, `time`
 constexpr double moving_duration = 0.2;     // s, idem
 constexpr double device_grace = 60;         // s until a lost device interrupts the attempt
-constexpr double regrasp_window = 2;        // s
+constexpr double regrasp_window = 2;        // s, pauses excluded
 constexpr double drop_height = 0.01;        // m above rest: tissue that falls less was not dropped
 constexpr std::uint32_t fault_outcome = 4;  // StepRecord::outcome
 
@@ -240,8 +240,8 @@ void TaskMonitor::State::watch_hold(std::size_t h, HoldChange change, const Worl
     if (change == HoldChange::grasped) {
         for (HandMonitor& other : hands) {
             const HandMonitor::Released& released = other.released();
-            if (!released.valid || released.patch != grasp.patch ||
-                (last_tick - released.tick) * tick_period > regrasp_window)
+            if (!hands[h].takes_again(released, grasp) ||
+                (unpaused_ticks - released.clock) * tick_period > regrasp_window)
                 continue;
             events.emit(last_tick, EventKind::regrasp, grasp.patch, grasp.arc_length, static_cast<int>(h),
                         grasp.tissue);
@@ -269,7 +269,7 @@ std::array<HoldChange, hand_count> TaskMonitor::State::report(const WorldSnapsho
     goals.bands(bands);
     std::array<HoldChange, hand_count> changes{};
     for (std::size_t h = 0; h < hand_count; ++h) {
-        changes[h] = hands[h].hold(world.grasps[h], now, events);
+        changes[h] = hands[h].hold(world.grasps[h], now, unpaused_ticks, events);
         watch_hold(h, changes[h], world, events);
     }
     const double overlap = shaft_overlap(world.tools[0], world.tools[1], tool_reach);
@@ -327,6 +327,7 @@ void TaskMonitor::begin_again() noexcept {
     state.begun = state.display.moving_seen = state.paused = state.lost = state.late = false;
     state.unpaused_ticks = state.elapsed_ticks = state.lost_ticks = state.late_ticks = 0;
     state.run_ticks = {};
+    for (HandMonitor& hand : state.hands) hand.forget_released();
     state.display.critical = false;  // that of the attempt before
     state.show();
 }
