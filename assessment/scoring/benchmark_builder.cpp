@@ -314,7 +314,7 @@ bool of_benchmark_gate(const TaskDefinition& task, const BenchmarkLevel& level) 
 }
 
 /// Gives each gate a k of its own, absolute gates too where that brings both shares nearer to their middles.
-/// Returns what is to be expected of fresh attempts.
+/// Returns what is to be expected of fresh attempts; where that is not sure, `set` stays as it is.
 HeldOutLimits set_own_limits(const TaskDefinition& task, const BenchmarkRequest& request, BenchmarkSet& set) {
     BenchmarkSet wide = set;
     wide.levels = make_levels(task, request, {}, true).levels;
@@ -329,6 +329,7 @@ HeldOutLimits set_own_limits(const TaskDefinition& task, const BenchmarkRequest&
     }
     HeldOutLimits chosen =
         limits_for_fresh(leave_one_out.judged(), intermediates, gates_of(task, wide), start);
+    if (!chosen.sure()) return chosen;
     set.levels.clear();
     for (std::size_t i = 0; i < chosen.k.size(); ++i) {
         if (chosen.k[i] == no_limit) continue;
@@ -352,13 +353,22 @@ void heed_intermediates(const TaskDefinition& task, const BenchmarkRequest& requ
                   " of intermediates' attempts pass");
     if (intermediates_surely_within(passed, all)) return;
     const HeldOutLimits chosen = set_own_limits(task, request, set);
+    const std::string of_left_out = percent(chosen.held_out.intermediates) + ", of experts' " +
+                                    percent(chosen.held_out.experts) + " (" + percent(chosen.experts_low) +
+                                    " to " + percent(chosen.experts_high) + " with " +
+                                    std::to_string(chosen.people) + " people)";
+    if (!chosen.sure()) {
+        log.push_back(
+            "limits of each gate's own are not used: of intermediates left out when they are chosen " +
+            of_left_out + " pass, where at least " + percent(least_held_out) + " of experts' have to");
+        return;
+    }
     for (const BenchmarkLevel& level : set.levels)
         if (level.k) log.push_back(level_name(level) + ": k " + decimal_text(*level.k, 1) + " of its own");
     set.intermediate_pass_share = chosen.held_out.intermediates;
     log.push_back("with these: " + percent(share(passing(task, request.intermediates, set))) +
                   " of intermediates' attempts pass; of those left out when limits are chosen " +
-                  percent(chosen.held_out.intermediates) + ", of experts' " +
-                  percent(chosen.held_out.experts) + " (aim " + percent(chosen.aim) + ")");
+                  of_left_out);
 }
 
 void log_levels(const BenchmarkSet& set, std::vector<std::string>& log) {

@@ -59,7 +59,8 @@ struct BenchmarkBuild {
 /// Pure. Of k from 1 to 3 in steps of 0.1 the one whose leave-one-expert-out pass share is nearest to 1 - p0;
 /// of several equally near, the middle one. Below k = 1 one gate alone would fail an expert in six. Where
 /// there are intermediates and the share of them that pass is not surely within 5 to 40 %, each gate gets a k
-/// of its own from there: limits_for_fresh().
+/// of its own from there, unless too many experts who had no part in the choice would fail them:
+/// limits_for_fresh().
 BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkRequest& request);
 
 }  // namespace fulcrum

@@ -38,10 +38,10 @@ double share_of(const std::vector<JudgedAttempt>& attempts, const std::vector<do
            static_cast<double>(attempts.size());
 }
 
-/// Sum of the squared distances from the experts' middle and the intermediates' aim, in half widths.
-double off_aims(const PassShares& shares, double aim) {
+/// Sum of the squared distances from the middles of both bands, in half widths.
+double off_middles(const PassShares& shares) {
     const double experts = (shares.experts - experts_middle) / experts_half,
-                 intermediates = (shares.intermediates - aim) / intermediates_half;
+                 intermediates = (shares.intermediates - intermediates_middle) / intermediates_half;
     return experts * experts + intermediates * intermediates;
 }
 
@@ -95,8 +95,8 @@ double part_of(int count, const std::vector<JudgedAttempt>& attempts) {
 /// One step of limits_between(): the best change of the k of one or two gates.
 class BestChange {
   public:
-    BestChange(const std::vector<double>& from, double off_before, double aim, double furthest)
-        : k(from), off(off_before), from_(from), aim_(aim), furthest_(furthest) {}
+    BestChange(const std::vector<double>& from, double off_before, double furthest)
+        : k(from), off(off_before), from_(from), furthest_(furthest) {}
     std::vector<double> k;
     double off = 0;
     bool better = false;
@@ -104,7 +104,7 @@ class BestChange {
     void consider(const PassShares& shares, const std::vector<std::size_t>& a, double k_a,
                   const std::vector<std::size_t>& b, double k_b) {
         if (std::abs(shares.experts - experts_middle) > furthest_ + same) return;
-        const double tried_off = off_aims(shares, aim_);
+        const double tried_off = off_middles(shares);
         if (tried_off >= off + same || (!better && tried_off >= off - same)) return;
         std::vector<double> tried = from_;
         for (const std::size_t level : b) tried[level] = k_b;
@@ -120,7 +120,7 @@ class BestChange {
 
   private:
     std::vector<double> from_;
-    double aim_, furthest_, moved_ = 0;
+    double furthest_, moved_ = 0;
 };
 
 /// People in the order of their first attempts.
@@ -158,15 +158,14 @@ PassShares pass_shares(const std::vector<JudgedAttempt>& experts,
 
 std::vector<double> limits_between(const std::vector<JudgedAttempt>& experts,
                                    const std::vector<JudgedAttempt>& intermediates,
-                                   const std::vector<int>& gate, const std::vector<double>& start,
-                                   double aim) {
+                                   const std::vector<int>& gate, const std::vector<double>& start) {
     const std::vector<std::vector<std::size_t>> levels = levels_by_gate(gate);
     const PassShares at_start = pass_shares(experts, intermediates, start);
     const double furthest = std::max(0.5 * experts_half, std::abs(at_start.experts - experts_middle));
     std::vector<double> k = start;
-    double off = off_aims(at_start, aim);
+    double off = off_middles(at_start);
     for (bool better = true; better;) {
-        BestChange best(k, off, aim, furthest);
+        BestChange best(k, off, furthest);
         for (std::size_t a = 0; a < levels.size(); ++a) {
             for (std::size_t b = a; b < levels.size(); ++b) {
                 const PairCounts of_experts = count_pairs(experts, k, levels[a], levels[b]),
@@ -186,17 +185,31 @@ std::vector<double> limits_between(const std::vector<JudgedAttempt>& experts,
     return k;
 }
 
+double level_margin(const std::vector<JudgedAttempt>& experts) {
+    return experts.empty() ? 0 : 1 / std::sqrt(static_cast<double>(people_in(experts).size()));
+}
+
+std::vector<double> limits_with_margin(const std::vector<JudgedAttempt>& experts,
+                                       const std::vector<JudgedAttempt>& intermediates,
+                                       const std::vector<int>& gate, const std::vector<double>& start) {
+    const double margin = level_margin(experts);
+    std::vector<JudgedAttempt> worse = experts;
+    for (JudgedAttempt& attempt : worse)
+        for (double& z : attempt.z) z += margin;
+    return limits_between(worse, intermediates, gate, start);
+}
+
 PassShares held_out_shares(const std::vector<JudgedAttempt>& experts,
                            const std::vector<JudgedAttempt>& intermediates, const std::vector<int>& gate,
-                           const std::vector<double>& start, double aim) {
+                           const std::vector<double>& start) {
     PassShares passed;
     for (int part = 0; part < held_out_parts; ++part) {
         const std::vector<JudgedAttempt> left_out[] = {part_of_people(experts, part, false),
                                                        part_of_people(intermediates, part, false)};
         const PassShares shares =
             pass_shares(left_out[0], left_out[1],
-                        limits_between(part_of_people(experts, part, true),
-                                       part_of_people(intermediates, part, true), gate, start, aim));
+                        limits_with_margin(part_of_people(experts, part, true),
+                                           part_of_people(intermediates, part, true), gate, start));
         passed.experts += shares.experts * static_cast<double>(left_out[0].size());
         passed.intermediates += shares.intermediates * static_cast<double>(left_out[1].size());
     }
@@ -208,18 +221,14 @@ PassShares held_out_shares(const std::vector<JudgedAttempt>& experts,
 HeldOutLimits limits_for_fresh(const std::vector<JudgedAttempt>& experts,
                                const std::vector<JudgedAttempt>& intermediates, const std::vector<int>& gate,
                                const std::vector<double>& start) {
-    constexpr double aims[] = {0.225, 0.2, 0.25, 0.175, 0.275, 0.15, 0.3, 0.125, 0.1, 0.075, 0.05};
     HeldOutLimits chosen;
-    double least = 0;
-    for (const double aim : aims) {
-        const PassShares shares = held_out_shares(experts, intermediates, gate, start, aim);
-        const double off = off_aims(shares, intermediates_middle);
-        if (aim != aims[0] && off >= least - same) continue;
-        least = off;
-        chosen.aim = aim;
-        chosen.held_out = shares;
-    }
-    chosen.k = limits_between(experts, intermediates, gate, start, chosen.aim);
+    chosen.k = limits_with_margin(experts, intermediates, gate, start);
+    chosen.held_out = held_out_shares(experts, intermediates, gate, start);
+    chosen.people = static_cast<int>(people_in(experts).size());
+    const Share share =
+        wilson(static_cast<int>(std::lround(chosen.held_out.experts * chosen.people)), chosen.people);
+    chosen.experts_low = share.low;
+    chosen.experts_high = share.high;
     return chosen;
 }
 

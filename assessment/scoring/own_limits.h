@@ -30,29 +30,46 @@ bool intermediates_surely_within(int passed, int attempts);
 PassShares pass_shares(const std::vector<JudgedAttempt>& experts,
                        const std::vector<JudgedAttempt>& intermediates, const std::vector<double>& k);
 
-/// A k for each level, from `start`: the change of the k of one or two gates that brings the share of experts
-/// nearest to the middle of its band and that of intermediates nearest to `aim`, each distance in half widths
-/// of its band, again and again until none does. Of equally good changes the smallest. The share of experts
-/// does not leave the inner half of its band. Levels with the same number in `gate` keep one k. Pure.
+/// A k for each level, from `start`: the change of the k of one or two gates that brings the shares of both
+/// groups nearest to the middles of their bands, each distance in half widths of its band, again and again
+/// until none does. Of equally good changes the smallest. The share of experts does not leave the inner half
+/// of its band. Levels with the same number in `gate` keep one k. Pure.
 std::vector<double> limits_between(const std::vector<JudgedAttempt>& experts,
                                    const std::vector<JudgedAttempt>& intermediates,
-                                   const std::vector<int>& gate, const std::vector<double>& start,
-                                   double aim = intermediates_middle);
+                                   const std::vector<int>& gate, const std::vector<double>& start);
+
+/// How far a level may be off, in standard deviations: its mean is known from so many people only, so its
+/// standard error is at most 1 / sqrt(people). 0 for nobody.
+double level_margin(const std::vector<JudgedAttempt>& experts);
+
+/// limits_between() with the attempts of experts worse by level_margin() at every level. A limit through the
+/// middle of what experts do loses many of them to that, a wide one few, so that of two limits that are as
+/// good on these attempts the wide one is chosen. Pure.
+std::vector<double> limits_with_margin(const std::vector<JudgedAttempt>& experts,
+                                       const std::vector<JudgedAttempt>& intermediates,
+                                       const std::vector<int>& gate, const std::vector<double>& start);
 
 /// The shares that pass limits in whose choice they had no part: people are divided into `held_out_parts`
-/// parts, and each part is judged by limits_between() of the others.
+/// parts, and each part is judged by limits_with_margin() of the others.
 inline constexpr int held_out_parts = 5;
 PassShares held_out_shares(const std::vector<JudgedAttempt>& experts,
                            const std::vector<JudgedAttempt>& intermediates, const std::vector<int>& gate,
-                           const std::vector<double>& start, double aim);
+                           const std::vector<double>& start);
+
+/// The least share of experts left out of the choice that limits of their own may pass.
+inline constexpr double least_held_out = experts_middle - 0.5 * experts_half;
 
 struct HeldOutLimits {
     std::vector<double> k;
-    double aim = intermediates_middle;  ///< with which they were chosen
-    PassShares held_out;                ///< what is to be expected of fresh attempts
+    PassShares held_out;  ///< what is to be expected of fresh attempts
+    int people = 0;       ///< experts
+    /// Wilson's 95 % interval of held_out.experts, with people and not attempts as its number: attempts of
+    /// one person are alike.
+    double experts_low = 0, experts_high = 1;
+    bool sure() const { return held_out.experts >= least_held_out; }
 };
-/// limits_between() with the aim whose held-out shares are nearest to the middles of both bands. Limits fit
-/// the attempts that they were chosen on better than others; a lower (or higher) aim makes up for that. Pure.
+/// limits_with_margin() and what they are worth. The held-out shares have no part in the choice, so that they
+/// are not better than those of fresh attempts for having been chosen. Pure.
 HeldOutLimits limits_for_fresh(const std::vector<JudgedAttempt>& experts,
                                const std::vector<JudgedAttempt>& intermediates, const std::vector<int>& gate,
                                const std::vector<double>& start);

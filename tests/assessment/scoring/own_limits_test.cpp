@@ -89,33 +89,135 @@ TEST(OwnLimits, FitTheAttemptsThatTheyWereChosenOnBetterThanFreshOnes) {
     // Little tells the groups apart, so that which gates are narrow is decided by chance.
     const std::vector<double> means = {0.6, 0.5, 0.6, 0.5, 0.6, 0.5}, start(6, 2.4);
     const std::vector<int> gate = {0, 1, 2, 3, 4, 5};
-    double chosen_on = 0, held_out = 0, fresh = 0, aim = 0;
+    double chosen_on = 0, held_out = 0, fresh = 0;
     const int rounds = 8;
     for (unsigned round = 0; round < rounds; ++round) {
         const std::vector<JudgedAttempt> experts = judged(96, std::vector<double>(6, 0.0), 10 * round + 1),
                                          intermediates = judged(40, means, 10 * round + 2),
                                          others = judged(1000, means, 10 * round + 3);
-        const std::vector<double> k = limits_between(experts, intermediates, gate, start);
-        chosen_on += pass_shares(experts, intermediates, k).intermediates / rounds;
-        held_out +=
-            held_out_shares(experts, intermediates, gate, start, intermediates_middle).intermediates / rounds;
-        fresh += pass_shares(experts, others, k).intermediates / rounds;
-        const HeldOutLimits better = limits_for_fresh(experts, intermediates, gate, start);
-        aim += better.aim / rounds;
-        EXPECT_EQ(better.k, limits_between(experts, intermediates, gate, start, better.aim));
+        const HeldOutLimits limits = limits_for_fresh(experts, intermediates, gate, start);
+        chosen_on += pass_shares(experts, intermediates, limits.k).intermediates / rounds;
+        held_out += limits.held_out.intermediates / rounds;
+        fresh += pass_shares(experts, others, limits.k).intermediates / rounds;
     }
     EXPECT_GT(fresh, chosen_on + 0.03);
-    EXPECT_LT(std::abs(held_out - fresh), 0.5 * (fresh - chosen_on));
-    EXPECT_LT(aim, intermediates_middle);
+    EXPECT_LT(std::abs(held_out - fresh), 0.8 * (fresh - chosen_on));
+}
+
+/// z of people whose attempts are alike: `alike` is the part of the variance that lies between people.
+std::vector<JudgedAttempt> by_people(int people, int attempts, const std::vector<double>& means, double alike,
+                                     unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<JudgedAttempt> all;
+    for (int person = 0; person < people; ++person) {
+        std::vector<double> own = means;
+        for (double& mean : own) mean += std::sqrt(alike) * normal(random);
+        for (int n = 0; n < attempts; ++n) {
+            JudgedAttempt attempt;
+            attempt.otherwise = all.size() % 50 != 49;
+            attempt.person = person;
+            for (const double mean : own) attempt.z.push_back(mean + std::sqrt(1 - alike) * normal(random));
+            all.push_back(attempt);
+        }
+    }
+    return all;
+}
+
+/// The k for all levels at which the share of experts is nearest to its middle, as the builder begins.
+std::vector<double> one_k(const std::vector<JudgedAttempt>& experts, std::size_t levels) {
+    std::vector<double> best;
+    double least = 2;
+    for (int tenths = 10; tenths <= 30; ++tenths) {
+        const std::vector<double> k(levels, tenths / 10.0);
+        const double off = std::abs(pass_shares(experts, {}, k).experts - experts_middle);
+        if (off >= least - 1e-9) continue;
+        least = off;
+        best = k;
+    }
+    return best;
+}
+
+/// Of 50 sets made of as many attempts as the builder performs, what fresh experts pass.
+struct Fresh {
+    int used = 0, too_narrow = 0;  ///< limits that are used; of these, those that fail more than 20 %
+    double difference = 0;         ///< mean of (share that was reported - share of fresh experts)
+};
+Fresh fresh_experts(double alike, bool with_margin) {
+    const std::vector<int> gate = {0, 1};
+    Fresh found;
+    const unsigned rounds = 50;
+    for (unsigned round = 0; round < rounds; ++round) {
+        const auto experts = by_people(32, 3, {0, 0}, alike, 10 * round + 1),
+                   intermediates = by_people(60, 1, {2, 0}, alike, 10 * round + 2),
+                   fresh = by_people(2000, 1, {0, 0}, alike, 10 * round + 3);
+        const std::vector<double> start = one_k(experts, 2);
+        const HeldOutLimits limits = limits_for_fresh(experts, intermediates, gate, start);
+        const std::vector<double> k =
+            with_margin ? limits.k : limits_between(experts, intermediates, gate, start);
+        const double share = pass_shares(fresh, {}, k).experts;
+        const bool used = !with_margin || limits.sure();
+        if (used) ++found.used;
+        if (used && share < experts_middle - experts_half) ++found.too_narrow;
+        found.difference += (limits.held_out.experts - share) / rounds;
+    }
+    return found;
+}
+
+TEST(OwnLimits, PassFreshExpertsAsOftenAsTheyReport) {
+    for (const double alike : {0.5, 0.9}) {
+        const Fresh sure = fresh_experts(alike, true);
+        EXPECT_GE(sure.used, 30) << "too careful: most sets keep one k";
+        EXPECT_LT(std::abs(sure.difference), 0.03) << alike;
+        EXPECT_LE(sure.too_narrow, 3) << alike;
+    }
+    EXPECT_GE(fresh_experts(0.9, false).too_narrow, fresh_experts(0.9, true).too_narrow + 3)
+        << "without the margin, limits that are best on a sample fail fresh experts";
+}
+
+TEST(OwnLimits, PreferAWideLimitToOneThatIsOnlyJustMet) {
+    std::vector<JudgedAttempt> experts, intermediates;
+    for (int n = 0; n < 32; ++n) experts.push_back({true, {0.95, n % 8 == 0 ? 3.5 : 0.0}, n});
+    // The first level tells more intermediates apart, but experts are close to each limit that does.
+    for (int n = 0; n < 60; ++n)
+        intermediates.push_back({true, {n < 15 ? 0.5 : 1.15, n < 24 ? 0.5 : 2.9}, n});
+    const std::vector<int> gate = {0, 1};
+    const std::vector<double> start = {3, 3};
+    EXPECT_NEAR(level_margin(experts), 1 / std::sqrt(32.0), 1e-12);
+    EXPECT_LT(limits_between(experts, intermediates, gate, start)[0], 1.15);
+    const std::vector<double> k = limits_with_margin(experts, intermediates, gate, start);
+    EXPECT_GT(k[0], 1.15);
+    EXPECT_LT(k[1], 2.9);
+    EXPECT_EQ(pass_shares(experts, intermediates, k).experts, 0.875);
+    for (JudgedAttempt& attempt : experts) attempt.person = 0;
+    EXPECT_EQ(level_margin(experts), 1) << "attempts of one person are no more people";
+    EXPECT_EQ(level_margin({}), 0);
+}
+
+TEST(OwnLimits, AreNotSureWhereExpertsLeftOutFailThem) {
+    HeldOutLimits limits;
+    limits.held_out.experts = least_held_out - 0.01;
+    EXPECT_FALSE(limits.sure());
+    limits.held_out.experts = least_held_out;
+    EXPECT_TRUE(limits.sure());
+}
+
+TEST(OwnLimits, SayHowSureTheyAreByPeopleAndNotByAttempts) {
+    const auto experts = by_people(32, 3, {0, 0}, 0.5, 1), intermediates = by_people(60, 1, {2, 0}, 0.5, 2);
+    const HeldOutLimits limits = limits_for_fresh(experts, intermediates, {0, 1}, one_k(experts, 2));
+    EXPECT_EQ(limits.people, 32);
+    EXPECT_LT(limits.experts_low, limits.held_out.experts);
+    EXPECT_GT(limits.experts_high, limits.held_out.experts);
+    EXPECT_GT(limits.experts_high - limits.experts_low, 0.15) << "32 people, not 96 attempts";
+    EXPECT_FALSE(limits_for_fresh({}, {}, {0}, {2.0}).sure());
+    EXPECT_EQ(limits_for_fresh({}, {}, {0}, {2.0}).k, std::vector<double>{2.0});
 }
 
 TEST(OwnLimits, LeaveAPersonOutWithAllAttempts) {
     std::vector<JudgedAttempt> experts;
-    for (int n = 0; n < 30; ++n) experts.push_back({true, {1.05 + 0.06 * n}, n});
+    for (int n = 0; n < 30; ++n) experts.push_back({true, {0.05 + 0.1 * n}, n});
     const std::vector<double> start = {3};
-    const auto held_out = [&] {
-        return held_out_shares(experts, {}, {0}, start, intermediates_middle).experts;
-    };
+    const auto held_out = [&] { return held_out_shares(experts, {}, {0}, start).experts; };
     EXPECT_LT(held_out(), 1);
     for (JudgedAttempt& attempt : experts) attempt.person = 0;
     EXPECT_EQ(held_out(), 1) << "nobody is left to choose limits on, so they stay";
@@ -207,12 +309,13 @@ TEST(OwnLimits, OfTheBuilderTellIntermediatesFromExperts) {
     request.intermediates = people("intermediate ", 16, 4.05, -1.52, 0.55, 3);
     const BenchmarkBuild rough = build_benchmark(small_task(), request);
     ASSERT_TRUE(rough.set) << rough.refusal.words();
-    EXPECT_TRUE(surely_within(rough.set->intermediate_pass_share.value_or(1), 48));
+    EXPECT_GT(rough.set->intermediate_pass_share.value_or(0), 0.05);
+    EXPECT_LT(rough.set->intermediate_pass_share.value_or(1), 0.4);
     const BenchmarkLevel* force = rough.set->find("f_max", "left", "");
     ASSERT_NE(force, nullptr);
     EXPECT_TRUE(force->k);
     EXPECT_GE(rough.set->expert_pass_share, 0.8);
-    EXPECT_LE(rough.set->expert_pass_share, 0.95);
+    EXPECT_LE(rough.set->expert_pass_share, 0.97) << "wide rather than narrow";
     const BenchmarkSet& set = *rough.set;
     EXPECT_EQ(benchmark_to_json(parse_benchmark(benchmark_to_json(set).dump(), "set.json")),
               benchmark_to_json(set));
