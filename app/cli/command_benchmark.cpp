@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum benchmark build: builds a benchmark set from synthetic operators or from named experts' attempts.
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
+#include <sstream>
 
 #include "app/cli/commands.h"
+#include "app/cli/operator_attempts.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
 #include "assessment/operators/device_model.h"
@@ -23,69 +22,22 @@
 namespace fulcrum::app {
 namespace {
 
-// Of experts many, because the share of their attempts that pass decides k; of novices only the mean counts.
-// Of intermediates the share that passes counts, so there are many, with one attempt each.
-struct Group {
-    int individuals = 0, counted = 0;
-    std::uint64_t first_seed = 0;
-};
-constexpr Group groups[] = {{32, 3, 1000}, {60, 1, 1200}, {8, 3, 1500}};  // by OperatorLevel
-// Seeds 1000-1999 are reserved for benchmarks.
-
-struct Job {
-    OperatorLevel level = OperatorLevel::expert;
-    int individual = 0, attempt = 0;
-    std::uint64_t seed = 0;
-};
-
-/// Runs the counted attempts of all individuals, one thread per core. Operators do not learn, so they need no
+/// Performs one attempt of an operator and prints how it ended. Operators do not learn, so they need no
 /// familiarisation; the set records 0.
-std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, OperatorLevel level,
-                                            DeviceClass device_class) {
-    const Group& group = groups[static_cast<std::size_t>(level)];
-    std::vector<Job> jobs;
-    for (int i = 0; i < group.individuals; ++i) {
-        for (int a = 0; a < group.counted; ++a)
-            jobs.push_back(
-                {level, i, a, group.first_seed + static_cast<std::uint64_t>(i * group.counted + a)});
-    }
-    std::vector<BenchmarkAttempt> attempts(jobs.size());
-    std::atomic<std::size_t> next{0};
-    std::mutex output;
-    std::exception_ptr trouble;
-    const auto work = [&] {
-        for (std::size_t k = next++; k < jobs.size(); k = next++) {
-            try {
-                PerformRequest request;
-                request.loaded = loaded;
-                request.operator_level = jobs[k].level;
-                request.seed = jobs[k].seed;
-                request.device_class = device_class;
-                request.individual =  // one individual, many attempts
-                    group.first_seed + static_cast<std::uint64_t>(jobs[k].individual * group.counted);
-                const Performed performed = perform(request, nullptr, {});
-                attempts[k].person = row_of(operator_levels, level).name + std::string("-") +
-                                     std::to_string(jobs[k].individual + 1);
-                attempts[k].metrics = performed.scored.metrics;
-                attempts[k].state = performed.scored.state;
-                attempts[k].critical_errors = performed.scored.score.critical_errors;
-                const std::lock_guard<std::mutex> lock(output);
-                std::cerr << attempts[k].person << " seed " << jobs[k].seed << ": "
-                          << row_of(attempt_states, performed.scored.state).name << " in "
-                          << performed.scored.duration_s << " s\n";
-            } catch (...) {
-                const std::lock_guard<std::mutex> lock(output);
-                trouble = std::current_exception();
-                next = jobs.size();
-            }
-        }
-    };
-    std::vector<std::thread> threads;
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    for (unsigned i = 0; i < cores; ++i) threads.emplace_back(work);
-    for (std::thread& thread : threads) thread.join();
-    if (trouble) std::rethrow_exception(trouble);
-    return attempts;
+BenchmarkAttempt performed(const LoadedTask& loaded, DeviceClass device_class, const OperatorJob& job) {
+    PerformRequest request;
+    request.loaded = loaded;
+    request.operator_level = job.level;
+    request.seed = job.seed;
+    request.device_class = device_class;
+    request.individual = job.drawn_from;  // one individual, many attempts
+    const ScoredAttempt scored = perform(request, nullptr, {}).scored;
+    std::ostringstream line;
+    line << job.person() << " seed " << job.seed << ": " << row_of(attempt_states, scored.state).name
+         << " in " << scored.duration_s << " s\n";
+    std::cerr << line.str();
+    return {job.person(), rows_of_gates(loaded.task, scored.metrics), scored.state,
+            scored.score.critical_errors};
 }
 
 /// The people with these logins.
@@ -151,6 +103,21 @@ std::string source_of(DeviceClass device_class) {
                                                      row_of(device_classes, device_class).title + seeds;
 }
 
+/// The file that --attempts names; absent without it.
+std::optional<KeptAttempts> kept_attempts(const Arguments& arguments, const LoadedTask& loaded,
+                                          DeviceClass device_class,
+                                          const std::optional<std::string>& output) {
+    const std::optional<std::string> path = arguments.value("--attempts");
+    if (!path) return std::nullopt;
+    std::error_code error;
+    if (output && (*output == *path || std::filesystem::equivalent(*output, *path, error)))
+        throw UsageError("--attempts", QT_TRANSLATE_NOOP("errors", "is the file that the set is written to"),
+                         QT_TRANSLATE_NOOP("errors", "name two files"));
+    KeptAttempts kept(*path, attempts_origin(loaded, device_class), arguments.has("--other-program"));
+    std::cerr << kept.size() << " of " << count_of_operator_jobs() << " attempts are in " << *path << '\n';
+    return kept;
+}
+
 BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting, DeviceClass device_class,
                              const std::optional<std::string>& output) {
     const LoadedTask& loaded = setting.loaded;
@@ -167,14 +134,21 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
                               *expert_attempts(*setting.store, *setting.session, loaded, device_class,
                                                experts_named(*setting.store, *setting.session, logins)));
     }
-    BenchmarkRequest request = expert_request(loaded, device_class, version,
-                                              run_operators(loaded, OperatorLevel::expert, device_class));
+    std::optional<KeptAttempts> kept = kept_attempts(arguments, loaded, device_class, output);
+    const KeptAttempts::Perform one = [&](const OperatorJob& job) {
+        return performed(loaded, device_class, job);
+    };
+    if (kept) kept->require_same(one);
+    const auto of = [&](OperatorLevel level) {
+        return operator_attempts(level, one, kept ? &*kept : nullptr);
+    };
+    BenchmarkRequest request = expert_request(loaded, device_class, version, of(OperatorLevel::expert));
     request.source = source_of(device_class);
     request.provisional = true;
     request.outliers = false;
     request.familiarisation = request.minimum_familiarisation = 0;
-    request.intermediates = run_operators(loaded, OperatorLevel::intermediate, device_class);
-    request.novices = run_operators(loaded, OperatorLevel::novice, device_class);
+    request.intermediates = of(OperatorLevel::intermediate);
+    request.novices = of(OperatorLevel::novice);
     return request;
 }
 
@@ -301,8 +275,12 @@ int run_benchmark_build(const Arguments& arguments) {
         throw UsageError("benchmark build",
                          QT_TRANSLATE_NOOP("errors", "needs either --operators or --experts"),
                          QT_TRANSLATE_NOOP("errors", "give one of them"));
+    arguments.exclude("--attempts", "--experts");
+    if (arguments.has("--other-program") && !arguments.has("--attempts"))
+        throw UsageError("--other-program", QT_TRANSLATE_NOOP("errors", "needs --attempts"),
+                         QT_TRANSLATE_NOOP("errors", "name the file of attempts"));
     if (arguments.has("--all")) {
-        for (const char* other : {"--experts", "--device-class", "--variant", "--db", "--json"})
+        for (const char* other : {"--experts", "--device-class", "--variant", "--db", "--json", "--attempts"})
             arguments.exclude("--all", other);
         if (!arguments.words().empty())
             throw UsageError(arguments.words()[0],
@@ -322,38 +300,47 @@ int run_benchmark_build(const Arguments& arguments) {
 }  // namespace
 
 Command benchmark_command() {
-    return {"benchmark build",
-            "[TASK]",
-            0,
-            1,
-            QT_TRANSLATE_NOOP(
-                "commands",
-                "Builds a benchmark set and prints the share of its own experts' attempts that would pass."),
-            joined({{"--operators", "",
-                     QT_TRANSLATE_NOOP("commands", "Use synthetic operators; the set is provisional.")},
-                    {"--experts", "LOGIN,LOGIN,...",
-                     QT_TRANSLATE_NOOP("commands", "Use the stored attempts of these people; needs --as.")},
-                    {"--device-class",
-                     "CLASS",
-                     QT_TRANSLATE_NOOP(
-                         "commands",
-                         "The class of devices that the set is for; operators work through a model of it."),
-                     "haptic",
-                     {"haptic", "tracked", "controller", "mouse-keyboard"}},
-                    variant_option(),
-                    {"--all", "",
-                     QT_TRANSLATE_NOOP("commands",
-                                       "Build the sets of all tasks and device classes, from operators.")},
-                    {"--output",
-                     "FILE",
-                     QT_TRANSLATE_NOOP("commands",
-                                       "Write the set to this file; with --all, the sets to this folder. The "
-                                       "version of a set is one more than that of the one it replaces."),
-                     "",
-                     {},
-                     "-o"}},
-                   session_options()),
-            run_benchmark_build};
+    return {
+        "benchmark build",
+        "[TASK]",
+        0,
+        1,
+        QT_TRANSLATE_NOOP(
+            "commands",
+            "Builds a benchmark set and prints the share of its own experts' attempts that would pass."),
+        joined({{"--operators", "",
+                 QT_TRANSLATE_NOOP("commands", "Use synthetic operators; the set is provisional.")},
+                {"--experts", "LOGIN,LOGIN,...",
+                 QT_TRANSLATE_NOOP("commands", "Use the stored attempts of these people; needs --as.")},
+                {"--device-class",
+                 "CLASS",
+                 QT_TRANSLATE_NOOP(
+                     "commands",
+                     "The class of devices that the set is for; operators work through a model of it."),
+                 "haptic",
+                 {"haptic", "tracked", "controller", "mouse-keyboard"}},
+                variant_option(),
+                {"--all", "",
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Build the sets of all tasks and device classes, from operators.")},
+                {"--attempts", "FILE",
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Keep the operators' attempts in this file, each as soon as it is over, "
+                                   "and perform only those that it does not have.")},
+                {"--other-program", "",
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Use attempts in the file that another build of the program made; the "
+                                   "first of each level is performed again and has to be the same.")},
+                {"--output",
+                 "FILE",
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Write the set to this file; with --all, the sets to this folder. The "
+                                   "version of a set is one more than that of the one it replaces."),
+                 "",
+                 {},
+                 "-o"}},
+               session_options()),
+        run_benchmark_build};
 }
 
 }  // namespace fulcrum::app

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cctype>
+#include <fstream>
 #include <stdexcept>
 
 #include "sim_core/numerics/worded_error.h"
@@ -126,6 +127,27 @@ std::string sha256_hex(const std::string& text) {
     Bytes digest(crypto_hash_sha256_BYTES);
     crypto_hash_sha256(digest.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size());
     return to_hex(digest);
+}
+
+const std::string& program_digest() {
+    static const std::string digest = [] {
+        ready();
+        std::ifstream program("/proc/self/exe", std::ios::binary);
+        if (!program) return std::string();
+        crypto_hash_sha256_state state;
+        crypto_hash_sha256_init(&state);
+        std::vector<char> block(std::size_t{1} << 16U);
+        while (program) {
+            program.read(block.data(), static_cast<std::streamsize>(block.size()));
+            crypto_hash_sha256_update(&state, reinterpret_cast<const unsigned char*>(block.data()),
+                                      static_cast<unsigned long long>(program.gcount()));
+        }
+        if (program.bad()) return std::string();
+        Bytes bytes(crypto_hash_sha256_BYTES);
+        crypto_hash_sha256_final(&state, bytes.data());
+        return to_hex(bytes);
+    }();
+    return digest;
 }
 
 namespace {

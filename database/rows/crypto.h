@@ -25,6 +25,8 @@ std::string text_digest(const std::string& text);
 
 /// SHA-256 of a text, hex, as `sha256sum` prints it for a file.
 std::string sha256_hex(const std::string& text);
+/// The same of the file of this program; empty where it cannot be read. Read once.
+const std::string& program_digest();
 
 /// Ed25519. The seed (32 bytes) is the secret half; a signature has 64 bytes.
 Bytes public_half_of(const Bytes& seed);

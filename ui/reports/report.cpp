@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/report.h"
 
-#include <QCryptographicHash>
 #include <QDateTime>
-#include <QFile>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "database/records/people.h"
+#include "database/rows/crypto.h"
 #include "database/store/audit.h"
 #include "database/store/store_owner.h"
 #include "sim_core/numerics/input_error.h"
@@ -55,22 +54,6 @@ void fail_output(const std::string& path, const std::system_error& error) {
         QT_TRANSLATE_NOOP("errors", "choose another folder or free some space"));
 }
 
-namespace {
-
-/// Read once: it is the same as long as the program runs.
-const std::string& program_digest() {
-    static const std::string digest = [] {
-        QFile program(QStringLiteral("/proc/self/exe"));
-        QCryptographicHash hash(QCryptographicHash::Sha256);
-        return program.open(QIODevice::ReadOnly) && hash.addData(&program)
-                   ? QString::fromLatin1(hash.result().toHex()).toStdString()
-                   : std::string();
-    }();
-    return digest;
-}
-
-}  // namespace
-
 std::string tamper_evidence(const ReportProvenance& provenance) {
     return provenance.tamper_evident ? "a service account owns the store"
                                      : "not tamper-evident: see Who can change the store in docs/MANUAL.md";
@@ -86,7 +69,7 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
     provenance.made_as = database::role_name(session.role());
     provenance.demo = store.is_demo();
     provenance.station_key = database::Audit(store).signing_key();
-    provenance.program_digest = program_digest();
+    provenance.program_digest = database::program_digest();
     provenance.tamper_evident = database::owned_by_service_account(store);
     return provenance;
 }

@@ -1381,6 +1381,14 @@
         <source>Puts curricula and benchmark sets that educators put in force at other stations into the assets folder (`fulcrum sync` and the start of the window do the same).</source>
         <translation>Legt Curricula und Richtwertsätze, die Ausbilder an anderen Stationen in Kraft gesetzt haben, in den Ordner assets (`fulcrum sync` und der Start des Fensters tun dasselbe).</translation>
     </message>
+    <message>
+        <source>Keep the operators&apos; attempts in this file, each as soon as it is over, and perform only those that it does not have.</source>
+        <translation>Die Versuche der Operateure in dieser Datei behalten, jeden, sobald er beendet ist, und nur die ausführen, die ihr fehlen.</translation>
+    </message>
+    <message>
+        <source>Use attempts in the file that another build of the program made; the first of each level is performed again and has to be the same.</source>
+        <translation>Auch Versuche der Datei verwenden, die ein anderer Stand des Programms ausgeführt hat; der erste jeder Stufe wird noch einmal ausgeführt und muss gleich sein.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -8411,6 +8419,42 @@
     <message>
         <source>a word in a row of table %1 has a control character</source>
         <translation>ein Wort in einer Zeile der Tabelle %1 enthält ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>is the file that the set is written to</source>
+        <translation>ist die Datei, in die der Satz geschrieben wird</translation>
+    </message>
+    <message>
+        <source>name two files</source>
+        <translation>nennen Sie zwei verschiedene Dateien</translation>
+    </message>
+    <message>
+        <source>needs --attempts</source>
+        <translation>braucht --attempts</translation>
+    </message>
+    <message>
+        <source>name the file of attempts</source>
+        <translation>nennen Sie die Datei mit den Versuchen</translation>
+    </message>
+    <message>
+        <source>name another file, or remove this one so that all attempts are performed again</source>
+        <translation>nennen Sie eine andere Datei, oder entfernen Sie diese, damit alle Versuche noch einmal ausgeführt werden</translation>
+    </message>
+    <message>
+        <source>is not what benchmark build wrote</source>
+        <translation>ist nicht, was benchmark build geschrieben hat</translation>
+    </message>
+    <message>
+        <source>its attempts were not made with the same: %1</source>
+        <translation>ihre Versuche entstanden nicht mit demselben: %1</translation>
+    </message>
+    <message>
+        <source>add --other-program if only the rule for limits has changed since, or name another file</source>
+        <translation>fügen Sie --other-program hinzu, wenn sich seither nur die Regel für Grenzwerte geändert hat, oder nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>this program performs %1, seed %2, differently</source>
+        <translation>dieses Programm führt %1, Startwert %2, anders aus</translation>
     </message>
 </context>
 <context>
