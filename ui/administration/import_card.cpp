@@ -233,6 +233,7 @@ void ImportCard::import() {
     connect(job_, &BackgroundJob::ended, this, [this, ended] {
         if (job_ == nullptr) return;  // done or failed
         ended();
+        if (!context_.signed_in()) return;  // signing out stopped it, and nobody may read the list now
         emit imported();
         forget();
         context_.say(

@@ -28,7 +28,7 @@ class ImportCard : public QFrame {
     void stop();
 
   signals:
-    /// Accounts were created or changed.
+    /// Accounts were created or changed. Only while somebody is signed in.
     void imported();
 
   private:

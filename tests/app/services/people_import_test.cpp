@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/app/services/window_access.h"
+#include "ui/administration/import_card.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::app::program_test {
@@ -33,6 +34,24 @@ class PeopleImport : public WindowAccess {
     }
     std::size_t people() const {
         return database::People(*services->store()).list(programme.asker(Role::administrator)).size();
+    }
+    /// Returns while the accounts are being made.
+    void import_forty(std::size_t before) {
+        std::string rows;
+        for (int i = 0; i < 40; ++i)
+            rows += "many" + std::to_string(i) + ",Many " + std::to_string(i) + ",\n";
+        write("many.csv", rows);
+        look("many.csv");
+        click(*window, "import_people");
+        ASSERT_TRUE(wait_for([&] { return people() > before + 1; }));
+    }
+    void expect_some_with_passwords(std::size_t before) const {
+        ASSERT_TRUE(wait_for([&] { return QFile::exists(path("passwords.csv")); }));
+        const std::size_t made = people() - before;
+        EXPECT_LT(made, 40U);
+        QFile passwords(path("passwords.csv"));
+        ASSERT_TRUE(passwords.open(QIODevice::ReadOnly));
+        EXPECT_EQ(passwords.readAll().split('\n').size(), static_cast<int>(made) + 2);
     }
 };
 
@@ -73,20 +92,23 @@ TEST_F(PeopleImport, ShowsThePlanThenMakesTheAccounts) {
 
 TEST_F(PeopleImport, StoppedItKeepsThePasswordsOfTheAccountsThatWereMade) {
     const std::size_t before = people();
-    std::string rows;
-    for (int i = 0; i < 40; ++i) rows += "many" + std::to_string(i) + ",Many " + std::to_string(i) + ",\n";
-    write("many.csv", rows);
-    look("many.csv");
-    click(*window, "import_people");
-    ASSERT_TRUE(wait_for([&] { return people() > before + 1; }));
+    import_forty(before);
     click(*window, "cancel_job");
     ASSERT_TRUE(wait_for([&] { return complaint().contains("Stopped"); }));
-    ASSERT_TRUE(wait_for([&] { return QFile::exists(path("passwords.csv")); }));
-    const std::size_t made = people() - before;
-    EXPECT_LT(made, 40U);
-    QFile passwords(path("passwords.csv"));
-    ASSERT_TRUE(passwords.open(QIODevice::ReadOnly));
-    EXPECT_EQ(passwords.readAll().split('\n').size(), static_cast<int>(made) + 2);
+    expect_some_with_passwords(before);
+}
+
+TEST_F(PeopleImport, SigningOutStopsItAndNobodyReadsTheListOfPeopleThen) {
+    const std::size_t before = people();
+    import_forty(before);
+    auto* card = window->findChild<ImportCard*>();
+    ASSERT_NE(card, nullptr);
+    const QSignalSpy imported(card, &ImportCard::imported);
+    window->context().sign_out();
+    EXPECT_EQ(imported.count(), 0);
+    EXPECT_FALSE(sees(*window, "message_text"));
+    settle();
+    expect_some_with_passwords(before);
 }
 
 TEST_F(PeopleImport, MergesSomebodyWhoWasEnteredTwiceAndUndoesIt) {
