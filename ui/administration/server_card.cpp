@@ -2,6 +2,7 @@
 #include "ui/administration/server_card.h"
 
 #include <QLineEdit>
+#include <QPointer>
 #include <cmath>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
+#include "ui/page/mail_room.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -167,17 +169,29 @@ void ServerCard::run(const QString& line,
             show_link();
             context_.complain(why);
         });
+    connect(job, &BackgroundJob::ended, this, [this, job] {
+        // Done and failed say it themselves; a station that is not enrolled has no next exchange.
+        if (!job->cancelled() || !linked_) return;
+        database::SyncResult stopped;
+        stopped.complete = false;
+        show_result(stopped);
+    });
     emit started(job, line);
 }
 
 void ServerCard::enrol() {
     if (!enrol_->isEnabled()) return;
     run(tr("Enrolling, then exchanging …"),
-        [session = context_.session(), path = context_.store().path(), to = plain(address_->text().trimmed()),
+        [card = QPointer<ServerCard>(this), ui_thread = MailRoom::of_application(),
+         session = context_.session(), path = context_.store().path(), to = plain(address_->text().trimmed()),
          token = plain(token_->text().trimmed())](const database::SyncOptions& options) {
             const database::Store store = store_for_exchange(path);
             const database::Enrolment enrolment =
                 database::enrol_station(store, session, database::ServerAddress::parse(to), token);
+            // Shown before the exchange, and also after a cancel: what has begun to enrol is enrolled.
+            ui_thread->post([card] {
+                if (card) card->show_link();
+            });
             return database::sync_with_server(store, session, enrolment.address, options);
         });
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The programme server on the page Station, and the recording of another station in a review.
+#include <QFile>
+#include <QFileInfo>
 #include <QFrame>
 #include <QPushButton>
 
+#include "database/rows/connection.h"
+#include "database/store/station_key.h"
 #include "database/sync/enrolment.h"
 #include "database/sync/server_enrolment.h"
 #include "database/sync/server_link.h"
@@ -47,6 +51,45 @@ void use_station_page(MainWindow& window, const QString& server, const QString& 
     EXPECT_TRUE(sees(window, "enrol_again"));
 }
 
+/// Enrolled again after its file was lost, and stopped while the first exchange waits for the server: the
+/// station is enrolled, and the page says so and offers the exchange.
+void stop_first_exchange(MainWindow& window, const ServerAddress& server, const std::string& station_id,
+                         const QString& token) {
+    const auto result = [&] {
+        return sees(window, "server_result") ? find<QLabel>(window, "server_result")->text() : QString();
+    };
+    const QFileInfo key(QString::fromStdString(StationKey::path_of(station_id)));
+    ASSERT_TRUE(QFile::remove(key.path() + "/" + key.completeBaseName() + ".server"));
+    click(window, "rail_station");
+    EXPECT_FALSE(sees(window, "exchange_now"));
+    type(window, "server_address", QString::fromStdString(server.text()));
+    type(window, "server_token", token);
+    Connection other(server), watch(server);
+    const auto count = [&](const char* sql) {
+        Query row(watch, sql);
+        return row.next() ? row.integer(0) : -1;
+    };
+    Transaction lock(other);
+    other.execute("LOCK TABLE person IN ACCESS EXCLUSIVE MODE");
+    click(window, "enrol_station");
+    ASSERT_TRUE(wait_for([&] { return count("SELECT COUNT(*) FROM pg_locks WHERE NOT granted") > 0; }));
+    EXPECT_TRUE(wait_for([&] { return sees(window, "exchange_now"); }, 5000));
+    EXPECT_FALSE(find<QPushButton>(window, "exchange_now")->isEnabled()) << "the first one is running";
+    click(window, "cancel_job");
+    EXPECT_TRUE(find<QPushButton>(window, "exchange_now")->isEnabled());
+    EXPECT_FALSE(sees(window, "enrol_station"));
+    EXPECT_TRUE(find<QLabel>(window, "server_place")->text().contains("Enrolled at postgresql://station_"));
+    EXPECT_TRUE(result().contains("Stopped before the end")) << result().toStdString();
+    lock.commit();
+    ASSERT_TRUE(wait_for([&] {
+        return count(
+                   "SELECT COUNT(*) FROM pg_stat_activity WHERE datname = current_database() AND usename <> "
+                   "'owner'") == 0;
+    }));
+    click(window, "exchange_now");
+    ASSERT_TRUE(wait_for([&] { return result().contains("agree"); })) << result().toStdString();
+}
+
 /// A further station, from its first screen over the page Station to the recording of an attempt of the other
 /// one. One test: each of its parts needs a server.
 TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfAReview) {
@@ -83,6 +126,7 @@ TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfARevi
         People(joined).sign_in("administrator", database::test::password, Role::administrator));
     use_station_page(window, QString::fromStdString(server.text()), QString::fromStdString(token()));
     EXPECT_EQ(enrolled_stations(server).size(), 3U) << "with the one that was replaced";
+    stop_first_exchange(window, server, joined.station_id(), QString::fromStdString(token()));
 
     const ServerLink link = *ServerLink::of(joined.station_id());
     ServerLink unreachable = link;
