@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drafts of a curriculum are read, written and published.
+// Drafts of a curriculum are read, written, published and handed to another page.
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -62,6 +62,21 @@ void CurriculumPage::publish() {
     fill(std::max(0, tasks_->currentRow()));
     context().say(tr("Version %1 is in force. People who have begun stay on theirs until you move them.")
                       .arg(in_force().version));
+}
+
+std::optional<CurriculumPage::Begun> CurriculumPage::begun() const {
+    if (based_on_.empty() || !is_changed()) return std::nullopt;
+    return Begun{draft_, based_on_, reason_->text(), path_->text(), tasks_->currentRow()};
+}
+
+void CurriculumPage::take_up(const Begun& from) {
+    read_installed();
+    start_over();
+    draft_ = from.draft;
+    based_on_ = from.based_on;
+    reason_->setText(from.reason);
+    path_->setText(from.path);
+    fill(from.row);
 }
 
 }  // namespace fulcrum::ui

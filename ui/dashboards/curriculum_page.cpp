@@ -258,16 +258,20 @@ CurriculumTask* CurriculumPage::chosen() {
 void CurriculumPage::enter() {
     // A draft that somebody has begun stays, also where another version was published since.
     if (based_on_.empty() || (!is_changed() && based_on_ != in_force().name())) {
-        context().guarded([&] {
-            installed_ = installed_tasks(context().services().tasks());
-            forms_ = context().services().forms();
-        });
-        ratings_->set_forms(forms_);
-        remedies_->set_tasks(context().services().tasks());
+        read_installed();
         start_over();
         fill(0);
     }
     tasks_->setFocus();
+}
+
+void CurriculumPage::read_installed() {
+    context().guarded([&] {
+        installed_ = installed_tasks(context().services().tasks());
+        forms_ = context().services().forms();
+    });
+    ratings_->set_forms(forms_);
+    remedies_->set_tasks(context().services().tasks());
 }
 
 void CurriculumPage::start_over() {

@@ -4,6 +4,7 @@
 // published with a reason. The versions before it are not changed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,16 @@ class CurriculumPage : public Page {
     const std::vector<CurriculumProblem>& problems() const { return problems_; }
     /// A file of a draft in place of the present one.
     void read_draft(const QString& path);
+    /// What somebody has begun here, for the page that is made in place of this one.
+    struct Begun {
+        Curriculum draft;
+        std::string based_on;
+        QString reason, path;
+        int row = 0;
+    };
+    /// Nothing where the draft is the same as the version in force.
+    std::optional<Begun> begun() const;
+    void take_up(const Begun& from);
 
   private:
     QWidget* make_tasks();
@@ -46,6 +57,7 @@ class CurriculumPage : public Page {
     const Curriculum& in_force() const;
     CurriculumTask* chosen();
     std::size_t index_of_chosen() const;
+    void read_installed();
     void start_over();
     void fill(int row);
     void write_line(int row);

@@ -2,6 +2,7 @@
 #include "ui/reports/report_export.h"
 
 #include <QCoreApplication>
+#include <QPointer>
 #include <memory>
 
 #include "ui/page/background_job.h"
@@ -28,7 +29,7 @@ void export_report(Context& context, QWidget* page, JobBar* bar, const ReportReq
                    std::function<void(const QString&)> done) {
     auto files = std::make_shared<std::vector<std::string>>();
     BackgroundJob* job = BackgroundJob::run(
-        page,
+        &context,
         [files, request, session = context.session(), store_path = context.store().path(),
          tasks = context.services().tasks(), curriculum = context.services().curriculum(),
          version = context.services().program_version()](const Progress& progress) {
@@ -39,13 +40,16 @@ void export_report(Context& context, QWidget* page, JobBar* bar, const ReportReq
             whole.curriculum = &curriculum;
             *files = write_report(store, session, whole, tasks, version, progress);
         },
-        [&context, files, done = std::move(done)] {
+        [&context, files, page = QPointer<QWidget>(page), done = std::move(done)] {
             if (files->empty()) return;
             context.say(
                 words(QT_TRANSLATE_NOOP("fulcrum::ui::report_export", "Saved %1")).arg(text(files->front())));
-            done(text(files->front()));
+            if (page) done(text(files->front()));
         },
         [&context](const QString& error) { context.complain(error); });
+    QObject::connect(&context, &Context::session_changed, job, [&context, job] {
+        if (!context.signed_in()) job->cancel();
+    });
     bar->watch(job, words(QT_TRANSLATE_NOOP("fulcrum::ui::report_export", "Writing the report …")));
 }
 

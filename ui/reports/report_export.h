@@ -16,7 +16,8 @@ class JobBar;
 /// By the file's ending.
 ReportFormat report_format_of(const QString& path);
 /// Writes on a worker thread with a store of its own, shown in `bar`; `done` gets the first file's path on
-/// the UI thread. What goes wrong is said on the window. The job belongs to `page`.
+/// the UI thread, where `page` is still there. That it is saved, or what went wrong, is said on the window.
+/// Signing out stops it; it is written also where the pages are made again (another text size or language).
 void export_report(Context& context, QWidget* page, JobBar* bar, const ReportRequest& request,
                    std::function<void(const QString&)> done);
 

@@ -10,6 +10,7 @@
 #include <typeinfo>
 
 #include "database/records/people.h"
+#include "ui/dashboards/curriculum_page.h"
 #include "ui/language/error_text.h"
 #include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
@@ -286,6 +287,9 @@ void MainWindow::set_language(Language language) {
 void MainWindow::rebuild() {
     const std::type_index shown = typeid(*current_page());
     const QString used = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
+    std::optional<CurriculumPage::Begun> draft;
+    if (const auto found = pages_.find(typeid(CurriculumPage)); found != pages_.end())
+        draft = static_cast<CurriculumPage*>(found->second)->begun();
     for (auto& [type, old] : pages_) old->leave();
     pages_.clear();
     rail_buttons_.clear();
@@ -294,6 +298,7 @@ void MainWindow::rebuild() {
     connect_first_pages();
     if (context_.signed_in()) {
         show_session();
+        if (draft) page<CurriculumPage>()->take_up(*draft);
         if (shown == typeid(SettingsPage))
             show_page(page<SettingsPage>());
         else

@@ -68,7 +68,8 @@ class MainWindow : public QMainWindow {
     void connect_context();
     void connect_lock_page();
     void connect_first_pages();
-    /// All that is on the screen is made again; the page and the control in use are shown again.
+    /// All that is on the screen is made again; the page and the control in use are shown again, and the
+    /// draft of a curriculum is kept.
     void rebuild();
     void session_changed();
     /// Who is signed in, in which roles, and the pages for that.

@@ -11,6 +11,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
+#include <QThreadPool>
 #include <nlohmann/json.hpp>
 
 #include "tests/database/large_programme.h"
@@ -186,6 +187,32 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
         const std::string standing = first[t]["standing"];
         EXPECT_TRUE(spoken.contains(QString::fromStdString(": " + standing))) << spoken.toStdString();
     }
+}
+
+TEST_F(CohortViews, AReportIsWrittenAlsoWhereThePagesAreMadeAgainAndEndsWithTheSession) {
+    open();
+    QTemporaryDir folder;
+    const auto save = [&](const char* name) {
+        static_cast<CohortPage*>(window->current_page())
+            ->export_to(folder.filePath(name), ReportFormat::json);
+    };
+    save("kept.json");
+    window->set_language(Language::german);
+    // The page from before is gone when the report's end is heard of.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_TRUE(wait_for([&] {
+        return sees(*window, "message_text") &&
+               find<QLabel>(*window, "message_text")->text().contains("kept.json");
+    }));
+    EXPECT_EQ(nlohmann::json::parse(read_text(folder.filePath("kept.json")))["standings"].size(),
+              static_cast<std::size_t>(people));
+    window->set_language(Language::english);
+    click(*window, "rail_cohort");
+    save("dropped.json");
+    window->context().sign_out();
+    QThreadPool::globalInstance()->waitForDone();
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(sees(*window, "message_text")) << "nothing is said to the next person";
 }
 
 TEST(OverviewWords, NameTheShareAndTheDaysWithTheirIntervals) {

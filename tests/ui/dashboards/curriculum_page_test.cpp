@@ -321,6 +321,31 @@ TEST_F(CurriculumView, RemediesFitThePageAtTheLargestText) {
     window.set_text_size(100);
 }
 
+TEST_F(CurriculumView, ADraftStaysWithAnotherTextSizeAndLanguageUntilItsAuthorSignsOut) {
+    window.resize(1280, 800);
+    const std::string in_force = pass_rule_text(rule_of("C4"));
+    choose("C4");
+    step("rule_passes", 1, Qt::Key_Left);
+    type(window, "curriculum_reason", "Three of five are enough");
+    const auto rule_of_draft = [&] {
+        click(window, "rail_curriculum");
+        tasks = find<QListWidget>(window, "curriculum_tasks");
+        return pass_rule_text(static_cast<CurriculumPage*>(window.current_page())->draft().find("C4")->rule);
+    };
+    ASSERT_EQ(rule_of_draft(), "of:3,5");
+    window.set_text_size(200);
+    EXPECT_EQ(rule_of_draft(), "of:3,5");
+    EXPECT_EQ(tasks->currentItem()->data(Qt::UserRole).toString(), "C4");
+    EXPECT_EQ(find<QLineEdit>(window, "curriculum_reason")->text(), "Three of five are enough");
+    EXPECT_TRUE(find<QAbstractButton>(window, "curriculum_save")->isEnabled());
+    window.set_language(Language::german);
+    window.set_text_size(100);  // the page was not looked at in between
+    EXPECT_EQ(rule_of_draft(), "of:3,5");
+    window.set_language(Language::english);
+    be_educator();
+    EXPECT_EQ(rule_of_draft(), in_force) << "not of the next person";
+}
+
 TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
     choose("C4");
     step("rule_passes", 1, Qt::Key_Left);
