@@ -423,8 +423,11 @@ void MainWindow::change_role(int index) {
     const auto role = static_cast<database::Role>(role_->itemData(index).toInt());
     if (role == context_.session().role()) return;
     keep_comment_on(current_page());
-    context_.guarded(
-        [&] { context_.set_session(database::People(context_.store()).act_as(context_.session(), role)); });
+    if (context_.guarded([&] {
+            context_.set_session(database::People(context_.store()).act_as(context_.session(), role));
+        }))
+        return;
+    role_->setCurrentIndex(role_->findData(static_cast<int>(context_.session().role())));
 }
 
 void MainWindow::switch_user() {

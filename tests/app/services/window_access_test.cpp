@@ -203,6 +203,20 @@ TEST_F(WindowAccess, ProgressAndItsReportAreOfferedAsTheTableSays) {
     }
 }
 
+TEST_F(WindowAccess, WhereARoleIsRefusedTheTopBarKeepsTheOneInUse) {
+    act_as(programme.asker(Role::educator));
+    auto* roles = find<QComboBox>(*window, "acting_role");
+    const int trainee = roles->findData(static_cast<int>(Role::trainee));
+    ASSERT_GE(trainee, 0);
+    People(*services->store())
+        .set_roles(programme.asker(Role::administrator), programme.id("educator"), {Role::educator});
+    roles->setCurrentIndex(trainee);
+    emit roles->activated(trainee);
+    EXPECT_TRUE(refused()) << complaint().toStdString();
+    EXPECT_EQ(role(), Role::educator);
+    EXPECT_EQ(roles->currentData().toInt(), static_cast<int>(Role::educator));
+}
+
 TEST_F(WindowAccess, AdministratorsManageAccountsAndDirectorsManageCohorts) {
     act_as(programme.asker(Role::administrator));
     click(*window, "rail_people");
