@@ -149,6 +149,7 @@ class TaskRun {
     void attempt(const CurriculumTask& task, const CountedAttempt& one, const RatingsByAttempt& ratings) {
         last_ = one.time;
         ++attempts_;
+        by_firm_limits_ = !one.provisional;
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
             ++passes_;
@@ -210,13 +211,14 @@ class TaskRun {
                                           : Standing::open;
         if (!unlocked) result.standing = Standing::locked;
         const bool waits = show_ratings(task, ratings, at, result);
+        const bool met = shown_as_met();
         result.provisional = provisional_;
-        result.met_provisionally = met_provisionally_;
-        const RuleState& shown = provisional_ ? all_.state() : firm_.state();
-        result.one_more_day = shown.one_more_day && !met_provisionally_;
-        result.more_variants = met_provisionally_ ? 0 : shown.more_variants;
-        result.progress = met_provisionally_ ? 1 : shown.progress;
-        result.stalled = !waits && !met_provisionally_ && attempts_ >= most_attempts;
+        result.met_provisionally = met;
+        const RuleState& state = shown().state();
+        result.one_more_day = state.one_more_day && !met;
+        result.more_variants = met ? 0 : state.more_variants;
+        result.progress = met ? 1 : state.progress;
+        result.stalled = !waits && !met && attempts_ >= most_attempts;
         return result;
     }
 
@@ -225,6 +227,10 @@ class TaskRun {
         std::int64_t day = 0;
         int passes = 0, failures = 0;
     };
+
+    /// Met, until firm limits judge: from then on proficiency can be reached, and is left to reach.
+    bool shown_as_met() const { return met_provisionally_ && !by_firm_limits_; }
+    const RuleRun& shown() const { return provisional_ && !by_firm_limits_ ? all_ : firm_; }
 
     /// Whether ratings are missing, by limits that are firm or by provisional ones.
     bool show_ratings(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at,
@@ -236,9 +242,8 @@ class TaskRun {
             result.standing = Standing::awaiting_rating;
             return true;
         }
-        const RuleRun& shown = provisional_ ? all_ : firm_;
-        if (met_provisionally_ || !shown.rated_low(task, ratings, at)) return false;
-        shown.show_ratings(task, ratings, at, result);
+        if (shown_as_met() || !shown().rated_low(task, ratings, at)) return false;
+        shown().show_ratings(task, ratings, at, result);
         result.rated_low = true;
         return false;
     }
@@ -283,6 +288,7 @@ class TaskRun {
 
     int attempts_ = 0, passes_ = 0;
     bool provisional_ = false, met_provisionally_ = false;
+    bool by_firm_limits_ = false;  ///< the latest attempt was judged by them
     std::int64_t last_ = 0;
     RuleRun all_, firm_;
     std::vector<Outcome> since_relapse_;

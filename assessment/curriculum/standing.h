@@ -4,7 +4,8 @@
 // proficiency ends only by a relapse, or as if it had never been where an attempt that it counted is voided.
 //
 // Provisional limits allow a pass, never proficiency. Whoever meets the rule on them is shown as "passed
-// (provisional)", and the next tasks unlock, so that a site without expert sets of its own can be used.
+// (provisional)", and the next tasks unlock, so that a site without expert sets of its own can be used. Once
+// the latest attempt was judged by firm limits, the standing shows what is left to proficiency on these.
 //
 // Where a rule asks for ratings, the attempt that completes the passes is the one to be rated, and stays it
 // whatever is performed while it waits. Too few ratings: awaiting rating. Enough and high enough: proficient
@@ -81,7 +82,7 @@ struct TaskStanding {
     std::string task;
     Standing standing = Standing::locked;
     bool provisional = false;           ///< passed, or due: every pass so far is by provisional limits
-    bool met_provisionally = false;     ///< the rule is met, by provisional limits
+    bool met_provisionally = false;     ///< the rule is met by provisional limits, still those in use
     bool one_more_day = false;          ///< the rule is met but for passes on a second day
     int more_variants = 0;              ///< the rule is met but for passes on so many more variants
     bool rated_low = false;             ///< enough ratings, too low: another attempt has to complete the rule

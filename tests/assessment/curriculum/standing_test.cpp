@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <random>
 
+#include "assessment/curriculum/concern.h"
 #include "assessment/curriculum/recommendation.h"
 
 namespace fulcrum {
@@ -146,6 +147,49 @@ TEST(Standing, ProvisionalLimitsUnlockButNeverDeclare) {
     ann.attempt("A", begin + 2 * day, true);
     ann.attempt("A", begin + 3 * day, true);
     EXPECT_EQ(ann.at("A", begin + 3 * day).standing, Standing::proficient);
+}
+
+TEST(Standing, OnceFirmLimitsJudgeATaskMetProvisionallyIsLeftToDo) {
+    const Curriculum curriculum = example();
+    Trainee ann(curriculum);
+    ann.attempt("A", begin, true).provisional = true;
+    ann.attempt("A", begin + day, true).provisional = true;
+    const auto next = [&](std::int64_t at) {
+        return recommend(curriculum, standing_of(ann.record, at), {}, DeviceClass::haptic);
+    };
+    EXPECT_EQ(next(begin + day).task, "B");
+    ann.attempt("A", begin + 2 * day, false);
+    TaskStanding a = ann.at("A", begin + 2 * day);
+    EXPECT_EQ(a.standing, Standing::passed);
+    EXPECT_TRUE(a.provisional) << "every pass so far";
+    EXPECT_FALSE(a.met_provisionally);
+    EXPECT_DOUBLE_EQ(a.progress, 0);
+    EXPECT_EQ(ann.at("B", begin + 2 * day).standing, Standing::open) << "what is unlocked stays unlocked";
+    EXPECT_EQ(next(begin + 2 * day).task, "A");
+    EXPECT_EQ(next(begin + 2 * day).reason, RecommendationReason::longest_ago);
+    Trainee ben = ann;
+    ben.attempt("A", begin + 3 * day, true).provisional = true;
+    EXPECT_TRUE(ben.at("A", begin + 3 * day).met_provisionally) << "provisional limits are in force again";
+    ann.attempt("A", begin + 3 * day, true);
+    a = ann.at("A", begin + 3 * day);
+    EXPECT_FALSE(a.provisional);
+    EXPECT_DOUBLE_EQ(a.progress, 0.5);
+    ann.attempt("A", begin + 4 * day, true);
+    EXPECT_EQ(ann.at("A", begin + 4 * day).standing, Standing::proficient);
+}
+
+TEST(Standing, ATaskMetProvisionallyCanStallOnFirmLimits) {
+    const Curriculum curriculum = example();
+    Trainee ann(curriculum);
+    ann.attempt("A", begin, true).provisional = true;
+    ann.attempt("A", begin + day, true).provisional = true;
+    for (int i = 2; i < most_attempts; ++i) ann.attempt("A", begin + 2 * day + i * hour, false);
+    const std::int64_t last = ann.record.attempts.back().time;
+    EXPECT_TRUE(ann.at("A", last).stalled);
+    const std::vector<Concern> concerns = concerns_of(standing_of(ann.record, last), {}, last, 60, last);
+    ASSERT_EQ(concerns.size(), 1U);
+    EXPECT_EQ(concerns[0].kind, ConcernKind::stalled);
+    EXPECT_EQ(concerns[0].task, "A");
 }
 
 TEST(Standing, ACheckIsProvisionalWhereEveryPassWas) {
