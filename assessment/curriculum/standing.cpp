@@ -101,8 +101,16 @@ class RuleRun {
         if (state_.met && (rated_.empty() || rated_low(task, ratings, one.time))) {
             rated_ = one.id;
             rated_time_ = one.time;
+            rated_count_ = static_cast<std::ptrdiff_t>(outcomes_.size());
         }
         return look(task, ratings, one.time);
+    }
+    /// Another rule is in force: what completed the passes of the one before need not complete those of this.
+    void follow(const CurriculumTask& task) {
+        state_ = judge(task, outcomes_);
+        // Without what was performed while the attempt waited for its ratings: failures do not lose it.
+        const std::vector<Outcome> until(outcomes_.begin(), outcomes_.begin() + rated_count_);
+        if (!judge(task, until).met) rated_.clear();
     }
     /// Whether it is met at `at`, with the ratings released until then.
     bool look(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
@@ -137,6 +145,7 @@ class RuleRun {
     RuleState state_;
     std::string rated_;  ///< the attempt that completed the passes; empty: none did
     std::int64_t rated_time_ = 0;
+    std::ptrdiff_t rated_count_ = 0;  ///< outcomes up to that attempt
 };
 
 /// One task of one trainee, event by event.
@@ -165,6 +174,11 @@ class TaskRun {
         } else if (firm_.attempt(task, outcome, one, ratings)) {
             declare(one.time, false);
         }
+    }
+
+    void follow(const CurriculumTask& task) {
+        all_.follow(task);
+        firm_.follow(task);
     }
 
     /// Ratings were released, or the rule is another one.
@@ -344,8 +358,10 @@ class Programme {
                 runs_[task->task].attempt(*task, *entry.attempt, ratings_);
         }
         if ((entry.assignment != nullptr || entry.rating != nullptr) && curriculum_ != nullptr)
-            for (const CurriculumTask& task : curriculum_->tasks)
+            for (const CurriculumTask& task : curriculum_->tasks) {
+                if (entry.assignment != nullptr) runs_[task.task].follow(task);
                 runs_[task.task].look(task, ratings_, entry.time);
+            }
         unlock();
     }
 

@@ -206,6 +206,57 @@ TEST(StandingRatings, AVersionThatAsksForNoneEndsTheWaiting) {
     EXPECT_EQ(ben.on(4).standing, Standing::proficient) << "declared before the rule asked for ratings";
 }
 
+TEST(StandingRatings, AVersionThatAsksForMorePassesInPlaceOfRatingsWaitsForThem) {
+    const Curriculum with = with_ratings();
+    Curriculum strict = with_ratings(std::nullopt);
+    strict.tasks[0].rule = parse_pass_rule("row:5");
+    for (const bool provisional : {false, true}) {
+        RatedTrainee ann(with);
+        ann.attempt(0, true, provisional);
+        ann.attempt(1, true, provisional);
+        ann.record.assignments.push_back({rating_begin + 3 * rating_day, &strict});
+        EXPECT_EQ(ann.on(2).standing, Standing::awaiting_rating);
+        EXPECT_EQ(ann.on(3).standing, Standing::passed);
+        EXPECT_EQ(ann.on(3).declared_at, 0);
+        EXPECT_FALSE(ann.on(3).met_provisionally);
+        EXPECT_DOUBLE_EQ(ann.on(3).progress, 0.4);
+        EXPECT_EQ(ann.on(3, "B").standing, Standing::locked);
+        for (int day = 4; day <= 6; ++day) ann.attempt(day, true, provisional);
+        EXPECT_EQ(ann.on(5).standing, Standing::passed);
+        EXPECT_FALSE(ann.on(5).met_provisionally);
+        EXPECT_EQ(ann.on(6).standing, provisional ? Standing::passed : Standing::proficient);
+        EXPECT_EQ(ann.on(6).met_provisionally, provisional);
+        EXPECT_EQ(ann.on(6, "B").standing, Standing::open);
+    }
+    // The same rule for passes: failures while it waited lose the attempt as little as without a move.
+    Curriculum one_rater = with_ratings();
+    one_rater.tasks[0].ratings->raters = 1;
+    RatedTrainee ben(with);
+    ben.attempt(0, true);
+    const std::string rated = ben.attempt(1, true);
+    ben.attempt(2, false);
+    ben.record.assignments.push_back({rating_begin + 3 * rating_day, &one_rater});
+    EXPECT_EQ(ben.on(3).standing, Standing::awaiting_rating);
+    EXPECT_EQ(ben.on(3).rated_attempt, rated);
+    ben.rate(rated, "ed", 4, 6);
+    EXPECT_EQ(ben.on(4).standing, Standing::proficient);
+}
+
+TEST(StandingRatings, AfterAMoveTheStandingIsThatOfTheNewRule) {
+    Curriculum two = with_ratings(std::nullopt);
+    two.tasks[0].variants = 2;
+    const Curriculum one = with_ratings(std::nullopt);
+    RatedTrainee ann(two);
+    ann.attempt(0, true);
+    ann.attempt(1, true);
+    ann.record.assignments.push_back({rating_begin + 3 * rating_day, &one});
+    EXPECT_EQ(ann.on(2).more_variants, 1);
+    EXPECT_EQ(ann.on(3).more_variants, 0);
+    EXPECT_EQ(ann.on(3).standing, Standing::passed) << "the rule applies to what comes";
+    ann.attempt(4, true);
+    EXPECT_EQ(ann.on(4).standing, Standing::proficient);
+}
+
 TEST(StandingRatings, TheNextThingToDoIsWhatDoesNotWait) {
     Curriculum curriculum = with_ratings();
     curriculum.tasks[1].after.clear();
