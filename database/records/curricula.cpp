@@ -17,6 +17,12 @@ namespace {
 
 // What was recorded elsewhere belongs to no curriculum (external_task_prefix).
 #define FULCRUM_OWN_TASK "a.task_id NOT LIKE 'external-%' "
+// Its version is the one that the person follows: not of a voided one, which is as if it had never been, nor
+// of the copy of a reassigned one, which names what the other person followed.
+#define FULCRUM_DECIDES                                                                       \
+    FULCRUM_OWN_TASK                                                                          \
+    "AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) AND NOT EXISTS " \
+    "(SELECT 1 FROM attempt_reassignment r WHERE r.to_id = a.id) "
 
 /// The version of attempts from before they named one.
 std::string first_version(const Curriculum& newest) {
@@ -32,7 +38,7 @@ std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& con
                    "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id IN (SELECT "
                    "w.person_id FROM " +
                        QString(person_owners) +
-                       " w WHERE w.owner_id = p.id) AND " FULCRUM_OWN_TASK
+                       " w WHERE w.owner_id = p.id) AND " FULCRUM_DECIDES
                        " ORDER BY a.started, a.id LIMIT 1) FROM person p WHERE " +
                        whose);
     attempts.bind(value);
@@ -215,8 +221,9 @@ std::map<std::string, int> Curricula::people() const {
                    " UNION SELECT person_id FROM curriculum_move) p LEFT JOIN curriculum_move m ON m.id = "
                    "(SELECT n.id FROM curriculum_move n WHERE n.person_id = p.person_id ORDER BY n.time "
                    "DESC, n.id DESC LIMIT 1) LEFT JOIN attempt a ON a.id = (SELECT a.id FROM attempt a WHERE "
-                   "a.person_id = p.person_id AND " FULCRUM_OWN_TASK " ORDER BY a.started, a.id LIMIT 1)");
+                   "a.person_id = p.person_id AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1)");
     while (rows.next()) {
+        if (rows.is_null(1) && rows.is_null(4)) continue;  // as without attempts
         Decision& known = decisions[rows.text(0)];
         if (!rows.is_null(1)) {
             const std::int64_t moved = rows.integer(1);

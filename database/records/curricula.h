@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which version of the curriculum each person follows: the one that the first attempt names, until an
-// educator moves the person to another one. A version that somebody follows is never edited: its file stays
-// as it was, and a change is a new version in a file of its own.
+// Which version of the curriculum each person follows: the one that the first attempt names (voided ones and
+// those that were reassigned to the person left out), until an educator moves the person to another one. A
+// version that somebody follows is never edited: its file stays as it was, and a change is a new version in a
+// file of its own.
 #pragma once
 
 #include <map>
@@ -31,7 +32,7 @@ class Curricula {
   public:
     explicit Curricula(const Store& store) : store_(store) {}
 
-    /// Oldest first, never empty. A person without attempts follows `newest`. Checked as read_progress.
+    /// Oldest first, never empty. A person without such attempts follows `newest`. Checked as read_progress.
     std::vector<FollowedCurriculum> followed(const Session& session, const std::string& person_id,
                                              const Curriculum& newest) const;
     /// The same for standing_of(). They point into `newest`. A version that is not installed: `newest` in its
@@ -54,7 +55,8 @@ class Curricula {
     /// StoreError.
     int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
              const std::string& to, const std::string& reason) const;
-    /// How many people with attempts follow each version; somebody who was entered twice is one.
+    /// How many people with such attempts or a move follow each version; somebody who was entered twice is
+    /// one.
     std::map<std::string, int> people() const;
     /// Throws InputError where a version that somebody follows is not installed, or its file is not the one
     /// that attempts were made with.

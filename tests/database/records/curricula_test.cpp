@@ -46,13 +46,14 @@ struct Followers {
         return curricula.followed(educator, programme.id(login), newest).back().name;
     }
     /// An attempt that names the curriculum and its file, as the program stores it.
-    void record(const std::string& login, const Curriculum& curriculum) const {
+    std::string record(const std::string& login, const Curriculum& curriculum) const {
         AttemptMeta meta = test::example_meta(programme.id(login));
         meta.curriculum = curriculum.name();
         meta.assets.push_back({"curricula/" + curriculum.file, sha256_hex(curriculum.text)});
         Recorder recorder(programme.path, programme.session(login), meta, programme.clock.options());
         Programme::append_second(recorder);
         recorder.finish(test::example_result(true, 70));
+        return recorder.attempt_id();
     }
 };
 
@@ -68,6 +69,31 @@ TEST(Curricula, APersonStaysOnTheVersionOfTheFirstAttempt) {
     EXPECT_EQ(one.of("ben"), "rectal@2");
     EXPECT_EQ(&one.curricula.in_force(one.educator, one.programme.id("ann"), one.newest),
               &one.newest.older[0]);
+}
+
+TEST(Curricula, NeitherAReassignedNorAVoidedAttemptDecides) {
+    const Followers one;
+    using Counts = std::map<std::string, int>;
+    const std::string of_ben = one.record("ann", *one.newest.version_named("rectal@1"));
+    one.programme.clock.pass_s(10);
+    one.record("ben", one.newest);
+    EXPECT_EQ(one.of("ann"), "rectal@1");
+    one.programme.attempts().reassign(one.educator, of_ben, one.programme.id("ben"), "Ben sat there");
+    EXPECT_EQ(one.of("ben"), "rectal@2") << "the copy is older and names what ann followed";
+    EXPECT_EQ(one.of("ann"), "rectal@2") << "as if she had not begun";
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@2", 1}}));
+    EXPECT_NO_THROW(one.curricula.check(one.newest));
+    const auto in_cohort = one.curricula.assignments_in(one.educator, one.programme.cohort, one.newest);
+    EXPECT_EQ(in_cohort.at(one.programme.id("ben")).front().curriculum, &one.newest);
+
+    one.programme.clock.pass_s(10);
+    const std::string by_mistake = one.record("ann", *one.newest.version_named("rectal@1"));
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 1}}));
+    one.programme.attempts().void_attempt(one.educator, by_mistake, "started by mistake");
+    one.programme.clock.pass_s(10);
+    one.record("ann", one.newest);
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@2", 2}}));
 }
 
 TEST(Curricula, AMoveKeepsWhatWasDeclaredAndIsAudited) {
