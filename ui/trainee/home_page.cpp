@@ -129,7 +129,7 @@ void HomePage::fill_next(const Summaries& summaries) {
     const QString why =
         remedy ? remedy_reason_text(next, context().task_title(next.task), context().services().tasks())
                : reason_text(next, stage == nullptr ? QString() : asset_text(stage->title),
-                             context().store().now());
+                             context().services().device_in_use().device_class, context().store().now());
     next_->addWidget(make_label(tr("Recommended next"), "muted"));
     if (next.reason == RecommendationReason::nothing) {
         next_->addWidget(make_label(why, "heading"));

@@ -104,7 +104,8 @@ std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortR
     return summaries;
 }
 
-QString reason_text(const Recommendation& next, const QString& stage, std::int64_t now_ms) {
+QString reason_text(const Recommendation& next, const QString& stage, DeviceClass device,
+                    std::int64_t now_ms) {
     switch (next.reason) {
         case RecommendationReason::nothing:
             return words(
@@ -132,8 +133,9 @@ QString reason_text(const Recommendation& next, const QString& stage, std::int64
             break;  // remedy_reason_text()
         case RecommendationReason::practice_only:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "The remaining tasks cannot be assessed with mouse and keyboard, "
-                                           "but you can practise this one."));
+                                           "The remaining tasks cannot be assessed with %1, but you can "
+                                           "practise this one."))
+                .arg(device_class_text(device));
         case RecommendationReason::awaits_rating:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "The remaining tasks await ratings by your educators. Until then "

@@ -31,8 +31,9 @@ std::string latest_counting(const database::PersonProgress& progress, const Curr
 QString remedy_reason_text(const Recommendation& next, const QString& task_title,
                            const std::vector<TaskDefinition>& tasks);
 
-/// Why this is the next thing to do: one sentence. `stage`: the title of the task's stage. Of a
-/// remedy: remedy_reason_text().
-QString reason_text(const Recommendation& next, const QString& stage, std::int64_t now_ms);
+/// Why this is the next thing to do: one sentence. `stage`: the title of the task's stage. `device`: what the
+/// trainee would use now. Of a remedy: remedy_reason_text().
+QString reason_text(const Recommendation& next, const QString& stage, DeviceClass device,
+                    std::int64_t now_ms);
 
 }  // namespace fulcrum::ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The home page on a plateau: the remedy that the curriculum names, why, and the way to it. With
-// FULCRUM_PICTURES=FOLDER the page is stored there.
+// What the home page recommends and why: on a plateau the remedy that the curriculum names, and the way to
+// it. With FULCRUM_PICTURES=FOLDER the page is stored there.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -145,6 +145,13 @@ TEST_F(OnAPlateau, ARisingCurveHasNoRemedy) {
     for (int i = 0; i < 10; ++i) record(20 + 3 * i);
     open();
     EXPECT_FALSE(reason().contains("levels off")) << reason().toStdString();
+}
+
+TEST_F(OnAPlateau, WhatCannotAssessTheTasksThatAreLeftIsTheDeviceInUse) {
+    services.in_use.device_class = DeviceClass::controller;  // A2 counts with mouse and keyboard
+    open();
+    EXPECT_EQ(reason().toStdString(),
+              "The remaining tasks cannot be assessed with game controller, but you can practise this one.");
 }
 
 }  // namespace

@@ -19683,8 +19683,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Von den übrigen Aufgaben der Stufe %1 haben Sie diese am längsten nicht geübt (%2).</translation>
     </message>
     <message>
-        <source>The remaining tasks cannot be assessed with mouse and keyboard, but you can practise this one.</source>
-        <translation>Die übrigen Aufgaben können mit Maus und Tastatur nicht bewertet werden, aber diese können Sie üben.</translation>
+        <source>The remaining tasks cannot be assessed with %1, but you can practise this one.</source>
+        <translation>Mit %1 können die übrigen Aufgaben nicht bewertet werden, aber diese können Sie üben.</translation>
     </message>
     <message>
         <source>The remaining tasks await ratings by your educators. Until then you can practise this one.</source>
