@@ -2,6 +2,7 @@
 #include "ui/trainee/next_task.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +18,10 @@ QString words(const char* source, int count = -1) {
     return QCoreApplication::translate("fulcrum::ui::next_task", source, nullptr, count);
 }
 
+/// By local dates: what was practised in the evening is yesterday's in the morning.
 QString ago_text(std::int64_t last, std::int64_t now_ms) {
-    const auto days = static_cast<int>((now_ms - last) / 86'400'000);
+    const auto day_of = [](std::int64_t ms) { return QDateTime::fromMSecsSinceEpoch(ms).date(); };
+    const auto days = static_cast<int>(day_of(last).daysTo(day_of(now_ms)));
     return days <= 0   ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "today"))
            : days == 1 ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "yesterday"))
                        : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);

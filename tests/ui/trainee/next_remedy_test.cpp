@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDateTime>
 #include <QLabel>
 #include <cmath>
 
@@ -152,6 +153,25 @@ TEST_F(OnAPlateau, WhatCannotAssessTheTasksThatAreLeftIsTheDeviceInUse) {
     open();
     EXPECT_EQ(reason().toStdString(),
               "The remaining tasks cannot be assessed with game controller, but you can practise this one.");
+}
+
+TEST(NextReason, DaysAgoAreLocalDates) {
+    const auto reason = [](RecommendationReason why, const QDateTime& last, const QDateTime& now) {
+        Recommendation next;
+        next.reason = why;
+        next.last = last.toMSecsSinceEpoch();
+        return reason_text(next, "Basics", DeviceClass::mouse_keyboard, now.toMSecsSinceEpoch());
+    };
+    const QDate monday(2026, 11, 23);
+    const auto at = [&](int days, int hour) { return QDateTime(monday.addDays(days), QTime(hour, 0)); };
+    for (const RecommendationReason why :
+         {RecommendationReason::longest_ago, RecommendationReason::all_done}) {
+        EXPECT_TRUE(reason(why, at(0, 18), at(1, 8)).contains("(yesterday)"));
+        EXPECT_TRUE(reason(why, at(0, 9), at(2, 8)).contains("(2 days ago)"));
+        EXPECT_TRUE(reason(why, at(0, 8), at(0, 18)).contains("(today)"));
+        EXPECT_TRUE(reason(why, at(0, 8), at(1, 18)).contains("(yesterday)"));
+        EXPECT_TRUE(reason(why, at(1, 8), at(0, 8)).contains("(today)")) << "the clock was set back";
+    }
 }
 
 }  // namespace
