@@ -157,10 +157,12 @@ class TaskRun {
 
     void attempt(const CurriculumTask& task, const CountedAttempt& one, const RatingsByAttempt& ratings) {
         last_ = one.time;
+        if (attempts_ == 0) first_ = one.time;
         ++attempts_;
         by_firm_limits_ = !one.provisional;
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
+            if (passes_ == 0) first_pass_ = one.time;
             ++passes_;
         }
         const Outcome outcome{one.passed, local_day(one), one.variant};
@@ -204,6 +206,8 @@ class TaskRun {
         result.attempts = attempts_;
         result.passes = passes_;
         result.last_attempt = last_;
+        result.first_attempt = first_;
+        result.first_pass = first_pass_;
         result.first_declared_at = first_declared_at_;
         result.by_override = declared_at_ != 0 ? declared_by_override_ : unlocked_by_override;
         if (relapsed_) {
@@ -303,7 +307,7 @@ class TaskRun {
     int attempts_ = 0, passes_ = 0;
     bool provisional_ = false, met_provisionally_ = false;
     bool by_firm_limits_ = false;  ///< the latest attempt was judged by them
-    std::int64_t last_ = 0;
+    std::int64_t first_ = 0, first_pass_ = 0, last_ = 0;
     RuleRun all_, firm_;
     std::vector<Outcome> since_relapse_;
     std::int64_t declared_at_ = 0, first_declared_at_ = 0, next_check_ = 0;

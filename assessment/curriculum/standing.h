@@ -98,6 +98,8 @@ struct TaskStanding {
     std::int64_t declared_at = 0;        ///< UTC ms; 0: not proficient
     std::int64_t first_declared_at = 0;  ///< UTC ms; a relapse does not end it; 0: never
     std::int64_t next_check = 0;         ///< UTC ms; 0: none
+    std::int64_t first_attempt = 0;      ///< UTC ms, of those that count; 0: none
+    std::int64_t first_pass = 0;         ///< UTC ms; 0: none
     std::int64_t last_attempt = 0;       ///< UTC ms, of those that count; 0: none
 };
 

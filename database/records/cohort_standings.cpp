@@ -91,12 +91,11 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
         }
         const TaskStanding& standing = *found;
         task.standing = standing;
-        for (const AttemptSummary* attempt : by_time) {
-            if (!attempt->counting || attempt->meta.task_id != standing.task ||
-                !counts(*own.find(standing.task), attempt->meta.device_class))
-                continue;
-            if (task.first_attempt == 0) task.first_attempt = attempt->meta.started;
-            if (task.first_pass == 0 && *attempt->passed) task.first_pass = attempt->meta.started;
+        task.first_attempt = standing.first_attempt;
+        task.first_pass = standing.first_pass;
+        if (standing.attempts == 0) {  // what was performed while the task was locked does not count
+            person.tasks.push_back(std::move(task));
+            continue;
         }
         for (const AttemptSummary* attempt : of_task(by_time, *own.find(standing.task))) {
             task.device_class = attempt->meta.device_class;

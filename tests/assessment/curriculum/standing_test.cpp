@@ -352,6 +352,7 @@ bool same(const std::vector<TaskStanding>& a, const std::vector<TaskStanding>& b
                    x.next_check == y.next_check && x.met_provisionally == y.met_provisionally &&
                    x.one_more_day == y.one_more_day && x.more_variants == y.more_variants &&
                    x.first_declared_at == y.first_declared_at && x.last_attempt == y.last_attempt &&
+                   x.first_attempt == y.first_attempt && x.first_pass == y.first_pass &&
                    x.waits_for == y.waits_for && x.overdue == y.overdue && x.provisional == y.provisional;
         });
 }

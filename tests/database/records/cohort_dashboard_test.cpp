@@ -158,6 +158,54 @@ TEST(CohortDashboard, TimeToProficiencyEndsWithTheFirstDeclarationWhateverRelaps
     expect_ten_days(Standing::proficient);
 }
 
+TEST(CohortDashboard, WhatWasPerformedWhileATaskWasLockedIsNotInItsTables) {
+    Curriculum curriculum = two_stages();
+    for (CurriculumTask& task : curriculum.tasks) {
+        task.rule = parse_pass_rule("row:2");
+        task.device_classes = {DeviceClass::haptic};
+    }
+    curriculum.tasks[2].after = {"A1"};
+    const std::int64_t first = dashboard_today - 10;
+    const auto of_b1 = [&](std::int64_t day, bool passed) {
+        AttemptSummary one = counting_attempt(day, passed);
+        one.meta.id += "-b1";
+        one.meta.task_id = "B1";
+        one.points = 70;
+        return one;
+    };
+    // A1, which unlocked it, turned out to be another person's and was voided.
+    std::vector<AttemptSummary> attempts = {of_b1(first + 2, true)};
+    const auto dashboard_with = [&](std::vector<PersonStandings>& people) {
+        people = {person_standings(attempts, {}, curriculum, noon().at)};
+        return dashboard_of(people, curriculum, noon());
+    };
+    std::vector<PersonStandings> people;
+    CohortDashboard dashboard = dashboard_with(people);
+    const PersonTask& locked = people[0].tasks[2];
+    EXPECT_EQ(locked.standing.standing, Standing::locked);
+    EXPECT_EQ(locked.first_attempt, 0);
+    EXPECT_EQ(locked.first_pass, 0);
+    EXPECT_FALSE(locked.device_class);
+    EXPECT_TRUE(locked.recent.empty());
+    EXPECT_EQ(dashboard.overview[2].attempted, 0);
+    EXPECT_EQ(dashboard.overview[2].passed, 0);
+    EXPECT_TRUE(dashboard.waiting_for_proficiency[2].empty());
+    EXPECT_TRUE(dashboard.stages[2].people.empty()) << "stage B is not begun";
+
+    attempts.push_back(counting_attempt(first, true));
+    attempts.push_back(counting_attempt(first + 1, true));
+    attempts.push_back(of_b1(first + 4, false));
+    dashboard = dashboard_with(people);
+    const PersonTask& open = people[0].tasks[2];
+    EXPECT_EQ(open.standing.attempts, 2);
+    EXPECT_EQ(open.first_attempt, (first + 2) * dashboard_day_ms);
+    EXPECT_EQ(open.first_pass, (first + 2) * dashboard_day_ms);
+    EXPECT_EQ(open.recent.size(), 2U);
+    EXPECT_EQ(dashboard.overview[2].attempted, 1);
+    EXPECT_EQ(dashboard.overview[2].passed, 1);
+    ASSERT_EQ(dashboard.waiting_for_proficiency[2].size(), 1U);
+}
+
 TEST(CohortDashboard, AMoveAheadOfTheClockIsNotYetFollowed) {
     Curriculum whole = two_stages();
     for (CurriculumTask& task : whole.tasks) task.device_classes = {DeviceClass::haptic};
