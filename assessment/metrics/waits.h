@@ -8,12 +8,16 @@
 
 namespace fulcrum {
 
-/// Evidence of a duration: its longest stretch without progress towards a goal.
+/// Evidence of a duration: its longest stretch without progress towards a goal, pauses not counted.
 inline TimeInterval longest_wait(const Analysis& analysis, double begin, double end) {
     TimeInterval longest{begin, begin};
-    double since = begin;
+    double since = begin, longest_running = 0;
     const auto until = [&](double t) {
-        if (t - since > longest.end - longest.begin) longest = {since, t};
+        const double running = running_time(analysis.trace(), since, t);
+        if (running > longest_running) {
+            longest = {since, t};
+            longest_running = running;
+        }
         since = std::max(since, t);
     };
     for (const Event& event : analysis.events()) {

@@ -124,6 +124,23 @@ TEST(Time, RunsFromTheFirstMovementToTheEndEventWithoutPauses) {
     EXPECT_EQ(measure(still, "time", "").absence, Absence::not_done);
 }
 
+TEST(Time, ItsEvidenceIsTheLongestStretchOfWorkNotOfPause) {
+    Trace trace = make_trace(40.0);
+    set_position(trace, Hand::right, reaches(1, 0.1, 2.0, 3.0));
+    set_position(trace, Hand::left, [](double) { return Vector3::Zero(); });
+    const std::vector<Event> events = {
+        make_event(4.0, EventKind::goal_progress),  make_event(6.0, EventKind::pause),
+        make_event(20.0, EventKind::resume),        make_event(21.0, EventKind::goal_progress),
+        make_event(33.0, EventKind::goal_progress), make_event(34.0, EventKind::completed)};
+    split_blocks(trace, events);
+    const MetricResult result = measure(trace, "time", "", events);
+    ASSERT_TRUE(result.value);
+    EXPECT_NEAR(*result.value, 34.0 - 3.12 - 14.0, 0.03);
+    ASSERT_EQ(result.evidence.size(), 1U);
+    EXPECT_NEAR(result.evidence[0].begin, 21, 1e-9) << "from 4 to 21 s only 3 s are work";
+    EXPECT_NEAR(result.evidence[0].end, 33, 1e-9);
+}
+
 // 40 mm in steps of a tenth of a second: something did move, only never for long enough to start the clock.
 TEST(Time, WithoutALongEnoughMovementSaysWhatWasMissing) {
     Trace trace = make_trace(10.0);
