@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "assessment/learning/relapse_cusum.h"
@@ -320,7 +321,7 @@ class TaskRun {
 struct Entry {
     std::int64_t time = 0;
     int kind = 0;  // at the same time: assignments, then overrides, attempts, ratings
-    std::string id;
+    std::string_view id;
     const CurriculumAssignment* assignment = nullptr;
     const StandingOverride* decision = nullptr;
     const CountedAttempt* attempt = nullptr;
@@ -329,9 +330,10 @@ struct Entry {
 
 std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
     std::vector<Entry> entries;
+    entries.reserve(record.assignments.size() + record.overrides.size() + record.attempts.size() +
+                    record.ratings.size());
     for (const CurriculumAssignment& one : record.assignments)
-        if (one.time <= at)
-            entries.push_back({one.time, 0, one.curriculum->name(), &one, nullptr, nullptr, nullptr});
+        if (one.time <= at) entries.push_back({one.time, 0, {}, &one, nullptr, nullptr, nullptr});
     for (const StandingOverride& one : record.overrides)
         if (one.time <= at) entries.push_back({one.time, 1, one.id, nullptr, &one, nullptr, nullptr});
     for (const CountedAttempt& one : record.attempts) {
@@ -342,7 +344,11 @@ std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
     for (const ReleasedRating& one : record.ratings)
         if (one.time <= at) entries.push_back({one.time, 3, one.id, nullptr, nullptr, nullptr, &one});
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return std::tie(a.time, a.kind, a.id) < std::tie(b.time, b.kind, b.id);
+        if (std::tie(a.time, a.kind) != std::tie(b.time, b.kind))
+            return std::tie(a.time, a.kind) < std::tie(b.time, b.kind);
+        if (a.assignment != nullptr)
+            return a.assignment->curriculum->name() < b.assignment->curriculum->name();
+        return a.id < b.id;
     });
     return entries;
 }
@@ -354,32 +360,45 @@ class Programme {
     }
 
     void take(const Entry& entry) {
-        if (entry.assignment != nullptr) curriculum_ = entry.assignment->curriculum;
+        if (entry.assignment != nullptr) follow(*entry.assignment->curriculum);
         if (entry.decision != nullptr) decide(*entry.decision);
-        if (entry.attempt != nullptr && curriculum_ != nullptr) {
-            const CurriculumTask* task = curriculum_->find(entry.attempt->task);
-            if (task != nullptr && runs_[task->task].unlocked && counts(*task, entry.attempt->device_class))
-                runs_[task->task].attempt(*task, *entry.attempt, ratings_);
+        if (entry.attempt != nullptr) {
+            const auto found = std::find_if(tasks_.begin(), tasks_.end(), [&](const Followed& one) {
+                return one.task->task == entry.attempt->task;
+            });
+            if (found != tasks_.end() && found->run->unlocked &&
+                counts(*found->task, entry.attempt->device_class))
+                found->run->attempt(*found->task, *entry.attempt, ratings_);
         }
-        if ((entry.assignment != nullptr || entry.rating != nullptr) && curriculum_ != nullptr)
-            for (const CurriculumTask& task : curriculum_->tasks) {
-                if (entry.assignment != nullptr) runs_[task.task].follow(task);
-                runs_[task.task].look(task, ratings_, entry.time);
+        if (entry.assignment != nullptr || entry.rating != nullptr)
+            for (const Followed& one : tasks_) {
+                if (entry.assignment != nullptr) one.run->follow(*one.task);
+                one.run->look(*one.task, ratings_, entry.time);
             }
         unlock();
     }
 
     std::vector<TaskStanding> standings_at(std::int64_t at) {
         std::vector<TaskStanding> result;
-        if (curriculum_ == nullptr) return result;
-        for (const CurriculumTask& task : curriculum_->tasks) {
-            result.push_back(runs_[task.task].standing(task, ratings_, at));
-            if (result.back().standing == Standing::locked) result.back().waits_for = missing(task);
+        for (const Followed& one : tasks_) {
+            result.push_back(one.run->standing(*one.task, ratings_, at));
+            if (result.back().standing == Standing::locked) result.back().waits_for = missing(*one.task);
         }
         return result;
     }
 
   private:
+    /// A task of the curriculum in force, and what was performed of it under any.
+    struct Followed {
+        const CurriculumTask* task;
+        TaskRun* run;
+    };
+
+    void follow(const Curriculum& curriculum) {
+        tasks_.clear();
+        for (const CurriculumTask& task : curriculum.tasks) tasks_.push_back({&task, &runs_[task.task]});
+    }
+
     void decide(const StandingOverride& decision) {
         TaskRun& run = runs_[decision.task];
         if (decision.kind == StandingOverride::Kind::proficient) run.declare(decision.time, true);
@@ -397,14 +416,11 @@ class Programme {
 
     /// Once unlocked, a task is never locked again.
     void unlock() {
-        if (curriculum_ == nullptr) return;
-        for (const CurriculumTask& task : curriculum_->tasks) {
-            TaskRun& run = runs_[task.task];
-            run.unlocked = run.unlocked || missing(task).empty();
-        }
+        for (const Followed& one : tasks_)
+            one.run->unlocked = one.run->unlocked || missing(*one.task).empty();
     }
 
-    const Curriculum* curriculum_ = nullptr;
+    std::vector<Followed> tasks_;
     RatingsByAttempt ratings_;
     std::map<std::string, TaskRun> runs_;
 };

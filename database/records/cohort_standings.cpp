@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <tuple>
 
 #include "assessment/scoring/score.h"
@@ -17,14 +18,13 @@ std::int64_t local_day(const AttemptMeta& meta) {
     return local >= 0 ? local / day_ms : -((-local + day_ms - 1) / day_ms);
 }
 
-/// The attempts that count for one task with the device class used last, oldest first.
-std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummary*>& by_time,
+/// The attempts that count for one task with the device class used last, oldest first; `counting`: all of
+/// this task that count for any curriculum.
+std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummary*>& counting,
                                            const CurriculumTask& task) {
     std::vector<const AttemptSummary*> found;
-    for (const AttemptSummary* attempt : by_time)
-        if (attempt->counting && attempt->meta.task_id == task.task &&
-            counts(task, attempt->meta.device_class))
-            found.push_back(attempt);
+    for (const AttemptSummary* attempt : counting)
+        if (counts(task, attempt->meta.device_class)) found.push_back(attempt);
     if (found.empty()) return found;
     const DeviceClass last = found.back()->meta.device_class;
     found.erase(std::remove_if(found.begin(), found.end(),
@@ -67,8 +67,12 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     person.curriculum = own.name();
     std::map<std::int64_t, int> days;
     std::int64_t last_practice = 0;
+    std::map<std::string_view, std::vector<const AttemptSummary*>> counting;  // by task
     for (const AttemptSummary* attempt : by_time) {
-        if (attempt->counting) record.attempts.push_back(counted_attempt(*attempt));
+        if (attempt->counting) {
+            record.attempts.push_back(counted_attempt(*attempt));
+            counting[attempt->meta.task_id].push_back(attempt);
+        }
         const std::int64_t day = local_day(attempt->meta);
         ++days[day];
         person.last_attempt = attempt->meta.started;
@@ -97,7 +101,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
             person.tasks.push_back(std::move(task));
             continue;
         }
-        for (const AttemptSummary* attempt : of_task(by_time, *own.find(standing.task))) {
+        for (const AttemptSummary* attempt : of_task(counting[standing.task], *own.find(standing.task))) {
             task.device_class = attempt->meta.device_class;
             if (attempt->points) points[standing.task].push_back(*attempt->points);
             task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,

@@ -356,7 +356,9 @@ bool Query::next() {
 }
 
 std::string Query::text(int column) const {
-    return value(column).toString().toStdString();
+    const QVariant& text = value(column);
+    if (text.type() == QVariant::ByteArray) return text.toByteArray().toStdString();
+    return text.toString().toStdString();
 }
 std::int64_t Query::integer(int column) const {
     return value(column).toLongLong();
