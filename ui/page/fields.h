@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of the forms before anybody has signed in.
+// Fields of the forms before anybody has signed in, and codes that people write down.
 #pragma once
 
 #include <QFormLayout>
 #include <QLineEdit>
+
+#include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
 
@@ -15,6 +17,17 @@ inline QLineEdit* make_field(QFormLayout* form, const QString& label, const char
     if (secret) edit->setEchoMode(QLineEdit::Password);
     form->addRow(label, edit);
     return edit;
+}
+
+/// Each character as wide as the others; can be selected.
+inline QLabel* make_code_label(const char* name) {
+    QLabel* label = make_label({}, "number");
+    label->setObjectName(QString::fromLatin1(name));
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    QFont mono(QStringLiteral("monospace"));
+    mono.setStyleHint(QFont::Monospace);
+    label->setFont(mono);
+    return label;
 }
 
 }  // namespace fulcrum::ui

@@ -154,12 +154,7 @@ QWidget* FirstStartPage::build_recovery() {
     card_layout(card)->addWidget(
         make_label(tr("This code is shown only once. Write it down and lock it away: without it, the last "
                       "administrator cannot set a new password.")));
-    code_ = make_label({}, "number");
-    code_->setObjectName(QStringLiteral("recovery_code"));
-    code_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    QFont mono(QStringLiteral("monospace"));
-    mono.setStyleHint(QFont::Monospace);
-    code_->setFont(mono);
+    code_ = make_code_label("recovery_code");
     card_layout(card)->addWidget(code_);
     QPushButton* copy = make_button(tr("Copy"), "copy_code");
     connect(copy, &QPushButton::clicked, this,

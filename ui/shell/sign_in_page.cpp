@@ -70,23 +70,10 @@ SignInPage::SignInPage(Context& context) : Page(context, "sign_in_page") {
     row->addWidget(picker_, 2);
     layout->addLayout(row);
 
-    recovery_ = make_card(10);
-    card_layout(recovery_)->addWidget(make_label(tr("Forgotten password"), "heading"));
-    card_layout(recovery_)->addWidget(
-        make_label(tr("An administrator can give you a one-time password, valid for 24 hours. The last "
-                      "administrator uses the recovery code instead:"),
-                   "muted"));
-    auto* recovery_form = new QFormLayout;
-    recovery_form->setSpacing(10);
-    recovery_login_ = make_field(recovery_form, tr("Administrator's login"), "recovery_login", false);
-    recovery_code_ = make_field(recovery_form, tr("Recovery code"), "recovery_code_field", false);
-    recovery_password_ = make_field(recovery_form, tr("New password"), "recovery_password", true);
-    card_layout(recovery_)->addLayout(recovery_form);
-    QPushButton* use = make_button(tr("Set the new password"), "recover");
-    connect(use, &QPushButton::clicked, this, &SignInPage::recover);
-    card_layout(recovery_)->addWidget(use, 0, Qt::AlignRight);
-    recovery_->hide();
+    recovery_ = build_recovery();
     layout->addWidget(recovery_);
+    new_code_card_ = build_new_code();
+    layout->addWidget(new_code_card_);
     connect(lost, &QPushButton::clicked, this, [this] {
         recovery_->setVisible(!recovery_->isVisible());
         if (recovery_->isVisible()) recovery_login_->setFocus();
@@ -106,6 +93,47 @@ SignInPage::SignInPage(Context& context) : Page(context, "sign_in_page") {
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 900, PagePlace::centred));
     setFocusProxy(login_);
+}
+
+QFrame* SignInPage::build_recovery() {
+    QFrame* card = make_card(10);
+    card_layout(card)->addWidget(make_label(tr("Forgotten password"), "heading"));
+    card_layout(card)->addWidget(
+        make_label(tr("An administrator can give you a one-time password, valid for 24 hours. The last "
+                      "administrator uses the recovery code instead:"),
+                   "muted"));
+    auto* form = new QFormLayout;
+    form->setSpacing(10);
+    recovery_login_ = make_field(form, tr("Administrator's login"), "recovery_login", false);
+    recovery_code_ = make_field(form, tr("Recovery code"), "recovery_code_field", false);
+    recovery_password_ = make_field(form, tr("New password"), "recovery_password", true);
+    card_layout(card)->addLayout(form);
+    recover_ = make_button(tr("Set the new password"), "recover");
+    connect(recover_, &QPushButton::clicked, this, &SignInPage::recover);
+    card_layout(card)->addWidget(recover_, 0, Qt::AlignRight);
+    card->hide();
+    return card;
+}
+
+QFrame* SignInPage::build_new_code() {
+    QFrame* card = make_card(10);
+    card_layout(card)->addWidget(make_label(tr("Your new recovery code"), "heading"));
+    card_layout(card)->addWidget(
+        make_label(tr("The password was changed. The code that you used no longer works, and this one is "
+                      "shown only once. Write it down and lock it away: without it, the last administrator "
+                      "cannot set a new password.")));
+    new_code_ = make_code_label("new_recovery_code");
+    card_layout(card)->addWidget(new_code_);
+    noted_ = make_button(tr("I have written it down"), "new_code_noted", "primary");
+    connect(noted_, &QPushButton::clicked, this, [this] {
+        new_code_->clear();
+        new_code_card_->hide();
+        form_->setEnabled(true);
+        login_->setFocus();
+    });
+    card_layout(card)->addWidget(noted_, 0, Qt::AlignLeft);
+    card->hide();
+    return card;
 }
 
 void SignInPage::enter() {
@@ -189,9 +217,8 @@ void SignInPage::sign_in() {
         (login_->text().trimmed().isEmpty() ? login_ : password_)->setFocus();
         return;
     }
-    busy_ = true;
+    set_busy(true);
     problem_->clear();
-    button_->setEnabled(false);
     BackgroundJob* job = sign_in_job(
         this, context().store().path(), plain(login_->text().trimmed()), plain(password_->text()),
         std::nullopt,
@@ -205,14 +232,22 @@ void SignInPage::sign_in() {
             password_->setFocus();
         });
     connect(job, &BackgroundJob::ended, this, [this] {
-        busy_ = false;
-        button_->setEnabled(true);
+        set_busy(false);
         if (!context().signed_in()) password_->setFocus();
     });
     job_->watch(job, tr("Signing in …"));
 }
 
+void SignInPage::set_busy(bool busy) {
+    busy_ = busy;
+    button_->setEnabled(!busy);
+    recover_->setEnabled(!busy);
+}
+
 void SignInPage::recover() {
+    if (busy_) return;
+    set_busy(true);
+    problem_->clear();
     auto next = std::make_shared<std::string>();
     BackgroundJob* job = BackgroundJob::run(
         this,
@@ -225,10 +260,15 @@ void SignInPage::recover() {
         [this, next] {
             recovery_password_->clear();
             recovery_code_->clear();
-            context().say(
-                tr("Password changed. Your new recovery code, shown only now: %1").arg(text(*next)));
+            recovery_->hide();
+            // It is nowhere else: nobody signs in before it is confirmed, as where a programme is created.
+            form_->setEnabled(false);
+            new_code_->setText(text(*next));
+            new_code_card_->show();
+            noted_->setFocus();
         },
         [this](const QString& why) { problem_->setText(why); });
+    connect(job, &BackgroundJob::ended, this, [this] { set_busy(false); });
     job_->watch(job, tr("Checking the recovery code …"));
 }
 

@@ -26,17 +26,21 @@ class SignInPage : public Page {
     void leave_demo();
 
   private:
+    QFrame* build_recovery();
+    QFrame* build_new_code();
+    void set_busy(bool busy);
     void fill_picker();
     void fill_demo();
     void sign_in();
     void recover();
 
-    QLabel *programme_, *problem_, *notice_;
+    QLabel *programme_, *problem_, *notice_, *new_code_;
     QFrame *form_, *picker_, *demo_, *recovery_;
+    QFrame* new_code_card_;  ///< while there is a recovery code that nobody has confirmed
     QVBoxLayout *picker_list_, *demo_list_;
     QLineEdit *login_, *password_;
     QLineEdit *recovery_login_, *recovery_code_, *recovery_password_;
-    QPushButton* button_;
+    QPushButton *button_, *recover_, *noted_;
     JobBar* job_;
     bool busy_ = false;
 };

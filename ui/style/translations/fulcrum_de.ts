@@ -17667,10 +17667,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Anmeldung läuft …</translation>
     </message>
     <message>
-        <source>Password changed. Your new recovery code, shown only now: %1</source>
-        <translation>Passwort geändert. Ihr neuer Wiederherstellungscode, nur jetzt angezeigt: %1</translation>
-    </message>
-    <message>
         <source>Checking the recovery code …</source>
         <translation>Wiederherstellungscode wird geprüft …</translation>
     </message>
@@ -17691,6 +17687,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Enter your login and your password.</source>
         <translation>Geben Sie Ihren Anmeldenamen und Ihr Passwort ein.</translation>
+    </message>
+    <message>
+        <source>Your new recovery code</source>
+        <translation>Ihr neuer Wiederherstellungscode</translation>
+    </message>
+    <message>
+        <source>The password was changed. The code that you used no longer works, and this one is shown only once. Write it down and lock it away: without it, the last administrator cannot set a new password.</source>
+        <translation>Das Passwort wurde geändert. Der verwendete Code gilt nicht mehr, und dieser wird nur einmal angezeigt. Schreiben Sie ihn auf und schließen Sie ihn weg: Ohne ihn kann der letzte Administrator kein neues Passwort setzen.</translation>
+    </message>
+    <message>
+        <source>I have written it down</source>
+        <translation>Ich habe ihn aufgeschrieben</translation>
     </message>
 </context>
 <context>

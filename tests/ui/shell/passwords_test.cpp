@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Passwords and recovery codes that exist only once, from the first start to the way back of the last
+// administrator, with real events.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "database/records/people.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/hands.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class Passwords : public ::testing::Test {
+  protected:
+    Passwords() : window(services) {
+        window.resize(1280, 800);
+        window.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+        window.activateWindow();
+        window.start();
+    }
+    void expect_page(const char* name) {
+        EXPECT_TRUE(wait_for([&] { return window.current_page()->objectName() == QLatin1String(name); }))
+            << window.current_page()->objectName().toStdString();
+    }
+    /// Keeps the recovery code; the administrator has signed in then.
+    void create_programme() {
+        click(window, "create_programme");
+        type_programme(window);
+        click(window, "create_confirm");
+        ASSERT_TRUE(wait_for([&] { return sees(window, "recovery_code"); }));
+        code = find<QLabel>(window, "recovery_code")->text();
+        check(window, "code_noted");
+        click(window, "code_continue");
+        expect_page("people_page");
+    }
+    void ask_for_recovery(const QString& with) {
+        if (!sees(window, "recover")) click(window, "forgotten_password");
+        type(window, "recovery_login", "alma");
+        type(window, "recovery_code_field", with);
+        type(window, "recovery_password", "a brand new password");
+        bring(*find<QPushButton>(window, "recover"));
+        click(window, "recover");
+    }
+
+    FakeServices services;
+    MainWindow window;
+    QString code;
+};
+
+TEST_F(Passwords, NextRecoveryCodeIsShownUntilItIsConfirmed) {
+    create_programme();
+    click(window, "switch_user");
+    expect_page("sign_in_page");
+    ask_for_recovery(code);
+    EXPECT_FALSE(find<QPushButton>(window, "recover")->isEnabled()) << "one job at a time";
+    EXPECT_FALSE(find<QPushButton>(window, "sign_in")->isEnabled());
+    ASSERT_TRUE(wait_for([&] { return sees(window, "new_recovery_code"); }));
+    const QString next = find<QLabel>(window, "new_recovery_code")->text();
+    EXPECT_EQ(next.size(), code.size());
+    EXPECT_NE(next, code);
+    EXPECT_FALSE(sees(window, "recover"));
+    keep_picture(window, "new-recovery-code");
+    // Neither another message nor the page shown again hides it, and nobody signs in before.
+    window.context().say("Something else.");
+    window.current_page()->enter();
+    QTest::qWait(50);
+    ASSERT_TRUE(sees(window, "new_recovery_code"));
+    EXPECT_EQ(find<QLabel>(window, "new_recovery_code")->text(), next);
+    EXPECT_FALSE(find<QPushButton>(window, "sign_in")->isEnabled());
+    bring(*find<QPushButton>(window, "new_code_noted"));
+    click(window, "new_code_noted");
+    EXPECT_FALSE(sees(window, "new_recovery_code"));
+    for (const QLabel* label : window.findChildren<QLabel*>()) EXPECT_FALSE(label->text().contains(next));
+    // It is the code of the store.
+    const database::People people(*services.store());
+    EXPECT_NO_THROW(people.recover_administrator("alma", next.toStdString(), "yet another password"));
+    type(window, "login", "alma");
+    type(window, "password", "yet another password");
+    click(window, "sign_in");
+    EXPECT_TRUE(wait_for([&] { return window.context().signed_in(); }));
+}
+
+TEST_F(Passwords, WrongRecoveryCodeIsRefusedAndCanBeTypedAgain) {
+    create_programme();
+    click(window, "switch_user");
+    expect_page("sign_in_page");
+    ask_for_recovery("AAAA-BBBB");
+    ASSERT_TRUE(wait_for(
+        [&] { return find<QLabel>(window, "sign_in_problem")->text().contains("recovery code wrong"); }));
+    EXPECT_TRUE(find<QPushButton>(window, "recover")->isEnabled());
+    EXPECT_TRUE(find<QPushButton>(window, "sign_in")->isEnabled());
+    EXPECT_FALSE(sees(window, "new_recovery_code"));
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
