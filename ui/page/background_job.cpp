@@ -47,6 +47,7 @@ BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Prog
     };
     auto body = [guard, stop, ui_thread, progress, work = std::move(work), done = std::move(done),
                  failed = std::move(failed)] {
+        if (stop->load()) return;
         QString error;
         bool threw = false;
         try {
@@ -93,8 +94,9 @@ JobBar::JobBar(QWidget* parent) : QWidget(parent), line_(make_label({})), bar_(n
     hide();
 }
 
-void JobBar::watch(BackgroundJob* job, const QString& line) {
+void JobBar::watch(BackgroundJob* job, const QString& line, Cancel cancel) {
     line_->setText(line);
+    button_->setVisible(cancel == Cancel::offered);
     bar_->setRange(0, 0);
     show();
     disconnect(cancel_);

@@ -23,7 +23,7 @@ class BackgroundJob : public QObject {
   public:
     /// `work` runs on a worker thread with a Progress to call; it must own what it touches (open its own
     /// Store). `done` runs on the UI thread after it returned, `failed` if it threw. Neither is called after
-    /// cancel().
+    /// cancel(), which also keeps work from beginning that waits for a thread.
     static BackgroundJob* run(QObject* parent, std::function<void(const Progress&)> work,
                               std::function<void()> done, std::function<void(const QString&)> failed);
     ~BackgroundJob() override;
@@ -40,12 +40,14 @@ class BackgroundJob : public QObject {
     std::shared_ptr<std::atomic<bool>> stop_;
 };
 
-/// A progress bar, one line and a Cancel button for a job; hides itself when the job ends.
+/// A progress bar, one line and a Cancel button for a job; hides itself when the job ends. Work that cannot
+/// be undone has no button: it would be done all the same, and its answer lost.
 class JobBar : public QWidget {
     Q_OBJECT
   public:
+    enum class Cancel { offered, none };
     explicit JobBar(QWidget* parent = nullptr);
-    void watch(BackgroundJob* job, const QString& line);
+    void watch(BackgroundJob* job, const QString& line, Cancel cancel = Cancel::offered);
 
   signals:
     void cancelled();

@@ -128,14 +128,14 @@ QWidget* FirstStartPage::build_form() {
     create_job_ = new JobBar;
     card_layout(card)->addWidget(create_job_);
     auto* buttons = new QHBoxLayout;
-    QPushButton* back = make_button(tr("Back"), "create_back");
-    connect(back, &QPushButton::clicked, this, [this] { steps_->setCurrentIndex(0); });
+    back_ = make_button(tr("Back"), "create_back");
+    connect(back_, &QPushButton::clicked, this, [this] { steps_->setCurrentIndex(0); });
     create_ = make_button(tr("Create programme"), "create_confirm", "primary");
     connect(create_, &QPushButton::clicked, this, &FirstStartPage::create);
     for (QLineEdit* edit : {programme_, name_, login_, password_, repeat_}) {
         connect(edit, &QLineEdit::returnPressed, this, &FirstStartPage::create);
     }
-    buttons->addWidget(back);
+    buttons->addWidget(back_);
     buttons->addStretch();
     buttons->addWidget(create_);
     card_layout(card)->addLayout(buttons);
@@ -203,7 +203,7 @@ void FirstStartPage::create() {
         return;
     }
     auto created = std::make_shared<std::optional<database::CreatedProgramme>>();
-    create_->setEnabled(false);
+    for (QPushButton* button : {create_, back_}) button->setEnabled(false);
     const std::string programme = plain(programme_->text().trimmed()),
                       login = plain(login_->text().trimmed()), name = plain(name_->text().trimmed()),
                       password = plain(password_->text());
@@ -214,19 +214,17 @@ void FirstStartPage::create() {
             *created = database::People(store).create_programme(programme, login, name, password);
         },
         [this, created] {
-            create_->setEnabled(true);
             password_->clear();
             repeat_->clear();
             code_->setText(text((*created)->recovery_code));
             context().set_session((*created)->administrator);
             steps_->setCurrentIndex(2);
         },
-        [this](const QString& error) {
-            create_->setEnabled(true);
-            problem_->setText(error);
-        });
-    connect(job, &BackgroundJob::ended, this, [this] { create_->setEnabled(true); });
-    create_job_->watch(job, tr("Creating the programme …"));
+        [this](const QString& error) { problem_->setText(error); });
+    connect(job, &BackgroundJob::ended, this, [this] {
+        for (QPushButton* button : {create_, back_}) button->setEnabled(true);
+    });
+    create_job_->watch(job, tr("Creating the programme …"), JobBar::Cancel::none);
 }
 
 void FirstStartPage::look_around() {
@@ -239,7 +237,8 @@ void FirstStartPage::look_around() {
     BackgroundJob* job = BackgroundJob::run(
         this, [services, built](const Progress& progress) { *built = services->unpack_demo(progress); },
         [this, built] {
-            if (*built) open_demo();
+            // Only where the person waits for it: another form may be open, and its programme in the making.
+            if (*built && steps_->currentIndex() == 0) open_demo();
         },
         [this](const QString& error) { context().complain(error); });
     job_->watch(job, tr("Unpacking the demonstration programme …"));

@@ -40,7 +40,8 @@ class FirstStartPage : public Page {
 
     QStackedWidget* steps_;
     QLabel *problem_ = nullptr, *code_ = nullptr;
-    QPushButton *create_ = nullptr, *continue_ = nullptr, *start_create_ = nullptr, *start_join_ = nullptr;
+    QPushButton *create_ = nullptr, *back_ = nullptr, *continue_ = nullptr, *start_create_ = nullptr,
+                *start_join_ = nullptr;
     QLineEdit *programme_ = nullptr, *name_ = nullptr, *login_ = nullptr, *password_ = nullptr,
               *repeat_ = nullptr;
     JoinForm* join_ = nullptr;

@@ -86,7 +86,7 @@ void PasswordPage::change() {
         return;
     }
     problem_->clear();
-    change_->setEnabled(false);
+    for (QPushButton* button : {change_, cancel_}) button->setEnabled(false);
     auto changed = std::make_shared<std::optional<database::Session>>();
     BackgroundJob* job = BackgroundJob::run(
         this,
@@ -104,8 +104,10 @@ void PasswordPage::change() {
             problem_->setText(why);
             old_->setFocus();
         });
-    connect(job, &BackgroundJob::ended, this, [this] { change_->setEnabled(true); });
-    job_->watch(job, tr("Changing the password …"));
+    connect(job, &BackgroundJob::ended, this, [this] {
+        for (QPushButton* button : {change_, cancel_}) button->setEnabled(true);
+    });
+    job_->watch(job, tr("Changing the password …"), JobBar::Cancel::none);
 }
 
 }  // namespace fulcrum::ui

@@ -269,7 +269,7 @@ void SignInPage::recover() {
         },
         [this](const QString& why) { problem_->setText(why); });
     connect(job, &BackgroundJob::ended, this, [this] { set_busy(false); });
-    job_->watch(job, tr("Checking the recovery code …"));
+    job_->watch(job, tr("Checking the recovery code …"), JobBar::Cancel::none);
 }
 
 }  // namespace fulcrum::ui

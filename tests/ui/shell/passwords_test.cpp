@@ -9,6 +9,7 @@
 #include "database/records/people.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/page/background_job.h"
 #include "ui/shell/main_window.h"
 
 namespace fulcrum::ui::window_test {
@@ -38,6 +39,13 @@ class Passwords : public ::testing::Test {
         click(window, "code_continue");
         expect_page("people_page");
     }
+    /// The work that was just begun is shown, without a button that would lose its answer.
+    void expect_no_cancel() {
+        bool works = false;
+        for (const JobBar* bar : window.findChildren<JobBar*>()) works = works || bar->isVisible();
+        EXPECT_TRUE(works);
+        EXPECT_FALSE(sees(window, "cancel_job"));
+    }
     void ask_for_recovery(const QString& with) {
         if (!sees(window, "recover")) click(window, "forgotten_password");
         type(window, "recovery_login", "alma");
@@ -57,6 +65,7 @@ TEST_F(Passwords, NextRecoveryCodeIsShownUntilItIsConfirmed) {
     click(window, "switch_user");
     expect_page("sign_in_page");
     ask_for_recovery(code);
+    expect_no_cancel();
     EXPECT_FALSE(find<QPushButton>(window, "recover")->isEnabled()) << "one job at a time";
     EXPECT_FALSE(find<QPushButton>(window, "sign_in")->isEnabled());
     ASSERT_TRUE(wait_for([&] { return sees(window, "new_recovery_code"); }));
@@ -83,6 +92,36 @@ TEST_F(Passwords, NextRecoveryCodeIsShownUntilItIsConfirmed) {
     type(window, "password", "yet another password");
     click(window, "sign_in");
     EXPECT_TRUE(wait_for([&] { return window.context().signed_in(); }));
+}
+
+TEST_F(Passwords, CreationOfAProgrammeIsNeitherCancelledNorLeft) {
+    click(window, "create_programme");
+    type_programme(window);
+    click(window, "create_confirm");
+    expect_no_cancel();
+    EXPECT_FALSE(find<QPushButton>(window, "create_back")->isEnabled());
+    ASSERT_TRUE(wait_for([&] { return sees(window, "recovery_code"); }));
+    EXPECT_FALSE(find<QLabel>(window, "recovery_code")->text().isEmpty());
+}
+
+TEST_F(Passwords, ChangeAtTheFirstSignInIsNotCancelled) {
+    create_programme();
+    type(window, "new_person_name", "Tara Trainee");
+    type(window, "new_person_login", "tara");
+    click(window, "add_person");
+    const QString once = find<QLabel>(window, "one_time_password")->property("password").toString();
+    click(window, "switch_user");
+    expect_page("sign_in_page");
+    type(window, "login", "tara");
+    type(window, "password", once);
+    click(window, "sign_in");
+    expect_page("password_page");
+    type(window, "old_password", once);
+    for (const char* field : {"new_password", "new_password_again"}) type(window, field, "tara's password");
+    click(window, "password_change");
+    expect_no_cancel();
+    EXPECT_FALSE(find<QPushButton>(window, "password_cancel")->isEnabled());
+    EXPECT_TRUE(wait_for([&] { return !window.context().session().must_change_password(); }));
 }
 
 TEST_F(Passwords, WrongRecoveryCodeIsRefusedAndCanBeTypedAgain) {
