@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/lock_page.h"
 
+#include <QApplication>
+#include <QDialog>
 #include <QLineEdit>
 
 #include "ui/page/background_job.h"
@@ -10,6 +12,20 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// Dialogs, menus and lists that are open would stay usable over the lock, with the session's rights.
+void close_what_is_open(const QWidget& window) {
+    const QWidget* before = nullptr;
+    for (QWidget* popup = QApplication::activePopupWidget(); popup != nullptr && popup != before;
+         popup = QApplication::activePopupWidget()) {
+        before = popup;
+        popup->close();
+    }
+    for (QDialog* dialog : window.findChildren<QDialog*>()) dialog->reject();
+}
+
+}  // namespace
 
 LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     auto* layout = new QVBoxLayout(this);
@@ -53,6 +69,7 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
 }
 
 void LockPage::enter() {
+    close_what_is_open(*window());
     const bool demo = context().session().is_demo();
     who_->setText(tr("%1 is signed in. The content is hidden after ten minutes without input.")
                       .arg(text(context().session().display_name())));
