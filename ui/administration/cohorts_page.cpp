@@ -3,8 +3,8 @@
 
 #include <QLineEdit>
 #include <QListWidget>
-#include <algorithm>
 
+#include "ui/administration/changes.h"
 #include "ui/page/station_note.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -13,16 +13,11 @@
 namespace fulcrum::ui {
 namespace {
 
-bool holds(const std::vector<std::string>& ids, const std::string& id) {
-    return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
 void fill_checks(QListWidget* list, const std::vector<database::Person>& people, database::Role role,
                  const std::vector<std::string>& checked) {
     list->clear();
     for (const database::Person& person : people) {
-        const bool has_role = std::find(person.roles.begin(), person.roles.end(), role) != person.roles.end();
-        if (!has_role && !holds(checked, person.id)) continue;
+        if (!holds(person.roles, role) && !holds(checked, person.id)) continue;
         auto* item = new QListWidgetItem(text(person.display_name), list);
         item->setData(Qt::UserRole, text(person.id));
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
@@ -166,8 +161,17 @@ void CohortsPage::save() {
             const database::People people(context().store());
             const std::string name = plain(name_->text().trimmed());
             if (name != cohort->name) people.rename_cohort(context().session(), cohort->id, name);
-            people.set_members(context().session(), cohort->id, checked_ids(members_));
-            people.set_educators(context().session(), cohort->id, checked_ids(educators_));
+            // Of a cohort that is gone, the store says so.
+            const database::Cohort now =
+                people.find_cohort(context().session(), cohort->id).value_or(*cohort);
+            const std::vector<std::string> members = checked_ids(members_),
+                                           educators = checked_ids(educators_);
+            if (is_changed(cohort->members, members))
+                people.set_members(context().session(), cohort->id,
+                                   with_changes(now.members, cohort->members, members));
+            if (is_changed(cohort->educators, educators))
+                people.set_educators(context().session(), cohort->id,
+                                     with_changes(now.educators, cohort->educators, educators));
         })) {
         context().say(tr("Saved."));
     }

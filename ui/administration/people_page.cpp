@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
+#include "ui/administration/changes.h"
 #include "ui/administration/import_card.h"
 #include "ui/administration/merge_card.h"
 #include "ui/style/flow_row.h"
@@ -192,8 +193,7 @@ void PeoplePage::select() {
     who_->setText(text(person->display_name) + QStringLiteral(" · ") + text(person->login));
     name_->setText(text(person->display_name));
     for (std::size_t i = 0; i < roles_.size(); ++i) {
-        roles_[i]->setChecked(std::find(person->roles.begin(), person->roles.end(), roles_of_people[i]) !=
-                              person->roles.end());
+        roles_[i]->setChecked(holds(person->roles, roles_of_people[i]));
     }
     merge_->show_for(*person, people_);
     active_->setEnabled(person->merged_into.empty());
@@ -228,8 +228,12 @@ void PeoplePage::save() {
             const database::People people(context().store());
             const std::string name = plain(name_->text().trimmed());
             if (name != person->display_name) people.rename(context().session(), person->id, name);
-            if (chosen(roles_) != person->roles)
-                people.set_roles(context().session(), person->id, chosen(roles_));
+            const std::vector<database::Role> roles = chosen(roles_);
+            if (is_changed(person->roles, roles)) {
+                const database::Person now = people.find(context().session(), person->id).value_or(*person);
+                people.set_roles(context().session(), person->id,
+                                 with_changes(now.roles, person->roles, roles));
+            }
         })) {
         context().say(tr("Saved."));
     }

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "database/store/audit.h"
 #include "tests/app/services/places.h"
 #include "tests/app/services/window_access.h"
 #include "ui/dashboards/cohort_page.h"
@@ -247,6 +248,63 @@ TEST_F(WindowAccess, AdministratorsManageAccountsAndDirectorsManageCohorts) {
     click(*window, "save_cohort");
     EXPECT_TRUE(
         People(*services->store()).find_cohort(programme.asker(Role::director), "Elsewhere, renamed"));
+}
+
+TEST_F(WindowAccess, CohortIsSavedWithWhatAnExchangeBroughtSinceThePageWasOpened) {
+    const Session& director = programme.session("director");
+    const People people(*services->store());
+    const std::string& cohort = programme.eve.cohort_id;
+    const auto saved = [&] {
+        click(*window, "save_cohort");
+        Cohort now = people.find_cohort(director, cohort).value();
+        std::sort(now.members.begin(), now.members.end());
+        std::sort(now.educators.begin(), now.educators.end());
+        return now;
+    };
+    const auto ids = [&](std::vector<std::string> logins) {
+        for (std::string& one : logins) one = programme.id(one);
+        std::sort(logins.begin(), logins.end());
+        return logins;
+    };
+    const auto tick = [&](const char* list, const std::string& login, Qt::CheckState state) {
+        auto* all = find<QListWidget>(*window, list);
+        for (int row = 0; row < all->count(); ++row)
+            if (plain(all->item(row)->data(Qt::UserRole).toString()) == programme.id(login))
+                all->item(row)->setCheckState(state);
+    };
+    act_as(director);
+    click(*window, "rail_assign");
+    ASSERT_EQ(find<QLineEdit>(*window, "cohort_name")->text(), "Elsewhere");
+    people.set_members(director, cohort, ids({"eve", "ben"}));
+    tick("cohort_educators", "educator", Qt::Checked);
+    Cohort now = saved();
+    EXPECT_EQ(now.members, ids({"eve", "ben"})) << "Ben came while the page was open";
+    EXPECT_EQ(now.educators, ids({"educator", "other_educator"}));
+    people.set_members(director, cohort, ids({"eve", "ben", "ann"}));
+    tick("cohort_members", "eve", Qt::Unchecked);
+    now = saved();
+    EXPECT_EQ(now.members, ids({"ben", "ann"}));
+    EXPECT_EQ(now.educators, ids({"educator", "other_educator"}));
+    const auto rows = Audit(*services->store()).count();
+    EXPECT_EQ(saved().members, ids({"ben", "ann"}));
+    EXPECT_EQ(Audit(*services->store()).count(), rows) << "nothing was changed";
+}
+
+TEST_F(WindowAccess, RoleThatWasWithdrawnSinceThePageWasOpenedStaysWithdrawn) {
+    const Session& administrator = programme.session("administrator");
+    const People people(*services->store());
+    act_as(administrator);
+    click(*window, "rail_people");
+    auto* table = find<QTableWidget>(*window, "people_table");
+    for (int row = 0; row < table->rowCount(); ++row)
+        if (table->item(row, 1)->text() == "educator") table->selectRow(row);
+    EXPECT_TRUE(find<QCheckBox>(*window, "role_trainee")->isChecked());
+    people.set_roles(administrator, programme.id("educator"), {Role::educator});
+    find<QCheckBox>(*window, "role_director")->setChecked(true);
+    click(*window, "save_person");
+    EXPECT_EQ(people.find(administrator, programme.id("educator")).value().roles,
+              (std::vector<Role>{Role::educator, Role::director}));
+    EXPECT_FALSE(find<QCheckBox>(*window, "role_trainee")->isChecked()) << "the page shows what is stored";
 }
 
 /// The names of all widgets visible on the pages of a role, including a debrief if the role may open one.
