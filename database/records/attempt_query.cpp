@@ -12,10 +12,10 @@ namespace fulcrum::database {
 namespace {
 
 enum class In {
-    lists,        ///< of single attempts alone
-    tables,       ///< also of the tables of a cohort, which have an attempt by the ten thousand
-    tables_text,  ///< the same, a text
-    /// The same: what few attempts of a table differ in. There they come as one text.
+    lists,   ///< of single attempts alone
+    tables,  ///< also of the tables of a cohort, which have an attempt by the ten thousand
+    /// The same: words and numbers of the program, of which a table has few that differ. There they come as
+    /// one text.
     words
 };
 
@@ -26,9 +26,9 @@ struct Column {
 
 /// In the order in which summary_of_row() takes them.
 constexpr Column columns[] = {
-    {"a.id", In::tables_text},
-    {"p.id", In::words},
-    {"a.task_id", In::words},
+    {"a.id", In::tables},
+    {"p.id", In::tables},
+    {"a.task_id", In::tables},
     {"a.task_version", In::words},
     {"a.mode", In::words},
     {"a.device_class", In::words},
@@ -58,7 +58,7 @@ constexpr Column columns[] = {
     {"a.state_hash", In::lists},
     {"s.passed", In::tables},
     {"s.points", In::tables},
-    {"COALESCE(s.not_scored_because, '')", In::tables_text},
+    {"COALESCE(s.not_scored_because, '')", In::tables},
     {"EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1)", In::tables},
     {"COALESCE(v.reason, '')", In::lists},
     {"COALESCE(w.display_name, '')", In::lists},
@@ -74,12 +74,7 @@ constexpr Column columns[] = {
 
 constexpr char between_words = '\x1f';  // in none of them
 
-/// `as_bytes`: texts of a table come as UTF-8, which the driver of SQLite would else widen and we narrow
-/// again.
-QString select(bool for_table, bool as_bytes) {
-    const auto bytes = [&](const QString& text) {
-        return as_bytes ? QString("CAST(%1 AS BLOB)").arg(text) : text;
-    };
+QString select(bool for_table) {
     QString list, words;
     for (const Column& column : columns) {
         const bool packed = for_table && column.in == In::words;
@@ -87,9 +82,9 @@ QString select(bool for_table, bool as_bytes) {
         QString& to = packed ? words : list;
         if (!to.isEmpty())
             to += packed ? QString(" || '%1' || ").arg(QLatin1Char(between_words)) : QString(", ");
-        to += for_table && column.in == In::tables_text ? bytes(column.sql) : column.sql;
+        to += column.sql;
     }
-    if (for_table) list = bytes(words) + ", " + list;
+    if (for_table) list = words + ", " + list;
     QString sql = "SELECT " + list + " FROM attempt a " + join_owner("a.person_id", "p") +
                   "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
                   "LEFT JOIN attempt_void v ON v.attempt_id = a.id ";
@@ -108,11 +103,12 @@ constexpr std::size_t word_count() {
 class PackedWords {
   public:
     const std::vector<std::string>& of(const Query& row) {
-        const QByteArray text = row.row().front().toByteArray();
+        const QString text = row.row().front().toString();
         const auto known = known_.find(text);
         if (known != known_.end()) return *known;
         std::vector<std::string> words;
-        for (const QByteArray& word : text.split(between_words)) words.push_back(word.toStdString());
+        for (const QString& word : text.split(QLatin1Char(between_words)))
+            words.push_back(word.toStdString());
         if (words.size() != word_count())
             throw StoreError(
                 StoreErrorKind::corrupt,
@@ -123,7 +119,7 @@ class PackedWords {
     }
 
   private:
-    QHash<QByteArray, std::vector<std::string>> known_;
+    QHash<QString, std::vector<std::string>> known_;
 };
 
 /// Takes the columns one after another; those that were not asked for are empty.
@@ -152,7 +148,7 @@ class Fields {
     }
 
   private:
-    bool is_there(const Column& column) const { return words_ == nullptr || column.in != In::lists; }
+    bool is_there(const Column& column) const { return words_ == nullptr || column.in == In::tables; }
     const Query& row_;
     const std::vector<std::string>* words_;
     std::size_t at_ = 0, word_ = 0;
@@ -255,8 +251,8 @@ namespace {
 /// `order`: what follows the conditions.
 Query attempts_query(const Store& store, const Session& session, const AttemptFilter& filter,
                      const char* order) {
-    QString sql = select(filter.for_table, !store.connection().is_server()) + "WHERE " +
-                  visible_people(session, Operation::read_attempt, "p.id");
+    QString sql =
+        select(filter.for_table) + "WHERE " + visible_people(session, Operation::read_attempt, "p.id");
     if (!filter.person_id.empty()) sql += " AND " + belongs_to("a.person_id");
     if (!filter.task_id.empty()) sql += " AND a.task_id = ?";
     if (!filter.cohort_id.empty())
@@ -321,7 +317,7 @@ std::string require_attempt(const Store& store, const Session& session, Operatio
 }
 
 AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) {
-    Query row(store.connection(), select(false, false) + "WHERE a.id = ?");
+    Query row(store.connection(), select(false) + "WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next()) unknown_attempt(attempt_id);
     return summary_of_row(row);

@@ -356,9 +356,7 @@ bool Query::next() {
 }
 
 std::string Query::text(int column) const {
-    const QVariant& text = value(column);
-    if (text.type() == QVariant::ByteArray) return text.toByteArray().toStdString();
-    return text.toString().toStdString();
+    return value(column).toString().toStdString();
 }
 std::int64_t Query::integer(int column) const {
     return value(column).toLongLong();
