@@ -55,15 +55,15 @@ class Signal {
         while (sem_wait(&semaphore_) != 0 && errno == EINTR) {
         }
     }
-    /// False on timeout.
+    /// False on timeout, which no change of the system's time moves.
     bool wait_for_ms(int milliseconds) noexcept {
         timespec time{};
-        clock_gettime(CLOCK_REALTIME, &time);
+        clock_gettime(CLOCK_MONOTONIC, &time);
         time.tv_nsec += milliseconds * 1000000L;
         time.tv_sec += time.tv_nsec / 1000000000L;
         time.tv_nsec %= 1000000000L;
         int result = 0;
-        while ((result = sem_timedwait(&semaphore_, &time)) != 0 && errno == EINTR) {
+        while ((result = sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &time)) != 0 && errno == EINTR) {
         }
         return result == 0;
     }
