@@ -13,6 +13,7 @@
 #include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
 #include "database/rows/packed_bytes.h"
+#include "sim_core/numerics/boot_clock.h"
 #include "sim_core/telemetry/ring.h"
 
 namespace fulcrum::app {
@@ -60,7 +61,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
     std::atomic<bool> device_lost{false}, resume_asked{false}, became_practice{false};
     std::atomic<std::uint32_t> tick_count{0};
-    std::atomic<std::int64_t> gap_ns{0};  // longest delay of a tick above longest_gap_ns, not yet recorded
+    std::atomic<std::int64_t> gap_ns{0};  // longest gap above longest_gap_ns, not yet recorded
     std::atomic<bool> ended{false}, finished{false}, failed{false};
 
     mutable std::mutex end_mutex;  // guards message and result, which the recorder thread passes to the owner
@@ -144,6 +145,7 @@ void LiveAttempt::State::run_haptic() noexcept {
     if (observer != nullptr) observe();
     std::int64_t deadline = now_ns() + period;
     TickAccount account(period);
+    SleepAccount sleeps;
     std::int64_t last_duration = 0;
     ThreadUse last_use;
     for (std::uint32_t tick = engine->next_tick(); !stop.load(std::memory_order_relaxed); ++tick) {
@@ -155,8 +157,9 @@ void LiveAttempt::State::run_haptic() noexcept {
         const std::int64_t late = begin - deadline;
         const ThreadUse at_begin = use_of_this_thread();
         counters.tick_begins(late, account.begin(late, last_duration, last_use));
-        if (late > longest_gap_ns && late > gap_ns.load(std::memory_order_relaxed))
-            gap_ns.store(late, std::memory_order_relaxed);
+        const std::int64_t gap = late + sleeps.slept(begin, boot_ns());
+        if (gap > longest_gap_ns && gap > gap_ns.load(std::memory_order_relaxed))
+            gap_ns.store(gap, std::memory_order_relaxed);
         if (late >= catch_up_ticks * period) {
             deadline = begin;
             account.clock_moved();

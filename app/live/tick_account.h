@@ -9,6 +9,9 @@
 // with a voluntary context switch counts with its wall time. The work of a tick lasts from the return of the
 // clock's wait to the next wait; the wait itself is attributed to the scheduler.
 //
+// The clock of the ticks does not advance while the machine sleeps, so no tick is late after that; how long
+// it slept follows from a second clock.
+//
 // Haptic thread: no allocation, lock or exception. The result depends on the arguments only.
 #pragma once
 
@@ -17,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace fulcrum::app {
 
@@ -65,6 +69,21 @@ class TickAccount {
   private:
     std::int64_t period_;
     std::int64_t behind_ = 0;  // ns of delay caused by own work alone; at most the actual delay
+};
+
+/// How long the machine slept between two ticks.
+class SleepAccount {
+  public:
+    /// ns by which CLOCK_BOOTTIME gained on CLOCK_MONOTONIC since the last call; 0 at the first. Where the
+    /// thread was preempted between reading the clocks, it is that much too long, and the next one too short.
+    std::int64_t slept(std::int64_t monotonic, std::int64_t boot) noexcept {
+        const std::int64_t ahead = boot - monotonic, before = ahead_.value_or(ahead);
+        ahead_ = ahead;
+        return ahead - before;
+    }
+
+  private:
+    std::optional<std::int64_t> ahead_;
 };
 
 }  // namespace fulcrum::app

@@ -4,7 +4,6 @@
 #include <QDateTime>
 #include <QStandardPaths>
 #include <QSysInfo>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -19,6 +18,7 @@
 #include "database/store/backup_list.h"
 #include "database/store/store_file.h"
 #include "database/store/store_state.h"
+#include "sim_core/numerics/boot_clock.h"
 
 namespace fulcrum::database {
 namespace {
@@ -36,9 +36,7 @@ BootTime system_boot_time() {
         std::getline(file, id);
         return id;
     }();
-    timespec time{};
-    ::clock_gettime(CLOCK_BOOTTIME, &time);
-    return {boot, std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1000000};
+    return {boot, boot_ns() / 1'000'000};
 }
 
 /// What to add to the system clock so that a demonstration resumes when its record ends: its trainees would

@@ -27,6 +27,7 @@
 #include "database/records/people.h"
 #include "database/rows/connection.h"
 #include "tests/app/counters.h"
+#include "tests/support/clock_ahead.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -379,6 +380,21 @@ void stop_this_program() {
     ASSERT_EQ(::kill(::getpid(), SIGSTOP), 0);
 }
 
+/// The only attempt is practice now, and the audit log says that the program stood still for so long.
+void expect_stood_still(const std::string& store_path, double least_s) {
+    EXPECT_EQ(only_attempt(store_path).meta.mode, AttemptMode::practice);
+    const database::Store store = database::Store::open(store_path);
+    database::Query row(store.connection(),
+                        "SELECT p.payload FROM audit_payload p JOIN audit_entry e ON e.sequence = p.sequence "
+                        "WHERE e.operation = 'attempt.practice'");
+    ASSERT_TRUE(row.next());
+    const std::string reason = nlohmann::json::parse(row.text(0)).at("reason").get<std::string>();
+    EXPECT_EQ(statement_of(reason).id(), StatementId::practice_stood_still) << reason;
+    ASSERT_NE(statement_of(reason).number("seconds"), nullptr) << reason;
+    EXPECT_GE(*statement_of(reason).number("seconds"), least_s) << reason;
+    EXPECT_TRUE(store.check(store.station_session()).ok);
+}
+
 TEST_F(Escapes, StoppingTheProgramMakesPracticeOfItAndIsInTheAuditLog) {
     {
         Attempt attempt(store_path, false);
@@ -389,17 +405,22 @@ TEST_F(Escapes, StoppingTheProgramMakesPracticeOfItAndIsInTheAuditLog) {
         attempt.live->wait();
         attempt.live->rethrow();
     }
-    EXPECT_EQ(only_attempt(store_path).meta.mode, AttemptMode::practice);
-    const database::Store store = database::Store::open(store_path);
-    database::Query row(store.connection(),
-                        "SELECT p.payload FROM audit_payload p JOIN audit_entry e ON e.sequence = p.sequence "
-                        "WHERE e.operation = 'attempt.practice'");
-    ASSERT_TRUE(row.next());
-    const std::string reason = nlohmann::json::parse(row.text(0)).at("reason").get<std::string>();
-    EXPECT_EQ(statement_of(reason).id(), StatementId::practice_stood_still) << reason;
-    ASSERT_NE(statement_of(reason).number("seconds"), nullptr) << reason;
-    EXPECT_GE(*statement_of(reason).number("seconds"), 1) << reason;
-    EXPECT_TRUE(store.check(store.station_session()).ok);
+    expect_stood_still(store_path, 1);
+}
+
+TEST_F(Escapes, ASleepOfTheMachineMakesPracticeOfItAndIsInTheAuditLog) {
+    if (!fulcrum::test::clocks_can_be_set) GTEST_SKIP() << "a sanitizer owns the clocks";
+    {
+        Attempt attempt(store_path, false);
+        ASSERT_TRUE(attempt.moves());
+        EXPECT_FALSE(attempt.live->became_practice());
+        const fulcrum::test::ClockAhead slept(CLOCK_BOOTTIME, 60);
+        EXPECT_TRUE(wait_until_true([&] { return attempt.live->became_practice(); }));
+        attempt.live->abandon();
+        attempt.live->wait();
+        attempt.live->rethrow();
+    }
+    expect_stood_still(store_path, 59);
 }
 
 TEST_F(Escapes, StoppingTheProgramAfterALimitWasBrokenDoesNotTakeItBack) {

@@ -4,11 +4,19 @@
 #include <QCoreApplication>
 #include <QEvent>
 
+#include "sim_core/numerics/boot_clock.h"
+
 namespace fulcrum::ui {
+namespace {
+
+std::int64_t now_ms() {
+    return boot_ns() / 1'000'000;
+}
+
+}  // namespace
 
 IdleWatch::IdleWatch(QObject* parent, int lock_ms, int close_ms)
     : QObject(parent), lock_ms_(lock_ms), close_ms_(close_ms) {
-    since_input_.start();
     lock_after(lock_ms);
     connect(&timer_, &QTimer::timeout, this, &IdleWatch::look);
     QCoreApplication::instance()->installEventFilter(this);
@@ -16,8 +24,7 @@ IdleWatch::IdleWatch(QObject* parent, int lock_ms, int close_ms)
 
 void IdleWatch::set_active(bool active) {
     active_ = active;
-    locked_ = closed_ = false;
-    since_input_.restart();
+    unlocked();
     if (active) {
         timer_.start();
     } else {
@@ -27,16 +34,18 @@ void IdleWatch::set_active(bool active) {
 
 void IdleWatch::lock_after(int milliseconds) {
     lock_ms_ = milliseconds;
+    input_ms_ = now_ms();
     timer_.setInterval(qBound(10, milliseconds / 20, 1000));
 }
 
 void IdleWatch::note_input() {
-    since_input_.restart();
+    const std::int64_t now = now_ms();
+    if (now - input_ms_ < lock_ms_) input_ms_ = now;
 }
 
 void IdleWatch::unlocked() {
     locked_ = closed_ = false;
-    since_input_.restart();
+    input_ms_ = now_ms();
 }
 
 bool IdleWatch::eventFilter(QObject* watched, QEvent* event) {
@@ -47,7 +56,7 @@ bool IdleWatch::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Wheel:
         case QEvent::TouchBegin:
         case QEvent::TabletPress:
-            if (event->spontaneous() || event->type() != QEvent::MouseMove) since_input_.restart();
+            if (event->spontaneous() || event->type() != QEvent::MouseMove) note_input();
             break;
         default:
             break;
@@ -58,11 +67,11 @@ bool IdleWatch::eventFilter(QObject* watched, QEvent* event) {
 void IdleWatch::look() {
     if (!active_) return;
     if (!locked_) {
-        if (since_input_.elapsed() < lock_ms_) return;
+        if (now_ms() - input_ms_ < lock_ms_) return;
         locked_ = true;
-        since_lock_.start();
+        lock_at_ms_ = now_ms();
         emit lock();
-    } else if (!closed_ && since_lock_.elapsed() >= close_ms_) {
+    } else if (!closed_ && now_ms() - lock_at_ms_ >= close_ms_) {
         closed_ = true;
         emit close_attempt();
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Locks the window after a time without input, and says when it has been locked for as long again. Any key,
 // button, wheel or pointer movement of the application counts, and whatever a device reports through
-// note_input().
+// note_input(). The time that the machine sleeps counts too.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <cstdint>
 
 namespace fulcrum::ui {
 
@@ -20,8 +20,9 @@ class IdleWatch : public QObject {
     explicit IdleWatch(QObject* parent, int lock_ms = lock_after_ms, int close_ms = close_after_ms);
     /// Watches only while someone is signed in.
     void set_active(bool active);
+    /// Input that comes when the time is over, before the lock, does not prevent it.
     void note_input();
-    /// From now on, ms without input.
+    /// This long without input, which is counted from now on.
     void lock_after(int milliseconds);
     /// The lock was lifted.
     void unlocked();
@@ -39,7 +40,7 @@ class IdleWatch : public QObject {
     void look();
     int lock_ms_, close_ms_;
     bool active_ = false, locked_ = false, closed_ = false;
-    QElapsedTimer since_input_, since_lock_;
+    std::int64_t input_ms_ = 0, lock_at_ms_ = 0;  ///< boot_ns(), in ms
     QTimer timer_;
 };
 

@@ -107,6 +107,16 @@ TEST(TickAccount, NoDelayIsLeftAfterTheDeadlineWasMoved) {
     EXPECT_EQ(clock.tick(2500 * us, 20 * us), Lateness::by_scheduler);
 }
 
+TEST(TickAccount, SleepIsWhatTheClockThatCountsItGains) {
+    constexpr std::int64_t hour = 3'600'000'000 * us;
+    SleepAccount sleeps;
+    EXPECT_EQ(sleeps.slept(7 * period, 7 * period + hour), 0) << "before the first tick";
+    EXPECT_EQ(sleeps.slept(8 * period, 8 * period + hour), 0);
+    EXPECT_EQ(sleeps.slept(9 * period, 9 * period + 3 * hour), 2 * hour);
+    EXPECT_EQ(sleeps.slept(10 * period, 10 * period + 3 * hour + 5 * us), 5 * us) << "preempted";
+    EXPECT_EQ(sleeps.slept(11 * period, 11 * period + 3 * hour), -5 * us);
+}
+
 TEST(ThreadUse, ProcessorTimeGrowsWithWorkAndWaitsWithSleep) {
     const ThreadUse before = use_of_this_thread();
     ThreadUse after = before;
