@@ -144,8 +144,8 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, Devic
     driven.newest = pose;
     DeviceReading reading = driven.start;
     const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);
-    const bool answers = pose.present != 0 && driven.same <= late_ticks && overseer_same_ <= overseer_ticks;
-    if (!driven.begun && answers && position.allFinite() && std::isfinite(pose.roll)) {
+    const bool present = answers(pose, driven.same);
+    if (!driven.begun && present && position.allFinite() && std::isfinite(pose.roll)) {
         driven.begun = true;
         driven.origin = position;
         driven.roll_origin = pose.roll;
@@ -158,7 +158,7 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, Devic
             pose.buttons |= button_clutch;
         // Without an answer the clutch stays as it was; a place that is not a number changes nothing.
         if (reading.handle.allFinite() && std::isfinite(reading.roll))
-            clutch(driven, answers ? (pose.buttons & button_clutch) != 0 : driven.clutched, reading);
+            clutch(driven, present ? (pose.buttons & button_clutch) != 0 : driven.clutched, reading);
         const bool closed = !is_scope && (pose.jaw <= 0.05 || (pose.buttons & button_primary) != 0);
         reading.jaw = is_scope || closed ? 0 : std::min(pose.jaw, 1.0) * driven.opening;
         if (std::isnan(pose.jaw)) reading.jaw = pose.jaw;  // a faulty reading, as for the position
@@ -166,7 +166,7 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, Devic
         const unsigned jaws = closed ? unsigned{button_primary} : 0U;
         reading.buttons = static_cast<std::uint16_t>((pose.buttons & 0xfU) | jaws);
     }
-    reading.present = answers;
+    reading.present = present;
     driven.last = quantise(reading, driven.last);
     sample = driven.last;
 }
@@ -233,10 +233,17 @@ void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
     if (has_pedal_) read_pedal(sample);
 }
 
-void DeviceRig::read_pedal(RigSample& sample) const noexcept {
-    DevicePose pose;
-    const bool pressed =
-        state_.pose[pedal_].read(pose) && pose.present != 0 && (pose.buttons & button_energy) != 0;
+bool DeviceRig::answers(const DevicePose& pose, int same) const noexcept {
+    return pose.present != 0 && same <= late_ticks && overseer_same_ <= overseer_ticks;
+}
+
+void DeviceRig::read_pedal(RigSample& sample) noexcept {
+    DevicePose pose = pedal_newest_;
+    const bool got = state_.pose[pedal_].read(pose);
+    pedal_same_ =
+        got && pose.sequence != pedal_newest_.sequence ? 0 : std::min(pedal_same_ + 1, late_ticks + 1);
+    pedal_newest_ = pose;
+    const bool pressed = answers(pose, pedal_same_) && (pose.buttons & button_energy) != 0;
     for (int h = 0; h < hand_count && pressed; ++h)
         if (driven_[h].exists)
             sample.hand[h].buttons = static_cast<std::uint16_t>(sample.hand[h].buttons | button_energy);

@@ -90,10 +90,15 @@ class DeviceRig : public Rig {
     const StatePage& state_;
     CommandPage& command_;
     std::shared_ptr<Rig> others_;
-    void read_pedal(RigSample& sample) const noexcept;
+    /// Of a slot whose newest reading is `pose`, for `same` ticks.
+    bool answers(const DevicePose& pose, int same) const noexcept;
+    /// One that does not answer is not pressed.
+    void read_pedal(RigSample& sample) noexcept;
     double motion_, stated_rate_;
     int pedal_;
     bool has_pedal_;
+    DevicePose pedal_newest_;
+    int pedal_same_ = 0;           // ticks since a new reading
     Driven driven_[device_slots];  // left, right, scope
     std::int64_t overseer_time_ = -1;
     int overseer_same_ = 0;  // ticks since it last said that it runs

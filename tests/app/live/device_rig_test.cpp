@@ -203,6 +203,34 @@ TEST(DeviceRig, ThePedalIsTheButtonThatAPersonChose) {
     EXPECT_EQ(pedals(2), std::pair(false, false)) << "the device has no third part";
 }
 
+// The page keeps the last reading of a device process that has ended.
+TEST(DeviceRig, APedalThatDoesNotAnswerIsNotPressed) {
+    OnPages at;
+    // Mouse and keyboard for both hands and the scope.
+    at.rig = std::make_unique<DeviceRig>(nullptr, *at.state.get(), *at.command.get(), at.facts, at.scene,
+                                         at.others, SlotUse{-1, -1, -1, 1, 0}, 1);
+    const auto pressed_after = [&at](int ticks, bool published) {
+        for (int i = 0; i < ticks; ++i) {
+            if (published) at.publish();
+            at.read();
+        }
+        const bool left = (at.sample.hand[0].buttons & button_energy) != 0;
+        EXPECT_EQ(left, (at.sample.hand[1].buttons & button_energy) != 0);
+        return left;
+    };
+    EXPECT_FALSE(pressed_after(1, false)) << "before the first reading";
+    at.pose[0].buttons = button_energy;
+    EXPECT_TRUE(pressed_after(1, true));
+    EXPECT_TRUE(pressed_after(5, false)) << "two clocks of 1 kHz";
+    EXPECT_FALSE(pressed_after(5, false));
+    EXPECT_TRUE(pressed_after(1, true)) << "it answers again";
+    at.overseen = false;
+    EXPECT_TRUE(pressed_after(50, true));
+    EXPECT_FALSE(pressed_after(100, true)) << "nobody would switch the device off";
+    at.overseen = true;
+    EXPECT_TRUE(pressed_after(1, true));
+}
+
 TEST(DeviceRig, WhileTheClutchIsPressedTheInstrumentStaysAndThenFollowsFromThere) {
     OnPages at;
     at.publish();
