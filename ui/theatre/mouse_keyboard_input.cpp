@@ -172,7 +172,7 @@ void MouseKeyboardInput::set_primary_button(bool pressed) {
     button_ = pressed;
 }
 
-bool MouseKeyboardInput::press_key(int key) {
+bool MouseKeyboardInput::press_key(int key, quint32 code) {
     const std::optional<KeyAction> action = keys_.action(key);
     if (!action) return false;
     switch (*action) {
@@ -193,17 +193,25 @@ bool MouseKeyboardInput::press_key(int key) {
             break;
         default:
             held_.set(bit(*action));
+            if (code != 0) held_by_[code] = *action;
             break;
     }
     return true;
 }
 
-void MouseKeyboardInput::release_key(int key) {
-    if (const std::optional<KeyAction> action = keys_.action(key)) held_.reset(bit(*action));
+void MouseKeyboardInput::release_key(int key, quint32 code) {
+    const auto by = held_by_.find(code);
+    if (by != held_by_.end()) {
+        held_.reset(bit(by->second));
+        held_by_.erase(by);
+    } else if (const std::optional<KeyAction> action = keys_.action(key)) {
+        held_.reset(bit(*action));
+    }
 }
 
 void MouseKeyboardInput::release_all() {
     held_.reset();
+    held_by_.clear();
     button_ = false;
     for (Axis& axis : hand_) axis.jaws = axis.pedal = axis.exchange = false;
 }

@@ -12,6 +12,7 @@
 #include <QPointF>
 #include <QStringList>
 #include <bitset>
+#include <map>
 #include <memory>
 
 #include "sim_core/controllers/game_controller.h"
@@ -75,9 +76,11 @@ class MouseKeyboardInput {
     void move_mouse(const QPointF& pixels, MouseUse use = MouseUse::move);
     void turn_wheel(double notches);
     void set_primary_button(bool pressed);
-    /// True if the key means something here.
-    bool press_key(int key);
-    void release_key(int key);
+    /// True if the key means something here. `code` (QKeyEvent::nativeScanCode(), 0: not known) is that of
+    /// the key itself, whose name changes with Shift: what was pressed under it ends with its release,
+    /// whatever it is called by then.
+    bool press_key(int key, quint32 code = 0);
+    void release_key(int key, quint32 code = 0);
     /// The window lost the keyboard: nothing is held down any more; latched jaws stay.
     void release_all();
     /// Hands and scope are where a device's sample has them; jaws that were closed stay closed. Before the
@@ -143,6 +146,7 @@ class MouseKeyboardInput {
     Quaternion view_ = Quaternion::Identity();
     KeyMap keys_ = KeyMap::standard(false);
     std::bitset<key_action_count> held_;
+    std::map<quint32, KeyAction> held_by_;  ///< by code
     std::shared_ptr<MouseKeyboardRig> rig_;
 };
 

@@ -79,7 +79,7 @@ bool TheatrePage::hands_are_there() {
 bool TheatrePage::key(QKeyEvent* event, bool pressed) {
     if (event->isAutoRepeat()) return true;
     if (!pressed) {
-        input_->release_key(event->key());
+        input_->release_key(event->key(), event->nativeScanCode());
         return true;
     }
     if (event->key() == Qt::Key_Escape) {
@@ -118,7 +118,7 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         }
         return true;
     }
-    return takes_hands() && input_->press_key(event->key());
+    return takes_hands() && input_->press_key(event->key(), event->nativeScanCode());
 }
 
 void TheatrePage::mouse_move(QMouseEvent* event) {

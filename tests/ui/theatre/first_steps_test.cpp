@@ -9,6 +9,7 @@
 #include "sim_core/instrument/mouse_mapping.h"
 #include "tests/support/support.h"
 #include "tests/ui/settings_screens.h"
+#include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/taught_lines.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
@@ -279,6 +280,27 @@ TEST_F(FirstSteps, EndWithEnterAndAreShownAgainFromTheHelp) {
     home();
     again("A2");
     EXPECT_FALSE(strip().contains("Enter")) << "ended is as good as learnt";
+}
+
+// On a German keyboard the semicolon is Shift and the comma.
+TEST_F(FirstSteps, AKeyIsReleasedUnderTheNameThatShiftGaveIt) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    services.control.ticks_per_update = 1;
+    again("A2");
+    const auto send = [this](QEvent::Type type, int key, Qt::KeyboardModifiers with, const char* words) {
+        QKeyEvent event(type, key, with, 47, 0, 0, QString::fromLatin1(words));
+        QCoreApplication::sendEvent(page->view(), &event);
+    };
+    const auto handle = [this]() -> Vector3 { return page->input()->targets().hand[1].handle; };
+    const Vector3 begun = handle();
+    send(QEvent::KeyPress, Qt::Key_Semicolon, Qt::NoModifier, ";");
+    page->input()->advance(0.1);
+    EXPECT_GT((handle() - begun).norm(), 1e-4);
+    send(QEvent::KeyRelease, Qt::Key_Colon, Qt::ShiftModifier, ":");
+    const Vector3 released = handle();
+    page->input()->advance(1.0);
+    EXPECT_EQ(handle(), released);
 }
 
 TEST_F(FirstSteps, AreDrawnInBothThemesLanguagesAndLarge) {

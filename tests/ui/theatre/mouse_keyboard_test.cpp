@@ -101,6 +101,30 @@ TEST(MouseKeyboard, KeysTurnTheCameraHeadInEveryScene) {
     }
 }
 
+TEST(MouseKeyboard, AKeyThatIsLetGoIsLetGoWhateverShiftMakesOfItsName) {
+    const Scene targets = scene();
+    MouseKeyboardInput input(targets);
+    const auto turned = [&input] {
+        const double before = input.targets().camera.jaw;
+        input.advance(0.1);
+        return input.targets().camera.jaw != before;
+    };
+    constexpr quint32 period = 60, comma = 59;
+    EXPECT_TRUE(input.press_key(Qt::Key_Period, period));
+    EXPECT_TRUE(turned());
+    input.release_key(Qt::Key_Greater, period);
+    EXPECT_FALSE(turned());
+    EXPECT_FALSE(input.press_key(Qt::Key_Greater, period)) << "no key of this map";
+    EXPECT_TRUE(input.press_key(Qt::Key_Comma, comma));
+    input.release_key(Qt::Key_Period, period);
+    EXPECT_TRUE(turned()) << "the other key is still held";
+    input.release_all();
+    EXPECT_FALSE(turned());
+    EXPECT_TRUE(input.press_key(Qt::Key_Comma));
+    input.release_key(Qt::Key_Comma, comma);
+    EXPECT_FALSE(turned()) << "by its name, where no code is known";
+}
+
 TEST(MouseKeyboard, PedalAndExchangeAreButtonsOfTheActiveHandWhileHeld) {
     const Scene bands = load_scene(fulcrum::test::source_path("assets/scenes/b3_bands.json"));
     MouseKeyboardInput input(bands);
