@@ -47,23 +47,24 @@ const DeviceReadings::Slot* slot_of_hand(const DeviceReadings& readings, const S
 
 QStringList BeginPlace::look(DeviceService& devices, const Scene& scene, const WorldSnapshot& at_start) {
     if (done_) return {};
-    const std::string kind = devices.device_in_use().kind;
-    const auto readings = devices.begins_at_ring(kind) ? devices.device_readings() : std::nullopt;
-    if (!readings) {
-        done_ = true;
-        return {};
-    }
+    const DeviceInUse device = devices.device_in_use();
+    done_ = !devices.begins_at_ring(device.kind);
+    if (done_) return {};
+    const auto readings = devices.device_readings();
     if (!known_) reach_ = fulcrum::scene_reach(scene, at_start);
     known_ = true;
-    const double motion = devices.motion_scale(kind);
+    const double motion = devices.motion_scale(device.kind);
+    const SlotChoice choice = devices.slot_choice(device.kind);
     QStringList lines;
     for (int h = 0; h < hand_count; ++h) {
         const auto& needs = reach_[static_cast<std::size_t>(h)];
-        const DeviceReadings::Slot* const slot = slot_of_hand(*readings, devices.slot_choice(kind), h);
-        if (slot == nullptr || !needs) continue;
+        const DeviceReadings::Slot* const slot = readings ? slot_of_hand(*readings, choice, h) : nullptr;
+        // Without readings its process has ended or does not answer: the hand is nowhere.
+        const bool waits = readings ? slot != nullptr : device.drives[h];
+        if (!waits || !needs) continue;
         const QString name = h == 0 ? place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "Left hand"))
                                     : place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "Right hand"));
-        if (!slot->present || !slot->position.allFinite()) {
+        if (slot == nullptr || !slot->present || !slot->position.allFinite()) {
             lines << place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1: does not answer")).arg(name);
             continue;
         }

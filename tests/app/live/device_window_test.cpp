@@ -66,6 +66,20 @@ class DeviceWindow : public ScriptedDevice, public Window {
     }
     double right_x() { return theatre().session()->snapshot().tools[1].tip.x(); }
     QString panel() { return find<QLabel>(window, "panel_text")->text(); }
+    QString cover() { return theatre().view()->cover().join(QStringLiteral(" / ")); }
+    /// Practice of A2, before which the handles are to be brought to the ring.
+    void wait_at_the_ring() {
+        QSettings().clear();
+        QSettings().setValue("begin_at_ring/virtual", true);
+        create_programme_and_trainee();
+        ui::window_test::click(window, "briefing_A2");
+        expect_page("briefing_page");
+        ui::window_test::check(window, "mode_practice");
+        ui::window_test::click(window, "start_attempt");
+        expect_page("theatre_page");
+        ASSERT_TRUE(wait_for([&] { return cover().contains("Enter: begin where they are"); }, 20000))
+            << static_cast<int>(theatre().session()->phase()) << cover().toStdString();
+    }
 };
 
 TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo) {
@@ -204,24 +218,41 @@ TEST_F(DeviceWindow, ForceScaleOfTheSettingsIsUsedStoredAndNamedInTheDebrief) {
 }
 
 TEST_F(DeviceWindow, AnAttemptWaitsForTheHandleAtTheRingUntilEnter) {
-    QSettings().clear();
-    QSettings().setValue("begin_at_ring/virtual", true);
-    create_programme_and_trainee();
-    ui::window_test::click(window, "briefing_A2");
-    expect_page("briefing_page");
-    ui::window_test::check(window, "mode_practice");
-    ui::window_test::click(window, "start_attempt");
-    expect_page("theatre_page");
-    const QString enter = QStringLiteral("Enter: begin where they are");
-    ASSERT_TRUE(wait_for([&] { return theatre().view()->cover().contains(enter); }, 20000))
-        << static_cast<int>(theatre().session()->phase())
-        << theatre().view()->cover().join(" / ").toStdString();
+    ASSERT_NO_FATAL_FAILURE(wait_at_the_ring());
     EXPECT_TRUE(theatre().view()->cover().first().contains("move the handle "));
     EXPECT_EQ(theatre().session()->phase(), AttemptPhase::ready) << "nothing is on the clock";
     keep_picture(window, "35-bring-the-handles");
     QTest::keyClick(theatre().view(), Qt::Key_Return);
     ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }));
-    EXPECT_FALSE(theatre().view()->cover().contains(enter));
+    EXPECT_FALSE(cover().contains("Enter: begin where they are"));
+    abandon();
+    QSettings().clear();
+}
+
+TEST_F(DeviceWindow, AnAttemptDoesNotBeginByItselfWhileItsDeviceIsAway) {
+    ASSERT_NO_FATAL_FAILURE(wait_at_the_ring());
+    const auto phase = [&] { return theatre().session()->phase(); };
+    const auto begun = [&] { return phase() != AttemptPhase::ready || cover().isEmpty(); };
+    const auto asks = [&] { return cover().contains("move the handle "); };
+    const pid_t overseer = child_of(getpid());
+    ASSERT_GT(overseer, 0);
+    ASSERT_EQ(kill(overseer, SIGSTOP), 0);
+    EXPECT_TRUE(wait_for([&] { return cover().contains("hand: does not answer"); }, 10000))
+        << cover().toStdString();
+    EXPECT_FALSE(wait_for(begun, 1000));
+    ASSERT_EQ(kill(overseer, SIGCONT), 0);
+    EXPECT_TRUE(wait_for(asks, 10000)) << cover().toStdString();
+    QTest::qWait(1000);
+
+    // The device is unplugged: its process ends, and another one is started.
+    const pid_t device = child_of(overseer);
+    ASSERT_GT(device, 0);
+    ASSERT_EQ(kill(device, SIGKILL), 0);
+    EXPECT_FALSE(wait_for(begun, 3000)) << static_cast<int>(phase());
+    EXPECT_TRUE(wait_for(asks, 10000)) << cover().toStdString();
+    EXPECT_NE(child_of(overseer), device);
+    QTest::keyClick(theatre().view(), Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
     abandon();
     QSettings().clear();
 }
