@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "app/live/device_watch.h"
 #include "sim_core/instrument/mouse_mapping.h"
 
 namespace fulcrum::app {
@@ -167,6 +168,13 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, Devic
         reading.buttons = static_cast<std::uint16_t>((pose.buttons & 0xfU) | jaws);
     }
     reading.present = present;
+    // Away for longer the device is lost and the attempt on hold: it may be taken up anywhere. Between
+    // readings that follow one another it cannot jump.
+    const bool gives_a_place =
+        present && reading.handle.allFinite() && std::isfinite(reading.roll) && std::isfinite(reading.jaw);
+    if (gives_a_place && driven.away > DeviceWatchLimits().silent_ticks)
+        std::fill(std::begin(driven.last.handle), std::end(driven.last.handle), 0);
+    driven.away = gives_a_place ? 0 : std::min(driven.away + 1, DeviceWatchLimits().silent_ticks + 1);
     driven.last = quantise(reading, driven.last);
     sample = driven.last;
 }

@@ -66,7 +66,8 @@ class DeviceRig : public Rig {
         double roll_origin = 0;
         DevicePose newest;
         RateMeter meter;
-        int same = 0;  // ticks since a new reading
+        int same = 0;            // ticks since a new reading
+        std::uint32_t away = 0;  // ticks since it gave a place
         DeviceSample last;
         /// While its clutch is pressed the instrument stays where it was.
         bool clutched = false;

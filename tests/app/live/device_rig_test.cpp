@@ -362,6 +362,37 @@ TEST(DeviceRig, ReadingsThatAreNotNumbersAndJumpsAreFaultyAndKeepThePose) {
     }
 }
 
+TEST(DeviceRig, ADeviceThatWasAwayForLongMayBeTakenUpAnywhere) {
+    for (const bool not_a_number : {false, true})
+        for (const int ticks : {10, 50, 51, 60}) {
+            OnPages at;
+            at.publish();
+            at.read();
+            const Vector3 before = at.handle(0);
+            for (int i = 0; i < ticks; ++i) {
+                at.pose[0].present = not_a_number ? 1 : 0;
+                at.pose[0].position[0] = not_a_number ? NAN : 0.25;
+                at.publish();
+                at.read();
+                EXPECT_EQ(at.handle(0), before);
+            }
+            at.pose[0].present = 1;
+            at.pose[0].position[0] = 0.25;  // further than a reading may jump
+            at.publish();
+            at.read();
+            const bool lost = ticks > 50;
+            EXPECT_EQ(at.sample.hand[0].faulty, lost ? 0 : 1) << ticks;
+            const Vector3 moved = DeviceRig::turned(Vector3(lost ? 0.25 : 0, 0, 0));
+            EXPECT_LT((at.handle(0) - before - moved).norm(), 1e-6) << ticks;
+            EXPECT_EQ(at.sample.hand[1].faulty, 0);
+            if (!lost) continue;
+            at.pose[0].position[0] = 0;
+            at.publish();
+            at.read();
+            EXPECT_EQ(at.sample.hand[0].faulty, 1) << "from here on it cannot jump";
+        }
+}
+
 TEST(DeviceRig, JawsCloseByTheirAngleOrByTheButton) {
     OnPages at;
     at.publish();
