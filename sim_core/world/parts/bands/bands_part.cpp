@@ -133,27 +133,38 @@ void BandsPart::part(std::size_t band, int segment, bool torn) noexcept {
         field_.part_link(patches_.segment_links[band * (strand_segments - 1) + static_cast<std::size_t>(s)]);
     }
     overload_time_[band] = 0;
-    if (parted_at_[band] >= 0) return;  // a second cut of what is divided already
+    const bool first = parted_at_[band] < 0;
+    if (!first && segment > parted_at_[band]) return;  // of a piece that came off
     parted_at_[band] = segment;
+    open_trunk(band, segment, torn);
+    if (!first) return;  // the branch tore at the first cut
     parted_tension_[band] = tension;
     torn_[band] = torn ? 1 : 0;
-    for (std::size_t i = 0; i < field_.outlets().size(); ++i) {
-        if (outlet_band(i) != band) continue;
-        FieldOutlet& outlet = field_.outlets()[i];
-        const double before = outlet.bleed.sealed;  // heat that came before closes what would tear
-        if (is_trunk(i)) {
-            open_vessel(1.0, outlet.bleed);
-            outlet.bleed.sealed = sealed_[segment_patch(band, segment)];
-            const std::uint32_t up_to_the_cut = (2U << static_cast<unsigned>(segment)) - 1;  // nodes
-            outlet.bleed.clipped = (clips_[band] & up_to_the_cut) != 0;
-            outlet.injured = !outlet.bleed.clipped && (torn || outlet.bleed.sealed < least_seal);
-        } else {
-            const double recoil = std::clamp(tension / spec_.recoil_tension, 0.0, 1.0);
-            open_vessel(spec_.least_recoil + (1 - spec_.least_recoil) * recoil, outlet.bleed);
-            outlet.bleed.sealed = before;
-        }
-        outlet.opened = true;
-    }
+    open_branch(band, tension);
+}
+
+void BandsPart::open_trunk(std::size_t band, int segment, bool torn) noexcept {
+    const std::int32_t number = trunk_of(band);
+    if (number < 0) return;
+    FieldOutlet& trunk = field_.outlets()[static_cast<std::size_t>(number)];
+    open_vessel(1.0, trunk.bleed);
+    trunk.bleed.sealed = sealed_[segment_patch(band, segment)];
+    const std::uint32_t up_to_the_cut = (2U << static_cast<unsigned>(segment)) - 1;  // nodes
+    trunk.bleed.clipped = (clips_[band] & up_to_the_cut) != 0;
+    const bool closed = trunk.bleed.clipped || (!torn && trunk.bleed.sealed >= least_seal);
+    trunk.injured = trunk.injured || !closed;
+    trunk.opened = true;
+}
+
+void BandsPart::open_branch(std::size_t band, double tension) noexcept {
+    const std::int32_t trunk = trunk_of(band);
+    if (trunk < 0) return;
+    FieldOutlet& branch = field_.outlets()[static_cast<std::size_t>(trunk) + 1];
+    const double before = branch.bleed.sealed;  // heat that came before closes what would tear
+    const double recoil = std::clamp(tension / spec_.recoil_tension, 0.0, 1.0);
+    open_vessel(spec_.least_recoil + (1 - spec_.least_recoil) * recoil, branch.bleed);
+    branch.bleed.sealed = before;
+    branch.opened = true;
 }
 
 void BandsPart::place_outlets() noexcept {

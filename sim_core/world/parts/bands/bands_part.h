@@ -73,6 +73,10 @@ class BandsPart : public Part {
     bool energises(int number, std::size_t band) const noexcept;
     void divide_heated(std::size_t band, double dt) noexcept;
     void part(std::size_t band, int segment, bool torn) noexcept;
+    /// The vessel of a band, if it has one, ends at this cut next to its root.
+    void open_trunk(std::size_t band, int segment, bool torn) noexcept;
+    /// The branch at the vessel's root tears at the band's tension (N).
+    void open_branch(std::size_t band, double tension) noexcept;
     /// Where outlets are and which tissue is around them: their bands move and part.
     void place_outlets() noexcept;
     std::size_t segment_patch(std::size_t band, int segment) const {
@@ -82,6 +86,10 @@ class BandsPart : public Part {
         return static_cast<std::size_t>(layout_.vessel_bands[outlet / 2]);
     }
     static bool is_trunk(std::size_t outlet) { return outlet % 2 == 0; }
+    /// The outlet of the trunk of a band's vessel; -1 without one.
+    std::int32_t trunk_of(std::size_t band) const {
+        return layout_.bands[band].vessel < 0 ? -1 : 2 * layout_.bands[band].vessel;
+    }
 
     BandsSpec spec_;
     BandsLayout layout_;
@@ -99,7 +107,7 @@ class BandsPart : public Part {
     std::vector<double> progress_;         ///< of parting, by segment patch
     std::vector<double> sealed_;           ///< of a vessel there, by segment patch
     std::vector<double> parted_tension_;   ///< N, by band
-    std::vector<std::int32_t> parted_at_;  ///< first parted segment by band, -1 none
+    std::vector<std::int32_t> parted_at_;  ///< parted segment nearest to the root, by band; -1 none
     std::array<Grip, hand_count> grips_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clips on bands that are whole: every one stays, and each sits on one band.
+// Clips on bands, every one of which stays on one band, and where the vessel of a band ends that is divided
+// again.
 #include <gtest/gtest.h>
 
 #include "tests/sim_core/world/parts/bands/bands_stage.h"
@@ -18,6 +19,37 @@ void fire_at(BandsStage& stage, const Vector3& place) {
     stage.close(Hand::right);
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip_for_jaws(Hand::right, place + Vector3(0, 0, 0.02)));
+}
+
+/// Vessels that heat does not close, so that what is divided bleeds.
+Scene open_vessels() {
+    Scene scene = bands_scene();
+    scene.bands->seal_time = 50;
+    return scene;
+}
+
+std::size_t band_with_a_vessel(const BandsStage& stage) {
+    return static_cast<std::size_t>(stage.world.find<BandsPart>()->layout().vessel_bands[0]);
+}
+
+/// The shears of the right hand divide a band once at a share of its length from the root and leave. Returns
+/// its divided segment that is nearest to the root.
+int divide_once(BandsStage& stage, std::size_t band, double share) {
+    const std::uint32_t before = stage.bands()[band].parted;
+    stage.take(Hand::right, band, share);
+    EXPECT_TRUE(stage.world.snapshot().grasps[1].held);
+    EXPECT_EQ(stage.world.snapshot().grasps[1].patch, static_cast<std::int32_t>(band));
+    stage.press(Hand::right, button_energy, true);
+    const std::uint32_t begun = stage.tick;
+    while (stage.bands()[band].parted == before && stage.tick - begun < 20000) stage.step();
+    stage.press(Hand::right, button_energy, false);
+    stage.open(Hand::right);
+    stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
+    stage.run(0.5);
+    EXPECT_NE(stage.bands()[band].parted, before);
+    int nearest = 0;
+    while (nearest < strand_segments && (stage.bands()[band].parted >> nearest & 1U) == 0) ++nearest;
+    return nearest;
 }
 
 TEST(BandClips, OnTheRootSideKeepsTheVesselDryWhateverIsClippedBehindIt) {
@@ -55,6 +87,56 @@ TEST(BandClips, SitOnTheNearestBandOnly) {
     EXPECT_EQ(stage.bands()[4].clips, 1U << static_cast<unsigned>(strand_segments / 2));
     EXPECT_EQ(stage.bands()[2].clips, 0U);
     EXPECT_EQ(stage.field().tools[1].clips_left, scene.bands->clips - 1);
+}
+
+TEST(BandsDividedAgain, BleedWhereTheyWereDividedNearestToTheRoot) {
+    BandsStage stage(open_vessels());
+    const std::size_t band = band_with_a_vessel(stage);
+    const int first = divide_once(stage, band, 0.67);
+    EXPECT_GT(stage.field().outlets[0].flow, 0.0);
+    const int second = divide_once(stage, band, 0.25);
+    ASSERT_LT(second, first);
+    stage.run(2);  // the piece between the cuts falls
+    const OutletView& trunk = stage.field().outlets[0];
+    EXPECT_EQ(trunk.position, stage.bands()[band].position[static_cast<std::size_t>(second)]);
+    EXPECT_GT(trunk.position.z(), stage.scene.bands->centre.z()) << "on the stump, not on the piece";
+    EXPECT_GT(trunk.flow, 0.0);
+
+    stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
+    fire_at(stage, Vector3(trunk.position));
+    EXPECT_EQ(stage.field().tools[1].last_clip_outlet, 0);
+    EXPECT_EQ(trunk.flow, 0.0) << "a clip reaches it";
+}
+
+TEST(BandsDividedAgain, BleedThoughAClipCameOffWithTheEnd) {
+    BandsStage stage(open_vessels());
+    const std::size_t band = band_with_a_vessel(stage);
+    stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
+    fire_at(stage, Vector3(stage.bands()[band].position[6]));
+    ASSERT_EQ(stage.bands()[band].clips, 1U << 6U);
+    stage.exchange_to(Hand::right, InstrumentKind::harmonic);
+    ASSERT_GT(divide_once(stage, band, 0.67), 6);
+    EXPECT_TRUE(stage.field().outlets[0].clipped);
+    EXPECT_FALSE(stage.field().outlets[0].injured);
+    EXPECT_EQ(stage.field().outlets[0].flow, 0.0);
+    ASSERT_LT(divide_once(stage, band, 0.25), 6);
+    EXPECT_FALSE(stage.field().outlets[0].clipped);
+    EXPECT_TRUE(stage.field().outlets[0].injured) << "divided before it was closed there";
+    EXPECT_GT(stage.field().outlets[0].flow, 0.0);
+}
+
+TEST(BandsDividedAgain, BleedNoMoreAfterACutThroughWhatCameOff) {
+    BandsStage stage(open_vessels());
+    const std::size_t band = band_with_a_vessel(stage);
+    const int first = divide_once(stage, band, 0.25);
+    const OutletView before = stage.field().outlets[0];
+    const std::uint32_t parted = stage.bands()[band].parted;
+    divide_once(stage, band, 0.75);
+    ASSERT_NE(stage.bands()[band].parted, parted);
+    const OutletView& after = stage.field().outlets[0];
+    EXPECT_EQ(after.position, stage.bands()[band].position[static_cast<std::size_t>(first)]);
+    EXPECT_LE(after.flow, before.flow) << "no vessel is opened by a cut through what came off";
+    EXPECT_GT(after.flow, 0.0);
 }
 
 }  // namespace
