@@ -122,8 +122,14 @@ void BandsPart::fire_clip(int number, const ToolKinematics& tool) noexcept {
         band = b;
         place = node;
     }
-    if (place >= 0) clips_[band] |= 1U << static_cast<unsigned>(place);
     hand.last_clip_distance = least;
+    if (place < 0) return;
+    clips_[band] |= 1U << static_cast<unsigned>(place);
+    // On the stump of a band that is divided already it closes the vessel behind it.
+    const std::int32_t trunk = trunk_of(band);
+    if (trunk < 0 || place > parted_at_[band]) return;
+    field_.outlets()[static_cast<std::size_t>(trunk)].bleed.clipped = true;
+    hand.last_clip_outlet = trunk;
 }
 
 void BandsPart::apply_energy(int number, const ToolKinematics& tool, double duty) noexcept {

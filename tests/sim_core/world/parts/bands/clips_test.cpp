@@ -89,6 +89,26 @@ TEST(BandClips, SitOnTheNearestBandOnly) {
     EXPECT_EQ(stage.field().tools[1].clips_left, scene.bands->clips - 1);
 }
 
+TEST(BandClips, OnTheStumpStopTheBleedingOfItsEnd) {
+    BandsStage stage(open_vessels());
+    const std::size_t band = band_with_a_vessel(stage);
+    ASSERT_GT(divide_once(stage, band, 0.75), 7);
+    ASSERT_GT(stage.field().outlets[0].flow, 0.0);
+    stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
+    const std::vector<Vector3> nodes(stage.bands()[band].position.begin(),
+                                     stage.bands()[band].position.end());
+    fire_at(stage, nodes[11]);  // of the piece at the other end
+    EXPECT_EQ(stage.bands()[band].clips, 1U << 11U);
+    EXPECT_EQ(stage.field().tools[1].last_clip_outlet, -1);
+    EXPECT_GT(stage.field().outlets[0].flow, 0.0);
+    fire_at(stage, nodes[2]);
+    EXPECT_EQ(stage.bands()[band].clips, (1U << 11U) | (1U << 2U));
+    EXPECT_EQ(stage.field().tools[1].last_clip_outlet, 0);
+    EXPECT_TRUE(stage.field().outlets[0].clipped);
+    EXPECT_EQ(stage.field().outlets[0].flow, 0.0);
+    EXPECT_EQ(stage.field().tools[1].clips_left, stage.scene.bands->clips - 2);
+}
+
 TEST(BandsDividedAgain, BleedWhereTheyWereDividedNearestToTheRoot) {
     BandsStage stage(open_vessels());
     const std::size_t band = band_with_a_vessel(stage);
