@@ -19,13 +19,13 @@ double opening_of(const ToolKinematics& tool, double widest) {
 }
 
 bool closed(double opening, const ToolKinematics& tool) {
-    return opening < close_share && tool.grip > least_grip && tool.inside;
+    return opening < close_share && tool.grip > least_grip;
 }
 
 }  // namespace
 
 bool Jaws::closing(const ToolKinematics& tool, double widest) const noexcept {
-    return tool.present && !held_ && ready_ && closed(opening_of(tool, widest), tool);
+    return tool.present && tool.inside && !held_ && ready_ && closed(opening_of(tool, widest), tool);
 }
 
 bool Jaws::may_hold(const ToolKinematics& tool, double widest) noexcept {
@@ -39,7 +39,7 @@ JawAction Jaws::step(const ToolKinematics& tool, double widest, bool lost) noexc
     if (!held_) {
         if (!ready_ || !closed(opening, tool)) return JawAction::none;
         ready_ = false;
-        return JawAction::close;
+        return tool.inside ? JawAction::close : JawAction::none;  // outside the body: on nothing
     }
     slipped_ = out_ || lost;
     if (!slipped_ && !(opening > open_share) && !(tool.grip <= 0.5 * least_grip) && tool.inside)

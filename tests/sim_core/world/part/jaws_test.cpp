@@ -73,6 +73,25 @@ TEST(Jaws, OfAnExchangedInstrumentMustOpenFirst) {
     EXPECT_EQ(step(jaws, tool_with(0.1, 1)), JawAction::close);
 }
 
+TEST(Jaws, ClosedOutsideTheBodyTakeNothingWhenTheyComeIn) {
+    Jaws jaws;
+    ToolKinematics outside = tool_with(0.1, 1);
+    outside.inside = false;
+    EXPECT_EQ(step(jaws, tool_with(0.5, 1)), JawAction::none);
+    EXPECT_EQ(step(jaws, outside), JawAction::none);
+    EXPECT_FALSE(jaws.closing(tool_with(0.1, 1), widest));
+    EXPECT_EQ(step(jaws, tool_with(0.1, 1)), JawAction::none) << "they closed on nothing out there";
+    step(jaws, tool_with(0.5, 1));
+    EXPECT_EQ(step(jaws, tool_with(0.1, 1)), JawAction::close);
+    // Opened again outside: they come in as open jaws do.
+    Jaws reopened;
+    step(reopened, outside);
+    outside.jaw_angle = widest;
+    step(reopened, outside);
+    EXPECT_TRUE(reopened.closing(tool_with(0.1, 1), widest));
+    EXPECT_EQ(step(reopened, tool_with(0.1, 1)), JawAction::close);
+}
+
 TEST(Jaws, HoldUntilTheyOpenWeakenOrLeaveTheBody) {
     const ToolKinematics closed = tool_with(0.1, 1);
     for (const ToolKinematics& end : {tool_with(0.46, 1), tool_with(0.1, 0.1)}) {

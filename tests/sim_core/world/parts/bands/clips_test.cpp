@@ -109,6 +109,23 @@ TEST(BandClips, OnTheStumpStopTheBleedingOfItsEnd) {
     EXPECT_EQ(stage.field().tools[1].clips_left, stage.scene.bands->clips - 2);
 }
 
+TEST(BandClips, AreNotFiredByAnApplierThatCameWithItsJawsClosed) {
+    BandsStage stage;
+    stage.open(Hand::right);
+    stage.press(Hand::right, button_exchange, true);
+    stage.step();
+    stage.press(Hand::right, button_exchange, false);
+    stage.run(0.5);
+    stage.close(Hand::right);  // on its way through the trocar
+    stage.run(stage.scene.bands->exchange_time);
+    ASSERT_EQ(stage.field().tools[1].kind, InstrumentKind::clip_applier);
+    ASSERT_EQ(stage.field().tools[1].exchange_left, 0.0F);
+    EXPECT_EQ(stage.field().tools[1].clips_left, stage.scene.bands->clips);
+    stage.open(Hand::right);
+    stage.close(Hand::right);
+    EXPECT_EQ(stage.field().tools[1].clips_left, stage.scene.bands->clips - 1);
+}
+
 TEST(BandsDividedAgain, BleedWhereTheyWereDividedNearestToTheRoot) {
     BandsStage stage(open_vessels());
     const std::size_t band = band_with_a_vessel(stage);
