@@ -23,6 +23,7 @@ void HandMonitor::configure(Hand hand, const Scene& scene, const std::vector<Tis
     warning_margin_ = warning_margin;
     const InstrumentSpec* instrument = scene.instrument(hand);
     jaw_length_ = instrument != nullptr ? instrument->jaw_length : 0;
+    septum_width_ = scene.septa ? scene.septa->width : 0;
     // 20 ms of ticks at any rate: quantisation (0.1 um) and one tick's noise then stay far below the 5 mm/s
     // that count as moving.
     span_ = std::clamp(scene.tick_rate / 50, 1, static_cast<int>(tips_.size()) - 1);
@@ -144,6 +145,10 @@ HoldChange HandMonitor::hold(const GraspState& grasp, std::uint32_t tick, std::u
 bool HandMonitor::takes_again(const Released& place, const GraspState& grasp) const noexcept {
     if (!place.valid || place.body != grasp.body || place.patch != grasp.patch) return false;
     if (grasp.patch >= 0) return true;
+    // Septa are end to end at rest: near across a rim are two of them.
+    if (septum_width_ > 0 &&
+        std::floor(place.rest.x() / septum_width_) != std::floor(grasp.offset.x() / septum_width_))
+        return false;
     return grasp.body == HeldBody::sheet && (grasp.offset - place.rest).norm() < jaw_length_;
 }
 

@@ -47,7 +47,8 @@ class HandMonitor {
     };
     const Released& released() const noexcept { return released_; }
     /// Whether a grasp of this hand takes what was released there: the same patch; of a sheet, which has
-    /// none, a place nearer than this hand's jaws are long. What has neither (a membrane) is never the same.
+    /// none, a place of the same septum nearer than this hand's jaws are long. What has neither (a membrane)
+    /// is never the same.
     bool takes_again(const Released& place, const GraspState& grasp) const noexcept;
     void forget_released() noexcept { released_.valid = false; }
 
@@ -73,7 +74,8 @@ class HandMonitor {
     const std::vector<TissueWatch>* tissues_ = nullptr;
     Hand hand_ = Hand::left;
     double tick_rate_ = 1000, warning_margin_ = 0;
-    double jaw_length_ = 0;  // m
+    double jaw_length_ = 0;    // m
+    double septum_width_ = 0;  // m, 0 without septa
     std::array<std::array<std::int32_t, 3>, 128> tips_{};
     int span_ = speed_span;
     std::uint64_t samples_ = 0;

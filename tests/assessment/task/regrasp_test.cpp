@@ -11,7 +11,9 @@ using monitor_bench::Bench;
 
 /// The left hand on a sheet, which has no patches.
 struct SheetBench : Bench {
-    SheetBench() : Bench("B2.json") { ticks(scene.ticks_per_step); }
+    explicit SheetBench(const std::string& task_file = "B2.json") : Bench(task_file) {
+        ticks(scene.ticks_per_step);
+    }
     /// Takes a place, m at rest, and holds it.
     void take(const Vector3& rest, HeldBody body = HeldBody::sheet) {
         GraspState& state = world.grasps[static_cast<int>(Hand::left)];
@@ -33,6 +35,20 @@ TEST(Regrasp, OnASheetIsAPlaceNearerThanTheJawsAreLong) {
     bench.let_go(Hand::left);
     bench.take(Vector3(1.01 * jaws, 0.99 * jaws, 0));
     EXPECT_EQ(bench.regrasps(), 1);
+}
+
+TEST(Regrasp, IsNotAGraspOfTheNextSeptum) {
+    SheetBench bench("C4.json");
+    const double width = bench.scene.septa.value().width,
+                 jaws = bench.scene.instrument(Hand::left)->jaw_length;
+    ASSERT_GT(jaws, 0.006);
+    bench.take(Vector3(width - 0.001, 0.003, 0));
+    bench.let_go(Hand::left);
+    bench.take(Vector3(width + 0.002, 0.003, 0));
+    EXPECT_EQ(bench.regrasps(), 0) << "the other end of the next level";
+    bench.let_go(Hand::left);
+    bench.take(Vector3(width + 0.005, 0.003, 0));
+    EXPECT_EQ(bench.regrasps(), 1) << "the same level";
 }
 
 TEST(Regrasp, IsNotAGraspOfAnotherBodyNorOfAMembrane) {

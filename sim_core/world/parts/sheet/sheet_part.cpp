@@ -127,7 +127,7 @@ GraspState SheetPart::grasp(int number) const noexcept {
     GraspState grasp;
     if (body_.septa()) grasp.arc_length = -1;
     grasp.body = HeldBody::sheet;
-    grasp.offset = body_.rest(hand.held_at[0]);
+    grasp.offset = body_.on_septum(hand.held_at[0], body_.rest(hand.held_at[0]));
     grasp.tissue =
         static_cast<std::int8_t>(body_.in_fat(grasp.offset) ? body_.fat_index() : body_.tissue_index());
     grasp.point = body_.place(hand.held_at[0]);

@@ -95,6 +95,32 @@ TEST(SeptaWorld, JawsGraspTheNearerTissue) {
     }
 }
 
+TEST(SeptaWorld, AGraspAtTheRimOfASeptumIsNotOneOfTheNext) {
+    const Scene scene = test::septa_scene();
+    const SacralCurve curve = rectum_parameters(scene).curve;
+    const double s = curve.arc_length(scene.septa->first_angle), half = 0.5 * scene.instruments[0].jaw_length;
+    const double rim = 0.5 * scene.septa->width / (curve.fascia_radius() - scene.septa->plane_height);
+    World world(scene, 1);
+    TickOutput output;
+    ToolKinematics& tool = output.contact[0].tool;
+    tool.axis = curve.cranial(s);
+    tool.rotation.col(2) = tool.axis;
+    tool.rotation.col(0) = Vector3::UnitX();
+    tool.rotation.col(1) = tool.axis.cross(Vector3::UnitX());
+    tool.tip = curve.point(s, rim + 0.06, 0.006) + half * tool.axis;  // about 2 mm beyond it
+    tool.trocar = tool.tip - 0.2 * tool.axis;
+    tool.inside = tool.present = true;
+    tool.grip = 8;
+    for (std::uint32_t i = 1; i <= 4; ++i) {
+        output.sample.tick = 5 * i;
+        world.step(&output, 1);
+    }
+    ASSERT_TRUE(world.find<SheetPart>()->holds(0));
+    const double place = world.snapshot().grasps[0].offset.x();
+    EXPECT_GT(place, scene.septa->width - 0.002);
+    EXPECT_LT(place, scene.septa->width) << "lines are end to end";
+}
+
 TEST(SeptaWorld, ASeptumThatSlipsIsReportedAsASlipOfItsTissue) {
     const Scene scene = test::septa_scene();
     const SacralCurve curve = rectum_parameters(scene).curve;
