@@ -175,7 +175,12 @@ void BandMonitor::step_hand(int hand, const FieldView& view, std::uint32_t tick,
     }
     clips_fired_[h] = tool.clips_fired;
 
-    const bool on = tool.active && gives_energy(tool.kind);
+    const bool powered = tool.active && gives_energy(tool.kind);
+    // What the jaws hold has parted on both sides: an activation that was on target ends with that, and what
+    // the pedal gives to nothing afterwards makes it neither longer nor unsafe.
+    const bool idle = powered && tool.target == EnergyTarget::nothing && tool.band >= 0;
+    span.spent = idle && (span.spent || (span.on && span.held.on_target));
+    const bool on = powered && !span.spent;
     if (on) {
         const bool target = tool.target == EnergyTarget::band || tool.target == EnergyTarget::vessel ||
                             tool.target == EnergyTarget::sheet;
@@ -196,7 +201,9 @@ void BandMonitor::step_hand(int hand, const FieldView& view, std::uint32_t tick,
             if (span.tissue < 0) span.tissue = tissue;
         }
     } else if (span.on) {
+        const bool spent = span.spent;
         end_activation(hand, tick, sink);
+        span.spent = spent;
     }
     if (!on) span.seen_in_view = true;
 }

@@ -42,6 +42,7 @@ class BandMonitor {
     /// An activation under way.
     struct Span {
         bool on = false, seen_in_view = true;
+        bool spent = false;         ///< it ended under power, which has reached nothing since then
         Activation held;            ///< throughout
         double least_distance = 1;  ///< m
         std::int8_t tissue = -1;

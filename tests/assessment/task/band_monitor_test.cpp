@@ -107,6 +107,56 @@ TEST(BandMonitor, AnActivationReportsTheConditionsThatHeldThroughout) {
     EXPECT_NEAR(static_cast<double>(ended[1].value), 0.001, 1e-7);
 }
 
+TEST(BandMonitor, AnActivationEndsWhereWhatTheJawsHoldHasPartedOnBothSides) {
+    Stage stage;
+    stage.step(100);
+    HandToolView& tool = stage.view().tools[1];
+    tool.active = true;
+    tool.band = 2;
+    tool.target = EnergyTarget::band;
+    stage.step(200);
+    tool.target = EnergyTarget::nothing;  // the pedal stays down
+    stage.step(2000);
+    stage.in_view = false;
+    stage.step(2000);
+    stage.in_view = true;
+    const auto begun = [&](std::size_t i) { return stage.sink.of(EventKind::activation_begin).at(i); };
+    const auto ended = [&](std::size_t i) { return stage.sink.of(EventKind::activation_end).at(i); };
+    ASSERT_EQ(stage.sink.of(EventKind::activation_begin).size(), 1U);
+    ASSERT_EQ(stage.sink.of(EventKind::activation_end).size(), 1U);
+    EXPECT_EQ(ended(0).tick - begun(0).tick, 1000U) << "nothing after it counts";
+    EXPECT_TRUE(activation_of(ended(0)).safe());
+    // It reaches tissue: another one.
+    tool.target = EnergyTarget::band;
+    stage.step(20);
+    tool.active = false;
+    stage.step(2);
+    ASSERT_EQ(stage.sink.of(EventKind::activation_end).size(), 2U);
+    EXPECT_TRUE(activation_of(ended(1)).safe());
+    // A pedal that is pressed on nothing is not on target, in the jaws as in the open air.
+    tool.active = true;
+    tool.target = EnergyTarget::nothing;
+    stage.step(20);
+    tool.active = false;
+    stage.step(2);
+    ASSERT_EQ(stage.sink.of(EventKind::activation_end).size(), 3U);
+    EXPECT_FALSE(activation_of(ended(2)).on_target);
+    EXPECT_EQ(ended(2).tick - begun(2).tick, 100U);
+    // Jaws that open under power give it to the open air.
+    tool.active = true;
+    tool.target = EnergyTarget::band;
+    stage.step(20);
+    tool.target = EnergyTarget::nothing;
+    stage.step(20);
+    tool.band = -1;
+    stage.step(20);
+    tool.active = false;
+    stage.step(2);
+    ASSERT_EQ(stage.sink.of(EventKind::activation_end).size(), 5U);
+    EXPECT_TRUE(activation_of(ended(3)).safe());
+    EXPECT_FALSE(activation_of(ended(4)).on_target);
+}
+
 TEST(BandMonitor, SuctionIsNotAnActivation) {
     Stage stage;
     stage.view().tools[1].kind = InstrumentKind::suction;

@@ -149,7 +149,7 @@ void BandsPart::apply_energy(int number, const ToolKinematics& tool, double duty
             field_.heat_patch(segment_patch(b, s), power / whole);
             grip.heated |= 1U << static_cast<unsigned>(s);
         }
-        hand.target = EnergyTarget::band;
+        hand.target = whole > 0 ? EnergyTarget::band : EnergyTarget::nothing;
         grip.touched = whole > 0 ? grip.band : -1;
     } else {
         EnergyReach reach = field_.reach_outlets(hand, tool);

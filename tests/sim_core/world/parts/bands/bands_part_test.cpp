@@ -225,6 +225,25 @@ TEST(BandsPart, WithoutAPedalOrWithoutJawsNothingIsDivided) {
     for (const BandView& band : stage.bands()) EXPECT_FALSE(band.divided());
 }
 
+TEST(BandsPart, EnergyOnWhatIsPartedOnBothSidesOfTheJawsReachesNothing) {
+    BandsStage stage;
+    std::size_t band = 0;
+    while (stage.bands()[band].vessel >= 0) ++band;
+    stage.take(Hand::right, band, 0.5);
+    stage.press(Hand::right, button_energy, true);
+    const std::uint32_t begun = stage.tick;
+    const auto parted = [&] { return stage.bands()[band].parted; };
+    while (parted() == 0 && stage.tick - begun < 20000) stage.step();
+    stage.step();
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::band) << "one side is whole";
+    while ((parted() & (parted() >> 1U)) == 0 && stage.tick - begun < 40000) stage.step();
+    ASSERT_NE(parted() & (parted() >> 1U), 0U);
+    stage.step();
+    EXPECT_TRUE(stage.field().tools[1].active);
+    EXPECT_EQ(stage.field().tools[1].band, static_cast<std::int32_t>(band));
+    EXPECT_EQ(stage.field().tools[1].target, EnergyTarget::nothing);
+}
+
 TEST(BandsPart, VesselBleedsAfterDivisionMoreUnderTensionAndAClipStopsIt) {
     double flow[2], seconds[2];
     for (const int tense : {0, 1}) {
