@@ -299,11 +299,13 @@ std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store) {
     Transaction transaction(connection);
     std::vector<InterruptedAttempt> found;
     {
-        Query rows(connection,
-                   "SELECT a.id, a.person_id, a.task_id, a.started, COALESCE((SELECT MAX(last_tick) + 1 FROM "
-                   "trace_chunk c WHERE "
-                   "c.attempt_id = a.id AND c.stream = 0), 0) FROM attempt a WHERE a.state = 'running' AND "
-                   "a.station_id = ?");
+        Query rows(
+            connection,
+            "SELECT a.id, a.person_id, a.task_id, a.started, COALESCE((SELECT MAX(last_tick) + 1 FROM "
+            "trace_chunk c WHERE "
+            "c.attempt_id = a.id AND c.stream = 0), 0), COALESCE((SELECT o.tick + 1 FROM attempt_origin o "
+            "WHERE o.attempt_id = a.id), 0) FROM attempt a WHERE a.state = 'running' AND "
+            "a.station_id = ?");
         rows.bind(store.station_id());
         while (rows.next()) {
             if (RecordingLock::is_held(store, rows.text(0))) continue;
@@ -312,7 +314,9 @@ std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store) {
             attempt.person_id = rows.text(1);
             attempt.task_id = rows.text(2);
             attempt.started = rows.integer(3);
-            attempt.recorded_s = static_cast<double>(rows.integer(4)) * 1e-3;
+            // Ticks of practice from a moment continue those of the attempt that it began with.
+            attempt.recorded_s =
+                static_cast<double>(std::max<std::int64_t>(rows.integer(4) - rows.integer(5), 0)) * 1e-3;
             found.push_back(std::move(attempt));
         }
     }

@@ -95,7 +95,9 @@ TEST(AttemptOrigin, IsPracticeAndNeverScored) {
         broken = recorder.attempt_id();
     }
     programme.open();
-    EXPECT_EQ(programme.attempts().read(programme.session("ann"), broken).state, AttemptState::interrupted);
+    const AttemptSummary closed = programme.attempts().read(programme.session("ann"), broken);
+    EXPECT_EQ(closed.state, AttemptState::interrupted);
+    EXPECT_DOUBLE_EQ(closed.duration_s, 1.0) << "without what came before its first tick";
     EXPECT_TRUE(programme.attempts().interrupted_without_score(programme.session("ann")).empty());
 }
 
