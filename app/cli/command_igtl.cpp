@@ -53,12 +53,13 @@ class EndsOnInterrupt {
 /// Sends the rows of a trace that are attempt, neither pause nor what follows the end, at their own pace.
 class Served {
   public:
-    Served(igtl::Server& server, const Trace& trace, const WireScene& scene, int rate, int speed)
-        : server_(server), trace_(trace), scene_(scene), rate_(rate), speed_(speed) {}
+    /// `from`: the trace's time at which the attempt began, s.
+    Served(igtl::Server& server, const Trace& trace, const WireScene& scene, double from, int rate, int speed)
+        : server_(server), trace_(trace), scene_(scene), from_(from), rate_(rate), speed_(speed) {}
 
     void run() {
-        start_ = wall_clock_ns();
-        begun_ = monotonic_ns();
+        start_ = wall_clock_ns() - std::llround(from_ * 1e9);
+        begun_ = monotonic_ns() - static_cast<std::int64_t>(from_ * 1e9 / speed_);
         igtl::Bytes greeting = greeting_of(scene_, start_);
         const igtl::Bytes begin = state_message(WireState::begin, start_);
         greeting.insert(greeting.end(), begin.begin(), begin.end());
@@ -102,6 +103,7 @@ class Served {
     igtl::Server& server_;
     const Trace& trace_;
     const WireScene& scene_;
+    double from_;
     int rate_, speed_;
     std::int64_t start_ = 0, begun_ = 0, slot_ = 0;
     double next_ = 0;
@@ -130,15 +132,20 @@ int run_serve(const Arguments& arguments) {
                            "fulcrum: sends attempt %1 at %2 as soon as a program connects; Ctrl-C ends it"),
          id, igtl::Address{address.host, server.port()}.text()});
     while (server.clients() == 0 && igtl_stopped == 0) server.step(look_ms);
-    Served served(server, trace, scene, rate, speed);
+    // Ticks of practice from a moment continue those of the attempt that it began with.
+    const double from = summary.meta.origin && !trace.t.empty() ? trace.t.front() : 0;
+    Served served(server, trace, scene, from, rate, speed);
     if (igtl_stopped == 0) served.run();
-    const nlohmann::json document = {
-        {"attempt", id},           {"frames", served.frames()},           {"rate_hz", rate},
-        {"duration_s", trace.end}, {"clients_dropped", server.dropped()}, {"interrupted", igtl_stopped != 0}};
+    const nlohmann::json document = {{"attempt", id},
+                                     {"frames", served.frames()},
+                                     {"rate_hz", rate},
+                                     {"duration_s", trace.end - from},
+                                     {"clients_dropped", server.dropped()},
+                                     {"interrupted", igtl_stopped != 0}};
     if (arguments.has("--json"))
         print_json(document);
     else
-        std::cout << served.frames() << " frames of " << decimal_text(trace.end, 1) << " s sent; "
+        std::cout << served.frames() << " frames of " << decimal_text(trace.end - from, 1) << " s sent; "
                   << server.dropped() << " clients dropped because they read too slowly\n";
     return 0;
 }

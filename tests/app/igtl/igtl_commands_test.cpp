@@ -11,6 +11,9 @@
 #include <sstream>
 
 #include "app/services/program.h"
+#include "database/records/attempts.h"
+#include "database/records/recorder.h"
+#include "database/rows/packed_bytes.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/program_path.h"
 #include "tests/support/fake_tracker.h"
@@ -43,23 +46,55 @@ class IgtlCommands : public ::testing::Test {
         return "no error";
     }
     std::string path(const char* name) const { return (folder_ / name).string(); }
-    /// Sends the attempt at this rate, as fast as it can be read, and records it.
-    nlohmann::json sent_and_recorded(const std::string& attempt, int rate, const std::string& trace) const {
+    /// Sends the attempt at this rate and so many times as fast as it was performed, and records it.
+    nlohmann::json sent_and_recorded(const std::string& attempt, int rate, const std::string& trace,
+                                     int speed = 1000) const {
         QProcess serve;
         serve.setProcessChannelMode(QProcess::MergedChannels);
         serve.start(QString::fromStdString(program_path()),
                     {"igtl", "serve", QString::fromStdString(attempt), "--db",
                      QString::fromStdString(path("store.db")), "--address", "127.0.0.1:0", "--rate",
-                     QString::number(rate), "--speed", "1000"});
+                     QString::number(rate), "--speed", QString::number(speed)});
         EXPECT_TRUE(serve.waitForStarted());
         QByteArray said;
         while (!said.contains(" as soon as") && serve.waitForReadyRead(20000)) said += serve.readAll();
         const int at = said.indexOf("127.0.0.1:");
         const std::string address = said.mid(at, said.indexOf(' ', at) - at).toStdString();
-        nlohmann::json recorded = run_json({"igtl", "record", address, "-o", trace});
+        nlohmann::json recorded = run_json({"igtl", "record", address, "-o", trace, "--seconds", "20"});
         EXPECT_TRUE(serve.waitForFinished(20000));
         EXPECT_EQ(serve.exitCode(), 0) << said.toStdString();
         return recorded;
+    }
+    /// Practice that was taken over from a stored attempt after this tick: a second of its movements.
+    std::string taken_over(const std::string& source, std::uint32_t origin) const {
+        const database::Store store = database::Store::open(path("store.db"));
+        const database::Session station = store.station_session();
+        const database::Attempts attempts(store);
+        database::AttemptMeta meta = attempts.read(station, source).meta;
+        meta.id.clear();
+        meta.started = 0;
+        meta.mode = AttemptMode::practice;
+        meta.scene_text = attempts.scene_text(station, source);
+        meta.origin.emplace();
+        meta.origin->source_id = source;
+        meta.origin->tick = origin;
+        meta.origin->build = "another build";
+        meta.origin->state = database::pack_bytes({1, 2, 3});
+        const database::Trace record = attempts.read_trace(station, source);
+        database::Recorder recorder(path("store.db"), station, meta);
+        for (std::uint32_t i = 0; i < 1000; ++i) {
+            RigSample input = record.inputs.at(i);
+            TickSample sample = record.samples.at(i);
+            input.tick = sample.tick = origin + 1 + i;
+            recorder.append(input);
+            recorder.append(sample);
+        }
+        database::AttemptResult result;
+        result.state = AttemptState::abandoned;
+        result.duration_s = result.wall_s = 1;
+        result.state_hash = "00c0ffee00c0ffee";
+        recorder.finish(result);
+        return recorder.attempt_id();
     }
 
   private:
@@ -119,6 +154,15 @@ TEST_F(IgtlCommands, AnAttemptThatIsSentAndRecordedGivesTheMetricsOfTheAttempt) 
         EXPECT_GE(compared, one.least_compared);
         EXPECT_GT(not_scored, 0) << "what needs events";
     }
+}
+
+TEST_F(IgtlCommands, PracticeFromALateMomentIsSentAtOnce) {
+    const nlohmann::json attempt = run_json({"perform", "A2", "--seed", "7", "--db", path("store.db")});
+    const std::string taken = taken_over(attempt["attempt"].get<std::string>(), 600000);
+    const nlohmann::json recorded = sent_and_recorded(taken, 60, path("taken.csv"), 1);
+    EXPECT_EQ(recorded["ended_because"], "attempt ended");
+    EXPECT_GE(recorded["samples"], 50);
+    EXPECT_NEAR(recorded["duration_s"].get<double>(), 1, 0.1);
 }
 
 TEST_F(IgtlCommands, WhatCannotBeRecordedSaysWhyAndWritesNothing) {
