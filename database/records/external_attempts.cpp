@@ -17,7 +17,6 @@
 namespace fulcrum::database {
 namespace {
 
-constexpr const char* trace_product = "external_trace";
 constexpr std::size_t longest_exercise = 40, longest_source = 200, most_product_bytes = 64U << 20U;
 
 [[noreturn]] void refuse_import(const Sentence& wrong, const Sentence& hint) {
@@ -127,7 +126,7 @@ std::string ExternalAttempts::add(const Session& session, const ExternalAttempt&
             .run();
     Query(connection, "INSERT INTO attempt_product (attempt_id, kind, checksum, data) VALUES (?, ?, ?, ?)")
         .bind(id)
-        .bind(trace_product)
+        .bind(external_trace_product)
         .bind(blake2b(packed, 16))
         .bind(packed)
         .run();
@@ -149,7 +148,7 @@ std::string ExternalAttempts::add(const Session& session, const ExternalAttempt&
 
 std::string ExternalAttempts::trace(const Session& session, const std::string& attempt_id) const {
     for (const ProductBlob& product : Attempts(store_).products(session, attempt_id)) {
-        if (product.kind != trace_product) continue;
+        if (product.kind != external_trace_product) continue;
         const Bytes plain = unpack_bytes(product.data);
         return {plain.begin(), plain.end()};
     }

@@ -30,6 +30,9 @@ struct ExternalAttempt {
 inline constexpr const char* external_trace_file = "external/trace";
 inline constexpr const char* external_mapping_file = "external/mapping";
 
+/// The kind of the product that holds the trace, packed (pack_bytes()).
+inline constexpr const char* external_trace_product = "external_trace";
+
 class ExternalAttempts {
   public:
     explicit ExternalAttempts(const Store& store) : store_(store) {}

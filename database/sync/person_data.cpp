@@ -12,6 +12,7 @@
 #include <set>
 
 #include "database/records/attempt_query.h"
+#include "database/records/external_attempts.h"
 #include "database/rows/csv_text.h"
 #include "database/rows/json.h"
 #include "database/store/audit.h"
@@ -335,6 +336,28 @@ bool has_trace(const Store& store, const std::string& attempt_id) {
     return row.next();
 }
 
+/// The recording of an attempt that was recorded elsewhere is in this store.
+bool has_imported_trace(const Store& store, const std::string& attempt_id) {
+    Query row(store.connection(), "SELECT 1 FROM attempt_product WHERE attempt_id = ? AND kind = ?");
+    row.bind(attempt_id).bind(external_trace_product);
+    return row.next();
+}
+
+/// What there is of the attempt's recording; the file to begin with, empty where there is none here.
+std::string write_recording(const Store& store, const Session& director, const NewFolder& folder,
+                            const std::string& id) {
+    if (has_trace(store, id)) {
+        write_trace(folder, id, stored_trace(store, id));
+        return "traces/" + id + "-samples.csv.gz";
+    }
+    if (!has_imported_trace(store, id)) return {};
+    const std::string name = "traces/" + id + "-trace.csv.gz";
+    PackedText file(folder.in(name));
+    file.add(ExternalAttempts(store).trace(director, id));
+    file.finish();
+    return name;
+}
+
 /// All tables, the person's own row first. `folder` null: they are only counted.
 std::vector<ErasedRows> write_tables(const Store& store, const std::vector<std::string>& people,
                                      const NewFolder* folder, std::string& files_text, Translate words) {
@@ -378,7 +401,8 @@ PersonDataExport export_person_data(const Store& store, const Session& director,
     if (folder.empty()) {
         done.rows = write_tables(store, people, nullptr, index.files, words);
         for (const AttemptSummary& attempt : attempts_of(store, people))
-            done.traces += has_trace(store, attempt.meta.id) ? 1 : 0;
+            done.traces +=
+                has_trace(store, attempt.meta.id) || has_imported_trace(store, attempt.meta.id) ? 1 : 0;
         return done;
     }
     NewFolder made(folder);
@@ -390,11 +414,10 @@ PersonDataExport export_person_data(const Store& store, const Session& director,
                                              QT_TRANSLATE_NOOP("errors", "writing the recordings"));
         if (done.stopped) return done;
         std::string link;
-        if (has_trace(store, meta.id)) {
-            write_trace(made, meta.id, stored_trace(store, meta.id));
+        const std::string file = write_recording(store, director, made, meta.id);
+        if (!file.empty()) {
             ++done.traces;
-            link =
-                "<a href=\"traces/" + meta.id + "-samples.csv.gz\">traces/" + meta.id.substr(0, 8) + "…</a>";
+            link = "<a href=\"" + file + "\">traces/" + meta.id.substr(0, 8) + "…</a>";
         }
         index.attempts += "<tr><td>" + iso_utc(meta.started) + "</td><td>" + escaped(meta.task_id) +
                           "</td><td>" + row_of(attempt_modes, meta.mode).name + "</td><td>" +

@@ -10,6 +10,7 @@
 #include "database/sync/erasure.h"
 #include "database/sync/station_erasure.h"
 #include "tests/database/cut_off_process.h"
+#include "tests/database/external_example.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -118,6 +119,15 @@ TEST_F(PersonData, HasWhatBelongsToAMergedAccountToo) {
     EXPECT_EQ(lines_of(in("ann/tables/attempt.csv")), 3);
     EXPECT_EQ(lines_of(in("ann/tables/person.csv")), 3);
     EXPECT_TRUE(files::exists(in("ann/traces/" + second + "-samples.csv.gz")));
+}
+
+TEST_F(PersonData, HasTheRecordingsThatWereImported) {
+    const std::string imported = ExternalAttempts(*programme.store)
+                                     .add(programme.session("educator"), box_attempt(programme.id("ann")));
+    EXPECT_EQ(write("").traces, 2);
+    EXPECT_EQ(write(in("ann")).traces, 2);
+    EXPECT_EQ(packed_lines_of(in("ann/traces/" + imported + "-trace.csv.gz")), 4);
+    EXPECT_NE(text_of(in("ann/index.html")).find("traces/" + imported + "-trace.csv.gz"), std::string::npos);
 }
 
 TEST_F(PersonData, StoppedItLeavesNothing) {
