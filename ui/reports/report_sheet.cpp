@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/report_sheet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -77,27 +78,44 @@ const std::vector<SheetColumn>& attempt_columns() {
     return columns;
 }
 
-std::string metric_column(const database::MetricRow& metric) {
+std::string metric_name(const database::MetricRow& metric) {
     std::string name = metric.id;
     if (!metric.hand.empty()) name += "." + metric.hand;
     if (!metric.tissue.empty()) name += "." + metric.tissue;
     return name;
 }
 
-/// Column of every metric value that occurs, by name; unit and id with it.
-std::map<std::string, database::MetricRow> metric_columns(const PersonReport& report) {
-    std::map<std::string, database::MetricRow> columns;
-    for (const database::PersonProgress& progress : report.progress) {
-        for (const database::ProgressSeries& series : progress.series) {
-            for (const database::ProgressPoint& point : series.points) {
-                for (const database::MetricRow& metric : point.metrics) {
-                    columns.emplace(metric_column(metric), metric);
-                }
-            }
-        }
-    }
-    return columns;
+template <typename Visit>
+void each_metric(const PersonReport& report, const Visit& visit) {
+    for (const database::PersonProgress& progress : report.progress)
+        for (const database::ProgressSeries& series : progress.series)
+            for (const database::ProgressPoint& point : series.points)
+                for (const database::MetricRow& metric : point.metrics) visit(metric);
 }
+
+/// Columns of metric values. Versions of a metric are never in one: the newest that occurs has the plain
+/// name, others have their version after it.
+class MetricColumns {
+  public:
+    explicit MetricColumns(const PersonReport& report) {
+        each_metric(report, [&](const database::MetricRow& metric) {
+            int& newest = newest_[metric_name(metric)];
+            newest = std::max(newest, metric.version);
+        });
+        each_metric(report,
+                    [&](const database::MetricRow& metric) { all_.emplace(name_of(metric), metric); });
+    }
+    std::string name_of(const database::MetricRow& metric) const {
+        const std::string name = metric_name(metric);
+        return metric.version == newest_.at(name) ? name : name + "@" + std::to_string(metric.version);
+    }
+    /// By name; unit and id with it.
+    const std::map<std::string, database::MetricRow>& all() const { return all_; }
+
+  private:
+    std::map<std::string, int> newest_;
+    std::map<std::string, database::MetricRow> all_;
+};
 
 /// What a form says of one attempt or of several.
 const database::RatedForm* form_named(const std::vector<database::RatedForm>& forms,
@@ -260,12 +278,13 @@ DataSheet cohort_sheet(const CohortReport& report) {
 
 DataSheet person_sheet(const PersonReport& report) {
     DataSheet sheet{"Attempts", attempt_columns(), {}};
-    const std::map<std::string, database::MetricRow> metrics = metric_columns(report);
-    for (const auto& [name, metric] : metrics) {
+    const MetricColumns metrics(report);
+    for (const auto& [name, metric] : metrics.all()) {
         const MetricDescriptor* descriptor = find_metric(metric.id);
+        const bool explained = descriptor != nullptr && descriptor->version == metric.version;
         sheet.columns.push_back({name, unit_of(metric),
                                  metric.id + "@" + std::to_string(metric.version) +
-                                     (descriptor == nullptr ? "" : ": " + descriptor->explanation)});
+                                     (explained ? ": " + descriptor->explanation : "")});
     }
     const std::map<std::string, ObserverForm> forms = rated_forms_of(report);
     for (const auto& [name, form] : forms) {
@@ -282,10 +301,10 @@ DataSheet person_sheet(const PersonReport& report) {
             for (const database::ProgressPoint& point : series.points) {
                 std::map<std::string, std::optional<double>> values;
                 for (const database::MetricRow& metric : point.metrics)
-                    values[metric_column(metric)] = metric.value;
+                    values[metrics.name_of(metric)] = metric.value;
                 std::vector<SheetCell> row =
                     attempt_cells(report, progress.task_id, series.device_class, point);
-                for (const auto& [name, metric] : metrics) {
+                for (const auto& [name, metric] : metrics.all()) {
                     const auto found = values.find(name);
                     row.push_back(number_cell(found == values.end() ? std::nullopt : found->second));
                 }

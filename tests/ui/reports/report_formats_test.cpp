@@ -105,6 +105,31 @@ TEST(Workbook, HoldsEveryCellOfTheSheetAsWordsAndNumbersAndNoFormula) {
     EXPECT_EQ(cells_of(path, "xl/worksheets/sheet3.xml").at("B1"), QStringLiteral("Surgery"));
 }
 
+TEST(PersonSheet, KeepsVersionsOfAMetricApart) {
+    PersonReport report = attempts_of_ada();
+    std::vector<database::ProgressPoint>& points = report.progress[0].series[0].points;
+    points[1].metrics = points[0].metrics;
+    points[1].metrics[0].version = points[0].metrics[0].version + 1;
+    points[1].metrics[0].value = 2;
+    const DataSheet sheet = person_sheet(report);
+    const auto place = [&](const std::string& name) {
+        std::size_t at = 0;
+        while (at < sheet.columns.size() && sheet.columns[at].name != name) ++at;
+        return at;
+    };
+    const std::size_t newer = place("path_len.left"), older = place("path_len.left@1");
+    ASSERT_LT(newer, sheet.columns.size());
+    ASSERT_LT(older, sheet.columns.size());
+    EXPECT_EQ(sheet.columns[newer].meaning.substr(0, 10), "path_len@2");
+    EXPECT_EQ(sheet.columns[older].meaning.substr(0, 10), "path_len@1");
+    EXPECT_TRUE(sheet.rows[0][older] == SheetCell(1234.5678901234567));
+    EXPECT_TRUE(sheet.rows[0][newer] == SheetCell());
+    EXPECT_TRUE(sheet.rows[1][older] == SheetCell());
+    EXPECT_TRUE(sheet.rows[1][newer] == SheetCell(2.0));
+    const DataSheet one_version = person_sheet(attempts_of_ada());
+    EXPECT_EQ(one_version.columns.size() + 1, sheet.columns.size());
+}
+
 TEST(XapiStatements, FollowTheSpecificationAndNameNobody) {
     const std::string text = xapi_statements({attempts_of_ada()}, home);
     const std::string schema =
