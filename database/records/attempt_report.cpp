@@ -21,7 +21,10 @@ AttemptReport Reports::attempt_report(const Session& session, const std::string&
     if (report.score) report.pathology = pathology_of(*report.score);
     MetricVersions versions(store_);
     Provenance provenance(store_, versions, "a.id = ?", attempt_id);
-    provenance.add(report.attempt);
+    if (report.score)
+        provenance.add(report.attempt, report.score->metrics);
+    else
+        provenance.add(report.attempt);
     provenance.write(report);
     return report;
 }

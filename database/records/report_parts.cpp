@@ -158,7 +158,6 @@ PersonProgress progress_of(PersonSource& source, const std::string& task_id, Pro
     for (const AttemptSummary& attempt : source.attempts) {
         if (attempt.meta.task_id != task_id || attempt.recorded_state == AttemptState::running) continue;
         count(overall, attempt);
-        provenance.add(attempt);
         ProgressSeries& series = by_class[attempt.meta.device_class];
         series.device_class = attempt.meta.device_class;
         ProgressPoint point;
@@ -180,9 +179,12 @@ PersonProgress progress_of(PersonSource& source, const std::string& task_id, Pro
         const auto found = source.scores.find(attempt.meta.id);
         if (found != source.scores.end()) {
             ScoreRow& score = found->second;
+            provenance.add(attempt, score.metrics);
             point.pathology = pathology_of(score);
             point.metrics = std::move(score.metrics);
             point.gates = std::move(score.gates);
+        } else {
+            provenance.add(attempt);
         }
         if (source.metrics != nullptr) {
             const auto of_point = source.metrics->find(attempt.meta.id);

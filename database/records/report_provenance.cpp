@@ -1,31 +1,74 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/records/report_provenance.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "database/rows/connection.h"
 
 namespace fulcrum::database {
 
-const std::set<std::string>& MetricVersions::of(const AttemptSummary& attempt) {
-    const AttemptMeta& meta = attempt.meta;
-    const std::array<std::string, 4> key{meta.program_version, meta.task_id,
-                                         std::to_string(meta.task_version),
-                                         row_of(device_classes, meta.device_class).name};
-    std::set<std::string>& known = known_[key];
-    if (!known.empty() || (!attempt.passed && attempt.not_scored_because.empty())) return known;
+MetricVersions::Group MetricVersions::group_of(const AttemptMeta& meta) {
+    return {meta.program_version, meta.task_id, std::to_string(meta.task_version),
+            row_of(device_classes, meta.device_class).name};
+}
+
+const MetricVersions::Set& MetricVersions::of(const AttemptSummary& attempt) {
+    std::map<Moment, const Set*>& known = known_[group_of(attempt.meta)];
+    const Moment moment{attempt.meta.started, attempt.meta.id};
+    const auto next = known.lower_bound(moment);
+    if (next != known.end()) {
+        if (next->first == moment) return *next->second;
+        if (next != known.begin() && std::prev(next)->second == next->second) return *next->second;
+    }
+    Set versions;
     Query rows(store_.connection(),
                "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
                "WHERE s.attempt_id = ? AND s.in_force = 1");
     rows.bind(attempt.meta.id);
-    while (rows.next()) known.insert(rows.text(0) + "@" + rows.text(1));
-    return known;
+    while (rows.next()) versions.insert(rows.text(0) + "@" + rows.text(1));
+    const Set& kept = *sets_.insert(std::move(versions)).first;
+    if (!kept.empty()) known.emplace(moment, &kept);
+    return kept;
+}
+
+void Provenance::add_basis(const AttemptMeta& meta) {
+    programs_.insert(meta.program_version);
+    if (!meta.limits.empty()) sets_.insert(meta.limits);
 }
 
 void Provenance::add(const AttemptSummary& attempt) {
-    programs_.insert(attempt.meta.program_version);
-    if (!attempt.meta.limits.empty()) sets_.insert(attempt.meta.limits);
-    const std::set<std::string>& versions = versions_.of(attempt);
-    if (!versions.empty() && added_.insert(&versions).second)
-        metrics_.insert(versions.begin(), versions.end());
+    add_basis(attempt.meta);
+    if (attempt.passed || !attempt.not_scored_because.empty())
+        to_look_up_[MetricVersions::group_of(attempt.meta)].emplace_back(attempt.meta.started, &attempt);
+}
+
+void Provenance::add(const AttemptSummary& attempt, const std::vector<MetricRow>& metrics) {
+    add_basis(attempt.meta);
+    for (const MetricRow& metric : metrics) metrics_.insert(metric.id + "@" + std::to_string(metric.version));
+}
+
+void Provenance::look_up_versions() {
+    for (auto& [group, attempts] : to_look_up_) {
+        std::stable_sort(attempts.begin(), attempts.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::size_t first = 0, last = attempts.size() - 1;
+        while (first < last && versions_.of(*attempts[first].second).empty()) ++first;
+        while (first < last && versions_.of(*attempts[last].second).empty()) --last;
+        look_up_versions(attempts, first, last);
+    }
+    to_look_up_.clear();
+}
+
+void Provenance::look_up_versions(const Scored& attempts, std::size_t first, std::size_t last) {
+    const MetricVersions::Set& from = versions_.of(*attempts[first].second);
+    const MetricVersions::Set& to = versions_.of(*attempts[last].second);
+    metrics_.insert(from.begin(), from.end());
+    metrics_.insert(to.begin(), to.end());
+    if (&from == &to || last - first < 2) return;
+    const std::size_t middle = first + (last - first) / 2;
+    look_up_versions(attempts, first, middle);
+    look_up_versions(attempts, middle, last);
 }
 
 Provenance::Files Provenance::used_files() const {

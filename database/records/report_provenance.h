@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "database/rows/attempt_records.h"
@@ -14,15 +16,24 @@
 
 namespace fulcrum::database {
 
-/// One program gives one set of metric versions for a task: asked once, not for every attempt.
+/// The versions of the metrics in attempts' scores. They change where the program is updated, so between two
+/// attempts (of one task and version, device class and program) with the same ones no others are looked for:
+/// few attempts are asked about, whatever their number.
 class MetricVersions {
   public:
+    using Set = std::set<std::string>;         ///< "path_len@1"
+    using Group = std::array<std::string, 4>;  ///< what attempts have in common
+    static Group group_of(const AttemptMeta& meta);
+
     explicit MetricVersions(const Store& store) : store_(store) {}
-    const std::set<std::string>& of(const AttemptSummary& attempt);
+    /// Empty where the attempt has no score, or one without metrics.
+    const Set& of(const AttemptSummary& attempt);
 
   private:
+    using Moment = std::pair<std::int64_t, std::string>;  ///< start, attempt
     const Store& store_;
-    std::map<std::array<std::string, 4>, std::set<std::string>> known_;
+    std::set<Set> sets_;
+    std::map<Group, std::map<Moment, const Set*>> known_;  ///< none of them empty
 };
 
 class Provenance {
@@ -33,9 +44,13 @@ class Provenance {
     Provenance(const Store& store, MetricVersions& versions, const QString& whose, const std::string& value,
                Kinds kinds = Kinds::all)
         : store_(store), versions_(versions), whose_(whose), value_(value), kinds_(kinds) {}
+    /// The attempt stays where it is until write().
     void add(const AttemptSummary& attempt);
+    /// The same where the metrics of its score have been read.
+    void add(const AttemptSummary& attempt, const std::vector<MetricRow>& metrics);
     template <typename Report>
-    void write(Report& report, const std::string& audit_head) const {
+    void write(Report& report, const std::string& audit_head) {
+        look_up_versions();
         report.metric_versions.assign(metrics_.begin(), metrics_.end());
         Files files = used_files();
         report.benchmark_sets = named_sets(files);
@@ -44,7 +59,7 @@ class Provenance {
         report.audit_head = audit_head;
     }
     template <typename Report>
-    void write(Report& report) const {
+    void write(Report& report) {
         write(report, Audit(store_).head());
     }
 
@@ -54,6 +69,11 @@ class Provenance {
         std::vector<AssetFile> all;                                ///< by name
         std::map<std::string, std::set<std::string>> set_digests;  ///< by the name of the limits
     };
+    using Scored = std::vector<std::pair<std::int64_t, const AttemptSummary*>>;  ///< by start
+    void add_basis(const AttemptMeta& meta);
+    void look_up_versions();
+    /// Those of the attempts from `first` to `last`.
+    void look_up_versions(const Scored& attempts, std::size_t first, std::size_t last);
     Files used_files() const;
     std::vector<std::string> named_sets(const Files& files) const;
 
@@ -63,7 +83,7 @@ class Provenance {
     std::string value_;
     Kinds kinds_;
     std::set<std::string> metrics_, sets_, programs_;
-    std::set<const std::set<std::string>*> added_;
+    std::map<MetricVersions::Group, Scored> to_look_up_;
 };
 
 }  // namespace fulcrum::database

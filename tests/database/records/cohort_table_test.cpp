@@ -69,6 +69,42 @@ TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
     EXPECT_EQ(personal[0].best_points, 80);
 }
 
+TEST(CohortTable, NamesEachVersionOfAMetricThatItsValuesHave) {
+    Programme programme;
+    const auto record = [&](const std::string& login, int version) {
+        AttemptResult result = example_result(true, 70);
+        result.score->metrics[0].version = version;
+        Recorder(programme.path, programme.session(login), example_meta(programme.id(login)),
+                 programme.clock.options())
+            .finish(result);
+        programme.clock.pass_s(60);
+    };
+    record("ben", 2);
+    record("ann", 2);
+    record("ann", 4);
+    record("ann", 3);
+    record("ann", 3);
+    const std::vector<std::string> all = {"path_len@2", "path_len@3", "path_len@4", "sparc@2"};
+    const Reports reports(*programme.store);
+    const Session& director = programme.session("director");
+    EXPECT_EQ(reports.cohort_table(director, programme.cohort).metric_versions, all);
+    EXPECT_EQ(reports.person_progress(director, programme.id("ann"), "A2").metric_versions, all);
+    EXPECT_EQ(reports.person_data(director, programme.id("ann"), {{"A2"}, nullptr}).metric_versions, all);
+    PersonDataOptions pages;
+    pages.tasks = {"A2"};
+    pages.detail = PointDetail::none;
+    CohortTableOptions options;
+    options.tasks = pages.tasks;
+    std::map<std::string, std::vector<std::string>> of_person;
+    EXPECT_TRUE(reports.table_with_people(director, programme.cohort, options, pages,
+                                          [&](const CohortTable&, PersonData&& person, double) {
+                                              of_person[person.login] = person.metric_versions;
+                                              return true;
+                                          }));
+    EXPECT_EQ(of_person["ann"], all);
+    EXPECT_EQ(of_person["ben"], (std::vector<std::string>{"path_len@2", "sparc@2"}));
+}
+
 TEST(CohortTable, OfTwoEqualAttemptsTheLaterIsTheBestOneEverywhere) {
     Programme programme;
     std::string later;
