@@ -67,6 +67,10 @@ constexpr Column columns[] = {
     {"COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), '')", In::lists},
     {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0)", In::lists},
     {"(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0)", In::lists},
+    // Tables have of an origin that there is one. It is asked of practice alone.
+    {"CASE WHEN a.mode <> 'practice' THEN 0 WHEN EXISTS (SELECT 1 FROM attempt_origin b WHERE b.attempt_id = "
+     "a.id) THEN 1 ELSE 0 END",
+     In::tables},
     {"COALESCE(o.source_id, '')", In::lists},
     {"COALESCE(o.tick, 0)", In::lists},
     {"COALESCE(o.goal, 0)", In::lists},
@@ -209,12 +213,13 @@ AttemptSummary summary_of_row(const Query& row, const std::vector<std::string>* 
     attempt.reassigned_to = text();
     attempt.unread_comments = static_cast<int>(integer());
     attempt.comments = static_cast<int>(integer());
+    const bool continues = fields.flag();
     AttemptOrigin origin;
     origin.source_id = text();
     origin.tick = static_cast<std::uint32_t>(integer());
     origin.goal = static_cast<int>(integer());
     origin.build = text();
-    if (!origin.build.empty()) meta.origin = std::move(origin);
+    if (continues) meta.origin = std::move(origin);
     attempt.state = attempt.voided_at > 0 ? AttemptState::voided : attempt.recorded_state;
     attempt.counting = is_counting(attempt);
     return attempt;

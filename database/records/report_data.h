@@ -68,6 +68,7 @@ struct ProgressPoint {
     AttemptState state = AttemptState::running;
     std::string variant, fidelity, limits;
     bool counting = false;
+    bool continues = false;  ///< practice from a state of another attempt or of a demonstration: never scored
     double duration_s = 0;
     std::optional<bool> passed;
     bool provisional = false;

@@ -171,6 +171,7 @@ PersonProgress progress_of(PersonSource& source, const std::string& task_id, Pro
         point.fidelity = attempt.meta.fidelity;
         point.limits = attempt.meta.limits;
         point.counting = attempt.counting;
+        point.continues = attempt.meta.origin.has_value();
         point.duration_s = attempt.duration_s;
         point.passed = attempt.passed;
         point.provisional = attempt.provisional;

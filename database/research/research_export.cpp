@@ -289,11 +289,12 @@ ResearchExport research_export(const Store& store, const Session& director) {
     filter.limit = -1;
     filter.for_table = true;
     std::vector<AttemptSummary> attempts = Attempts(store).list(director, filter);
-    // What was recorded elsewhere has a name that someone typed, which may show who they are.
+    // What was recorded elsewhere has a name that someone typed, which may show who they are. What continues
+    // another attempt is a part of the task.
     attempts.erase(std::remove_if(attempts.begin(), attempts.end(),
                                   [](const AttemptSummary& one) {
                                       return one.recorded_state == AttemptState::running ||
-                                             is_external_task(one.meta.task_id);
+                                             is_external_task(one.meta.task_id) || one.meta.origin;
                                   }),
                    attempts.end());
     std::reverse(attempts.begin(), attempts.end());  // oldest first

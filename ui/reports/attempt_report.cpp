@@ -79,7 +79,11 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
     const QString reason = statement_text(attempt.not_scored_because);
     // Where nothing was scored the advice says why.
-    if (!attempt.passed && !advice.contains(reason))
+    if (attempt.meta.origin)
+        sheet.paragraph(ReportTexts::tr(
+            "Practice from a moment of another attempt or of a demonstration: a part of the task, never "
+            "scored."));
+    else if (!attempt.passed && !advice.contains(reason))
         sheet.paragraph(ReportTexts::tr("Not scored: %1").arg(reason));
     if (!advice.isEmpty()) sheet.paragraph(advice);
     sheet.skip(2);
@@ -355,6 +359,9 @@ std::string attempt_json(const AttemptPaper& paper) {
     }
     Json ratings = Json::array();
     for (const database::RatingRow& rating : paper.ratings) ratings.push_back(rating_json(rating));
+    Json continues = nullptr;
+    if (const auto& origin = attempt.meta.origin)
+        continues = {{"attempt", words(origin->source_id)}, {"tick", origin->tick}, {"goal", origin->goal}};
     const Json document = {
         {"report", "attempt"},
         {"attempt", attempt.meta.id},
@@ -370,7 +377,9 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"duration_s", attempt.duration_s},
         {"passed", attempt.passed ? Json(*attempt.passed) : Json(nullptr)},
         {"provisional", attempt.provisional},
-        {"not_scored_because", words(words_of(attempt.not_scored_because))},
+        {"continues", std::move(continues)},
+        {"not_scored_because",
+         words(why_not_scored(attempt.not_scored_because, attempt.meta.origin.has_value()))},
         {"not_scored_code", statement_json(attempt.not_scored_because)},
         {"points", number(attempt.points)},
         {"gates", std::move(gates)},

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "assessment/metrics/statement_words.h"
 #include "database/records/people.h"
 #include "database/rows/crypto.h"
 #include "database/store/audit.h"
@@ -46,6 +47,11 @@ void require_not_the_store(const std::string& path, const database::Store& store
 }
 
 }  // namespace
+
+std::string why_not_scored(const Statement& because, bool continues) {
+    return continues ? "practice from a moment of another attempt or of a demonstration is never scored"
+                     : words_of(because);
+}
 
 void fail_output(const std::string& path, const std::system_error& error) {
     throw database::StoreError(

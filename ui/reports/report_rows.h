@@ -14,6 +14,9 @@ nlohmann::ordered_json provenance_json(const ReportProvenance& provenance);
 /// A released form with its answers.
 nlohmann::ordered_json rating_json(const database::RatingRow& rating);
 nlohmann::ordered_json metric_json(const database::MetricRow& metric);
+/// Why an attempt has no verdict, in English. `continues`: it is practice that began with a state of another
+/// one; such an attempt has no score that could say so.
+std::string why_not_scored(const Statement& because, bool continues);
 /// With a blank between them.
 std::string joined(const std::vector<std::string>& parts);
 /// "tasks/A2.json sha256:9f86…", with a blank between them.

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "assessment/metrics/registry.h"
-#include "assessment/metrics/statement_words.h"
 #include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
@@ -74,6 +73,9 @@ const std::vector<SheetColumn>& attempt_columns() {
         {"duration", "s", "length of the record, with pauses and the time before the first movement"},
         {"points", "points", "0 to 100; empty: none"},
         {"points_scaled", "1", "points / 100"},
+        {"continues", "1",
+         "1: practice from a moment of another attempt or of a demonstration, a part of the task, never "
+         "scored"},
     };
     return columns;
 }
@@ -187,10 +189,11 @@ std::vector<SheetCell> attempt_cells(const PersonReport& report, const std::stri
             flag_cell(point.counting),
             flag_cell(point.passed),
             flag_cell(point.provisional),
-            word_cell(words_of(point.not_scored_because)),
+            word_cell(why_not_scored(point.not_scored_because, point.continues)),
             number_cell(point.duration_s),
             number_cell(point.points),
-            scaled_cell(point.points)};
+            scaled_cell(point.points),
+            flag_cell(point.continues)};
 }
 
 void add_ratings(std::vector<SheetCell>& row, const database::ProgressPoint& point,

@@ -36,11 +36,16 @@ std::string statement_id(const std::string& home_page, const std::string& attemp
     return id_from(under(home_page, "attempt/" + attempt_id));
 }
 
+/// The task was performed to its end: practice of its last part is none of that.
+bool completes_task(const database::ProgressPoint& point) {
+    return point.state == AttemptState::completed && !point.continues;
+}
+
 /// What the person did: an attempt without a verdict is completed or, when it did not come to its end,
 /// attempted.
 const char* verb_of(const database::ProgressPoint& point) {
     if (point.passed) return *point.passed ? "passed" : "failed";
-    return point.state == AttemptState::completed ? "completed" : "attempted";
+    return completes_task(point) ? "completed" : "attempted";
 }
 
 void add_verb(JsonText& json, const char* name) {
@@ -109,7 +114,7 @@ void add_metrics(JsonText& json, const database::ProgressPoint& point) {
 }
 
 void add_result(JsonText& json, const database::ProgressPoint& point) {
-    json.key("result").begin_object().member("completion", point.state == AttemptState::completed);
+    json.key("result").begin_object().member("completion", completes_task(point));
     if (point.passed) json.member("success", *point.passed);
     if (point.points)
         json.key("score")
@@ -121,8 +126,8 @@ void add_result(JsonText& json, const database::ProgressPoint& point) {
             .end_object();
     json.member("duration", duration(point.duration_s)).key("extensions").begin_object();
     add_metrics(json.key(term("metrics")), point);
-    if (!point.passed && !point.not_scored_because.empty()) {
-        const std::string why = words_of(point.not_scored_because);
+    if (!point.passed) {
+        const std::string why = why_not_scored(point.not_scored_because, point.continues);
         if (!why.empty()) json.member(term("not-scored-because"), why);
     }
     json.end_object().end_object();

@@ -101,6 +101,37 @@ TEST(AttemptOrigin, IsPracticeAndNeverScored) {
     EXPECT_TRUE(programme.attempts().interrupted_without_score(programme.session("ann")).empty());
 }
 
+TEST(AttemptOrigin, IsKnownToReports) {
+    const Programme programme;
+    programme.record("ann");
+    programme.clock.pass_s(60);
+    record_from(programme, "");
+    const Reports reports(*programme.store);
+    const Session& director = programme.session("director");
+    const auto expect_second = [](const PersonProgress& progress) {
+        ASSERT_EQ(progress.series.size(), 1U);
+        const std::vector<ProgressPoint>& points = progress.series[0].points;
+        ASSERT_EQ(points.size(), 2U);
+        EXPECT_FALSE(points[0].continues);
+        EXPECT_TRUE(points[1].continues);
+        EXPECT_EQ(points[1].state, AttemptState::completed);
+        EXPECT_FALSE(points[1].passed);
+    };
+    expect_second(reports.person_progress(director, programme.id("ann"), "A2"));
+    PersonDataOptions options;
+    options.tasks = {"A2"};
+    int people = 0;
+    EXPECT_TRUE(reports.each_of_cohort(director, programme.cohort, options, [&](PersonData&& person, double) {
+        if (person.login == "ann") {
+            ++people;
+            EXPECT_EQ(person.progress.size(), 1U);
+            if (!person.progress.empty()) expect_second(person.progress[0]);
+        }
+        return true;
+    }));
+    EXPECT_EQ(people, 1);
+}
+
 TEST(AttemptOrigin, GoesWithTheCopyOfAReassignedAttempt) {
     const Programme programme;
     const std::string attempt = record_from(programme, "");

@@ -184,6 +184,24 @@ TEST_F(Research, LeavesOutWhatWasRecordedElsewhere) {
         EXPECT_EQ(research.csv(one).find("by-Fay"), std::string::npos) << one.name;
 }
 
+TEST_F(Research, LeavesOutPracticeThatContinuesAnotherAttempt) {
+    record_all();
+    for (const char* login : everybody) {
+        AttemptMeta meta = test::example_meta(programme.id(login));
+        meta.mode = AttemptMode::practice;
+        meta.origin.emplace();
+        meta.origin->tick = 4200;
+        meta.origin->build = "a build";
+        meta.origin->state = {1, 2, 3};
+        AttemptResult part = test::example_result(true, 70);
+        part.score.reset();
+        Recorder(programme.path, programme.session(login), meta, programme.clock.options()).finish(part);
+    }
+    const ResearchExport research = research_export(*programme.store, director);
+    EXPECT_EQ(research.attempts, 9);
+    EXPECT_EQ(research.left_out, 3);
+}
+
 TEST_F(Research, CountsAMergedPersonOnceAndNoSimulatedOrVoidedOne) {
     record_all();
     const Session station = programme.store->station_session();

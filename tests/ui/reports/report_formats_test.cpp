@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "sim_core/numerics/input_error.h"
@@ -153,6 +154,34 @@ TEST(XapiStatements, FollowTheSpecificationAndNameNobody) {
     EXPECT_FALSE(cut_off["result"].contains("score"));
     EXPECT_FALSE(cut_off["result"].contains("success"));
     EXPECT_EQ(cut_off["result"]["completion"], false);
+}
+
+TEST(Reports, PracticeOfAPartIsNotTheCompletionOfTheTask) {
+    PersonReport report = attempts_of_ada();
+    database::ProgressPoint& part = report.progress[0].series[0].points[1];
+    part.mode = AttemptMode::practice;
+    part.state = AttemptState::completed;
+    part.not_scored_because = Statement();
+    part.continues = true;
+    const nlohmann::json statement = nlohmann::json::parse(xapi_statements({report}, home))[1];
+    EXPECT_EQ(statement["verb"]["id"], "http://adlnet.gov/expapi/verbs/attempted");
+    EXPECT_EQ(statement["result"]["completion"], false);
+    EXPECT_FALSE(statement["result"].contains("success"));
+    const std::string why = statement["result"]["extensions"]["urn:fulcrum:xapi:not-scored-because"];
+    EXPECT_NE(why.find("never scored"), std::string::npos) << why;
+
+    const nlohmann::json points =
+        nlohmann::json::parse(person_json(report))["tasks"][0]["series"][0]["attempts"];
+    EXPECT_EQ(points[0]["continues"], false);
+    EXPECT_EQ(points[1]["continues"], true);
+    EXPECT_EQ(points[1]["not_scored_because"], why);
+    const DataSheet sheet = person_sheet(report);
+    const auto column = std::find_if(sheet.columns.begin(), sheet.columns.end(),
+                                     [](const SheetColumn& one) { return one.name == "continues"; });
+    ASSERT_NE(column, sheet.columns.end());
+    const auto at = static_cast<std::size_t>(column - sheet.columns.begin());
+    EXPECT_TRUE(sheet.rows[0][at] == SheetCell(false));
+    EXPECT_TRUE(sheet.rows[1][at] == SheetCell(true));
 }
 
 TEST(XapiStatements, VoidWhatWasTakenOutByTheIdThatItWasSentWith) {

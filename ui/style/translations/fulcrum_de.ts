@@ -16716,6 +16716,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Vorläufige Grenzwerte (synthetische Operateure): Sie erlauben „bestanden (vorläufig)“, nie „sicher beherrscht“ und nie ein Zertifikat.</translation>
     </message>
     <message>
+        <source>Practice from a moment of another attempt or of a demonstration: a part of the task, never scored.</source>
+        <translation>Übung ab einem Zeitpunkt eines anderen Versuchs oder einer Vorführung: ein Teil der Aufgabe, nie ausgewertet.</translation>
+    </message>
+    <message>
         <source>Not scored: %1</source>
         <translation>Nicht ausgewertet: %1</translation>
     </message>
