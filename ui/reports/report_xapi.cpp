@@ -48,6 +48,13 @@ const char* verb_of(const database::ProgressPoint& point) {
     return completes_task(point) ? "completed" : "attempted";
 }
 
+/// Cut off by a crash and not scored yet: its record decides whether it failed, and a statement is never made
+/// twice.
+bool awaits_score(const database::ProgressPoint& point) {
+    return point.state == AttemptState::interrupted && !point.passed && point.not_scored_because.empty() &&
+           !point.continues;
+}
+
 void add_verb(JsonText& json, const char* name) {
     json.key("verb").begin_object().member("id", std::string(verbs) + name);
     json.key("display").begin_object().member("en-US", name).end_object().end_object();
@@ -260,7 +267,7 @@ void each_xapi_statement(const PersonReport& report, const std::string& home_pag
         parts.set_task(progress.task_id);
         for (const database::ProgressSeries& series : progress.series)
             for (const database::ProgressPoint& point : series.points) {
-                visit(statement(parts, series.device_class, point));
+                if (!awaits_score(point)) visit(statement(parts, series.device_class, point));
                 for (const database::RatingRow& rating : point.ratings)
                     visit(rating_statement(parts, point, rating));
             }

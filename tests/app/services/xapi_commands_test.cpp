@@ -87,6 +87,33 @@ TEST_F(XapiCommands, SendTheStatementsOfACohortOnceAndListWhatIsLeft) {
     EXPECT_EQ(send({"--again"}, 0)["sent"], 1);
 }
 
+TEST_F(XapiCommands, SendWhatACrashCutOffOnceItIsScored) {
+    programme.open();
+    const std::string broken = programme.record_broken("ann");
+    programme.store.reset();
+    const auto interrupted = [&] {
+        std::vector<nlohmann::json> found;
+        for (const auto& [id, text] : lrs.statements) {
+            const nlohmann::json one = nlohmann::json::parse(text);
+            const nlohmann::json extensions =
+                one.value(nlohmann::json::json_pointer("/context/extensions"), nlohmann::json::object());
+            if (extensions.value("urn:fulcrum:xapi:state", "") == "interrupted") found.push_back(one);
+        }
+        return found;
+    };
+    const std::vector<std::string> year = {"--cohort", "Year 1", "--home-page", "https://training.example"};
+    EXPECT_GE(send(year, 0)["queued"], 3);
+    EXPECT_TRUE(interrupted().empty()) << "its record may hold that it failed";
+    programme.open();
+    ASSERT_EQ(programme.attempts().read(programme.session("ann"), broken).state, AttemptState::interrupted);
+    programme.attempts().add_score(programme.session("ann"), broken, database::test::example_score(false, 0));
+    programme.store.reset();
+    EXPECT_EQ(send(year, 0)["queued"], 1);
+    ASSERT_EQ(interrupted().size(), 1U);
+    EXPECT_EQ(interrupted()[0]["verb"]["id"], "http://adlnet.gov/expapi/verbs/failed");
+    EXPECT_EQ(send(year, 0)["queued"], 0);
+}
+
 TEST(XapiProfileCommand, WritesTheProfileThatIsDelivered) {
     QTemporaryDir folder;
     const std::string path = folder.filePath(QStringLiteral("profile.jsonld")).toStdString();
