@@ -17,6 +17,7 @@
 #include "assessment/trace/trace_csv.h"
 #include "database/records/error_reviews.h"
 #include "database/records/external_attempts.h"
+#include "database/records/report_data.h"
 #include "database/rows/force_devices.h"
 #include "sim_core/numerics/files.h"
 
@@ -72,7 +73,73 @@ nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::st
     return document;
 }
 
+nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin) {
+    if (!origin) return {};
+    return {{"attempt", or_null(origin->source_id)}, {"tick", origin->tick}, {"goal", origin->goal}};
+}
+
 namespace {
+
+/// A store has neither the kind of an absence nor the count behind a value: those of the record, where they
+/// are of the same version.
+MetricResult stored_result(const database::MetricRow& row, const std::vector<MetricResult>& measured) {
+    MetricResult result;
+    result.id = row.id;
+    result.version = row.version;
+    result.hand = row.hand;
+    result.tissue = row.tissue;
+    result.value = row.value;
+    result.unit = row.unit;
+    result.direction = row.direction;
+    result.absent_because = row.absent_because;
+    for (const auto& [begin, end] : row.evidence) result.evidence.push_back({begin, end});
+    if (!row.value) result.absence = Absence::not_measured;
+    const MetricResult* now = find_result(measured, row.id, row.hand, row.tissue);
+    if (now != nullptr && now->version == row.version && now->value.has_value() == row.value.has_value()) {
+        result.absence = now->absence;
+        result.count = now->count;
+    }
+    return result;
+}
+
+GateResult stored_gate(const database::GateRow& row) {
+    GateResult gate;
+    gate.metric = row.metric;
+    gate.hand = row.hand;
+    gate.tissue = row.tissue;
+    gate.kind = row.kind;
+    gate.value = row.value;
+    gate.unit = row.unit;
+    gate.limit = row.limit;
+    gate.limit_source = row.limit_source;
+    gate.z = row.z;
+    gate.points = row.points;
+    gate.passed = row.passed;
+    gate.provisional = row.provisional;
+    gate.absent_because = row.not_passed_because;
+    return gate;
+}
+
+/// In place of what the record gives today: with the limits that were in force when the attempt began, and
+/// the metrics as they were when it was scored.
+void take_stored(ScoredAttempt& scored, const database::ScoreRow& stored) {
+    std::vector<MetricResult> metrics;
+    for (const database::MetricRow& row : stored.metrics)
+        metrics.push_back(stored_result(row, scored.metrics));
+    scored.metrics = std::move(metrics);
+    scored.pathology = database::pathology_of(stored);
+    scored.score = Score();
+    scored.score.passed = stored.passed;
+    scored.score.not_scored_because = stored.not_scored_because;
+    scored.score.points = stored.points;
+    scored.score.advice = stored.advice;
+    for (const database::GateRow& row : stored.gates) {
+        scored.score.provisional = scored.score.provisional || row.provisional;
+        scored.score.gates.push_back(stored_gate(row));
+    }
+    for (const database::CriticalErrorRow& row : stored.critical_errors)
+        scored.score.critical_errors.push_back({row.kind, row.hand, row.tissue, row.time_s});
+}
 
 std::vector<std::string> write_files(const std::string& folder,
                                      const std::vector<std::pair<const char*, std::string>>& contents) {
@@ -122,6 +189,8 @@ std::vector<std::string> export_external(const database::Store& store, const dat
     std::istringstream in(trace);
     measured.metrics = metrics_from_json(
         metrics_of_trace(read_trace_csv(in, "trace.csv"), "trace.csv")["metrics"], "metrics");
+    if (const auto stored = database::Attempts(store).score(session, summary.meta.id))
+        take_stored(measured, *stored);
     return write_files(
         folder, {{"trace.csv", trace},
                  {"attempt.json", text_of(attempt_document(summary.meta, summary.meta.id, measured))}});
@@ -137,9 +206,20 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
         return export_external(store, session, summary, folder);
     const database::Trace record = attempts.read_trace(session, attempt);
     const LoadedTask loaded = load_recorded(attempts, session, summary);
-    const ScoredAttempt scored = score_record(
-        loaded.scene, loaded.task, targets_of(loaded.scene, loaded.task, summary.meta.seed), record.samples,
-        record.events, limits_for(loaded.task, loaded.scene, summary.meta.device_class));
+    ScoredAttempt scored =
+        score_record(loaded.scene, loaded.task, targets_of(loaded.scene, loaded.task, summary.meta.seed),
+                     record.samples, record.events, Limits());
+    scored.state = summary.recorded_state;
+    scored.duration_s = summary.duration_s;
+    if (const auto stored = attempts.score(session, attempt)) {
+        take_stored(scored, *stored);
+    } else {
+        scored.score = Score();
+        if (summary.meta.origin) {
+            scored.score.not_scored_because = Statement::plain(database::never_scored_words);
+            scored.pathology.reset();  // the rest of the specimen was divided before
+        }
+    }
     const std::array<bool, hand_count> hands = {loaded.scene.instrument(Hand::left) != nullptr,
                                                 loaded.scene.instrument(Hand::right) != nullptr};
     const std::vector<std::string> labels = tissue_labels(loaded.scene);
@@ -150,6 +230,7 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     put_seed(events, summary.meta.seed);
     write_events_csv(events, labels, loaded.scene.tick_period(), table);
     nlohmann::json document = attempt_document(summary.meta, attempt, scored);
+    document["continues"] = origin_json(summary.meta.origin);
     document["error_reviews"] =
         error_reviews_json(store, session, attempt, labels, loaded.scene.tick_period());
     return write_files(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,11 @@ nlohmann::json score_document(const ScoredAttempt& scored);
 nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::string& attempt,
                                 const ScoredAttempt& scored);
 
-/// Writes trace.csv, events.csv and attempt.json of a stored attempt, scored again from its record; returns
-/// the paths. Throws InputError, StoreError, AccessDenied.
+/// Where an attempt began that did not begin at the beginning: attempt, tick, goal. Null: it did.
+nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin);
+
+/// Writes trace.csv, events.csv and attempt.json of a stored attempt, with its score in force; without one
+/// the metrics of its record and no verdict. Returns the paths. Throws InputError, StoreError, AccessDenied.
 std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
                                       const std::string& attempt, const std::string& folder);
 

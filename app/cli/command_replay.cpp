@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "app/live/simulation_check.h"
@@ -13,13 +14,6 @@
 
 namespace fulcrum::app {
 namespace {
-
-nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin) {
-    if (!origin) return {};
-    return {{"attempt", origin->source_id.empty() ? nlohmann::json() : nlohmann::json(origin->source_id)},
-            {"tick", origin->tick},
-            {"goal", origin->goal}};
-}
 
 int run_replay(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false, false);

@@ -17,6 +17,11 @@
 
 namespace fulcrum::database {
 
+/// The reason that exports give for practice that continues another attempt: it has no score that could. In
+/// English, as all of their reasons.
+inline constexpr const char* never_scored_words =
+    "practice from a moment of another attempt or of a demonstration is never scored";
+
 enum class TaskState { open, attempted, passed };
 const char* task_state_name(TaskState state);
 

@@ -5,7 +5,10 @@
 #include <QComboBox>
 #include <QFile>
 #include <QSlider>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "app/cli/attempt_document.h"
 #include "database/store/kept_frames.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
@@ -75,6 +78,15 @@ TEST_F(TakeOver, BeginsWhereTheReplayIsAndReplaysFromItsOwnRecord) {
     EXPECT_TRUE(shown("debrief_notes").contains("Practice from the moment"))
         << shown("debrief_notes").toStdString();
     expect_replays(taken.meta.id);
+    const std::string exported = folder.filePath("taken").toStdString();
+    export_trace(*services.store(), window.context().session(), taken.meta.id, exported);
+    const nlohmann::json document = nlohmann::json::parse(std::ifstream(exported + "/attempt.json"));
+    EXPECT_TRUE(document["passed"].is_null());
+    EXPECT_TRUE(document["points"].is_null());
+    EXPECT_TRUE(document["gates"].empty());
+    EXPECT_FALSE(document["metrics"].empty());
+    EXPECT_EQ(document["continues"]["attempt"], source.meta.id);
+    EXPECT_DOUBLE_EQ(document["duration_s"].get<double>(), taken.duration_s);
 
     // Its own replay, and practice from there: a chain.
     ReplayPanel& again = prepared_replay();

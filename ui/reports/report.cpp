@@ -49,8 +49,7 @@ void require_not_the_store(const std::string& path, const database::Store& store
 }  // namespace
 
 std::string why_not_scored(const Statement& because, bool continues) {
-    return continues ? "practice from a moment of another attempt or of a demonstration is never scored"
-                     : words_of(because);
+    return continues ? database::never_scored_words : words_of(because);
 }
 
 void fail_output(const std::string& path, const std::system_error& error) {

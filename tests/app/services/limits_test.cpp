@@ -206,6 +206,23 @@ TEST_F(OwnLimits, StayThoseOfTheStartWhenTheSetIsReplaced) {
     EXPECT_EQ(in_force(first).passed, true);
     EXPECT_EQ(in_force(first).limits, old_name);
     EXPECT_EQ(in_force(second).limits, new_name);
+    // The export has the score in force.
+    const std::string exported = (folder_ / "exported").string();
+    export_trace(store, station, first["attempt"].get<std::string>(), exported);
+    const json document = json::parse(std::ifstream(exported + "/attempt.json"));
+    EXPECT_EQ(document["passed"], true);
+    EXPECT_EQ(document["points"], first["points"]);
+    EXPECT_TRUE(document["continues"].is_null());
+    ASSERT_EQ(document["gates"].size(), first["gates"].size());
+    for (std::size_t i = 0; i < first["gates"].size(); ++i)
+        for (const char* key : {"metric", "hand", "value", "limit", "points", "passed"})
+            EXPECT_EQ(document["gates"][i][key], first["gates"][i][key]) << i << key;
+    ASSERT_EQ(document["metrics"].size(), first["metrics"].size());
+    for (std::size_t i = 0; i < first["metrics"].size(); ++i)
+        for (const char* key :
+             {"id", "version", "hand", "tissue", "value", "absent_code", "absence", "count"})
+            EXPECT_EQ(document["metrics"][i].value(key, json()), first["metrics"][i].value(key, json()))
+                << i << key;
     // What was interrupted is scored later, and not by limits that came after its start.
     EXPECT_EQ(limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, new_name).name(), new_name);
     const Limits replaced = limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, old_name);
