@@ -11,7 +11,7 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-class Lock : public Screens {
+class LockWithDialogs : public Screens {
   protected:
     void open_as_administrator(const char* rail) {
         open({1280, 800});
@@ -21,7 +21,7 @@ class Lock : public Screens {
     void lock() { QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock"); }
 };
 
-TEST_F(Lock, ClosesADialogThatWaitsForAFileName) {
+TEST_F(LockWithDialogs, ClosesADialogThatWaitsForAFileName) {
     open_as_administrator("rail_station");
     bool opened = false, stayed = true;
     QTimer in_its_loop;
@@ -42,7 +42,7 @@ TEST_F(Lock, ClosesADialogThatWaitsForAFileName) {
     EXPECT_TRUE(window->findChildren<BackgroundJob*>().isEmpty()) << "a backup was begun";
 }
 
-TEST_F(Lock, ClosesADialogNextToTheWindow) {
+TEST_F(LockWithDialogs, ClosesADialogNextToTheWindow) {
     open_as_administrator("rail_people");
     bring(*find<QPushButton>(*window, "import_file"));
     click(*window, "import_file");
@@ -52,7 +52,7 @@ TEST_F(Lock, ClosesADialogNextToTheWindow) {
     EXPECT_TRUE(sees(*window, "unlock_password"));
 }
 
-TEST_F(Lock, ClosesAnOpenList) {
+TEST_F(LockWithDialogs, ClosesAnOpenList) {
     open_as_administrator("rail_settings");
     find<QComboBox>(*window, "text_size")->showPopup();
     ASSERT_NE(QApplication::activePopupWidget(), nullptr);
