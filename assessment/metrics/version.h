@@ -4,6 +4,9 @@
 
 namespace fulcrum {
 
-inline constexpr const char* program_version = "0.1.0";
+/// Raised with every change after which the same inputs can give another state, other events, or a state that
+/// is stored otherwise: the check of the store simulates attempts of this version only, and stored states of
+/// another version are not read.
+inline constexpr const char* program_version = "0.1.1";
 
 }  // namespace fulcrum

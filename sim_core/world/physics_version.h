@@ -4,8 +4,9 @@
 
 namespace fulcrum {
 
-/// Raised with every change after which an attempt of the same inputs has another state hash
-/// (tests/assessment/attempt/golden_hashes_test.cpp).
+/// Raised with every change after which operators' attempts have other state hashes
+/// (tests/assessment/attempt/golden_hashes_test.cpp): what was measured with operators is then measured again.
+/// A change that only other inputs meet raises program_version alone.
 inline constexpr int physics_version = 4;
 
 }  // namespace fulcrum
