@@ -2,6 +2,7 @@
 // What the page of a comparison reads and computes in the background.
 #include <QPushButton>
 
+#include "database/records/ratings.h"
 #include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
 #include "ui/review/compare_page.h"
@@ -77,6 +78,8 @@ void ComparePage::load_attempt(const std::string& id) {
             const auto attempt = database::Attempts(context().store()).read(context().session(), id);
             if (context().task(attempt.meta.task_id) != nullptr)
                 scene = context().services().scene_of(context().session(), attempt);
+            // Its person, verdict and points are shown, as where it is opened by itself.
+            database::Ratings(context().store()).note_seen(context().session(), id);
         }))
         return;
     struct Loaded {

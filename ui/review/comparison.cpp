@@ -7,6 +7,7 @@
 
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
+#include "database/records/ratings.h"
 #include "ui/language/error_text.h"
 #include "ui/review/remote_trace.h"
 #include "ui/style/text.h"
@@ -61,10 +62,16 @@ std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
             best = &one;
         if (last == nullptr && one.meta.started < own.meta.started) last = &one;
     }
-    if (best != nullptr)
+    const database::Ratings ratings(store);
+    const bool rates =
+        store.allowed(session, database::Operation::rate, database::Subject::person(own.meta.person_id));
+    const auto is_offered = [&](const database::AttemptSummary& one) {
+        return !rates || !ratings.is_blind(session, one.meta.id);
+    };
+    if (best != nullptr && is_offered(*best))
         choices.push_back({Kind::attempt, best->meta.id,
                            ComparisonTexts::tr("Best attempt: %1").arg(choice_text(*best, false, task))});
-    if (last != nullptr)
+    if (last != nullptr && is_offered(*last))
         choices.push_back({Kind::attempt, last->meta.id,
                            ComparisonTexts::tr("Latest attempt: %1").arg(choice_text(*last, false, task))});
     if (!database::is_external_task(own.meta.task_id))
@@ -75,7 +82,7 @@ std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
                 {Kind::cohort, cohort.id, ComparisonTexts::tr("Cohort %1 as a band").arg(text(cohort.name))});
     }
     for (const database::AttemptSummary& one : others)
-        if (&one != best && &one != last)
+        if (&one != best && &one != last && is_offered(one))
             choices.push_back({Kind::attempt, one.meta.id, choice_text(one, true, task)});
     return choices;
 }

@@ -25,7 +25,8 @@ struct ComparisonChoice {
 };
 
 /// Own best, own last before it, the benchmark's experts, cohorts, then every other attempt of the person at
-/// this task, newest first. Throws AccessDenied, StoreError.
+/// this task, newest first. An attempt for which the session has begun a form that is blind so far is left
+/// out: to show it would lift the blinding. Throws AccessDenied, StoreError.
 std::vector<ComparisonChoice> comparison_choices(const database::Store& store,
                                                  const database::Session& session,
                                                  const database::AttemptSummary& own,

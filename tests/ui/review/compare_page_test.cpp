@@ -11,8 +11,10 @@
 #include <QSlider>
 #include <cmath>
 
+#include "assessment/assets/assets.h"
 #include "assessment/task/task.h"
 #include "database/records/people.h"
+#include "database/records/ratings.h"
 #include "database/records/recorder.h"
 #include "database/scoring/range_metrics.h"
 #include "database/sync/station_erasure.h"
@@ -405,6 +407,29 @@ TEST_F(Comparing, TheCohortIsABandOfFivePeopleOrMore) {
     ComparePage& theirs = open("tara", own);
     for (const ComparisonChoice& one : theirs.choices())
         EXPECT_NE(one.kind, ComparisonChoice::Kind::cohort) << one.title.toStdString();
+}
+
+TEST_F(Comparing, AnAttemptThatARaterSawNextToAnotherIsNotRatedBlindAfterwards) {
+    const std::string begun = record("tara", {1, 1, "standard", true, 90});
+    const std::string seen = record("tara", {1, 1, "standard", true, 60});
+    const std::string own = record("tara", {});
+    const Session& ed = sessions.at("ed");
+    const database::Ratings ratings(*services.store());
+    ratings.begin(ed, begun, load_form(asset_path("forms/goals.json")));
+    const auto would_be_blind = [&](const std::string& id) {
+        for (const database::RatableAttempt& one : ratings.to_rate(ed))
+            if (one.attempt_id == id) return one.blind;
+        ADD_FAILURE() << "not in the list of raters";
+        return false;
+    };
+    EXPECT_TRUE(would_be_blind(seen));
+    ComparePage& page = open("ed", own);
+    ASSERT_NE(page.pair(), nullptr);
+    EXPECT_TRUE(find<QLabel>(*window, "compare_other_words")->text().contains("60 of 100"));
+    EXPECT_FALSE(would_be_blind(seen)) << "its name and points were next to its replay";
+    for (const ComparisonChoice& one : page.choices())
+        EXPECT_NE(one.id, begun) << "that would lift the blinding of the form";
+    EXPECT_TRUE(ratings.is_blind(ed, begun));
 }
 
 // A part is chosen while something else happens to the page.
