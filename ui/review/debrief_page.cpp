@@ -277,7 +277,7 @@ void DebriefPage::lift_blinding() {
     show_parts();
     read_reviews();
     show_notes();
-    ratings_->open(model_->summary);
+    ratings_->open(model_->summary, blind_);
 }
 
 void DebriefPage::show_parts() {
@@ -334,7 +334,7 @@ void DebriefPage::show_model() {
     path_->set_attempt(*model_);
     actions_->open(model_->summary);
     comments_->open(attempt_id_, model_->summary.meta.person_id);
-    ratings_->open(model_->summary);
+    ratings_->open(model_->summary, blind_);
     show_parts();
     replay_->open(model_, task);
     go_to(std::max(0.0, wanted_time_));

@@ -71,9 +71,10 @@ void RatingsCard::build_begin() {
     row->add(begin_);
 }
 
-void RatingsCard::open(const database::AttemptSummary& attempt) {
+void RatingsCard::open(const database::AttemptSummary& attempt, bool blind) {
     leave();
     attempt_ = attempt;
+    blind_ = blind;
     revealed_ = false;
     fill();
 }
@@ -91,7 +92,7 @@ int RatingsCard::hold_back(Rows& rows, bool may_rate) const {
     });
     if (!may_rate || rated || revealed_) return 0;
     const auto end = std::remove_if(rows.begin(), rows.end(), [&](const RatingRow& row) {
-        return row.rater_id != self && row.form.blind;
+        return row.rater_id != self && (row.form.blind || blind_);
     });
     const auto held = static_cast<int>(rows.end() - end);
     rows.erase(end, rows.end());
@@ -129,7 +130,7 @@ void RatingsCard::fill() {
     hidden_->setVisible(hidden > 0);
     reveal_->setText(tr("Show those that the trainee sees, without rating (%1)").arg(held));
     reveal_->setAccessibleName(reveal_->text());
-    reveal_->setVisible(held > 0 && !draft);
+    reveal_->setVisible(held > 0 && !draft && !blind_);
     std::map<std::string, Rows> by_form;
     for (const RatingRow& row : shown) by_form[row.form.name()].push_back(row);
     for (const auto& [name, rows] : by_form) show_form(rows);

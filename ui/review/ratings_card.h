@@ -25,7 +25,8 @@ class RatingsCard : public QFrame {
     Q_OBJECT
   public:
     explicit RatingsCard(Context& context, QWidget* parent = nullptr);
-    void open(const database::AttemptSummary& attempt);
+    /// `blind`: on a page without name and score, where nothing that others gave is shown either.
+    void open(const database::AttemptSummary& attempt, bool blind);
     /// Keeps a draft that was not kept yet, and stops what runs.
     void leave();
 
@@ -49,7 +50,7 @@ class RatingsCard : public QFrame {
     Context& context_;
     database::AttemptSummary attempt_;
     std::vector<ObserverForm> forms_;  ///< those that this person can still begin
-    bool revealed_ = false;
+    bool blind_ = false, revealed_ = false;
     BackgroundJob* job_ = nullptr;
     QLabel *title_, *hidden_, *agreement_;
     QPushButton *reveal_, *release_, *begin_;

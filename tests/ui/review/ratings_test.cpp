@@ -97,7 +97,10 @@ class RatingPages : public ::testing::Test {
     database::Store* services_store() const { return const_cast<FakeServices&>(services).store(); }
     void rate(const Session& rater, const std::string& attempt, const FormAnswers& answers,
               const char* form = "goals") const {
-        const ObserverForm used = load_form(asset_path("forms/" + std::string(form) + ".json"));
+        rate(rater, attempt, answers, load_form(asset_path("forms/" + std::string(form) + ".json")));
+    }
+    void rate(const Session& rater, const std::string& attempt, const FormAnswers& answers,
+              const ObserverForm& used) const {
         const std::string id = ratings().begin(rater, attempt, used);
         ratings().answer(rater, id, answers, std::vector<bool>(answers.size(), true), "");
         ratings().hand_in(rater, id);
@@ -375,6 +378,34 @@ TEST_F(RatingPages, WhatTheTraineeSeesIsHeldBackFromARaterUntilAsked) {
     EXPECT_FALSE(sees(*window, "ratings_reveal"));
     click(*window, "rating_begin");
     EXPECT_FALSE(sees(*window, "rating_shown")) << "not while rating";
+}
+
+TEST_F(RatingPages, TheBlindPageShowsNothingThatOthersGave) {
+    std::string open_form = load_form(asset_path("forms/osats.json")).text;
+    const std::string blind = "\"blind\": true";
+    ASSERT_NE(open_form.find(blind), std::string::npos);
+    open_form.replace(open_form.find(blind), blind.size(), "\"blind\": false");
+    const std::string id = record();
+    rate(*ed, id, {4, 3, 2, 5, 3});
+    rate(*ed, id, {4, 4, 4, 4, 4, 3, 3}, parse_form(open_form, "open form"));
+    ratings().release(*ed, id);
+    act_as(*ida);
+    click(*window, "rail_rate");
+    click(*window, "to_rate_open");
+    ready();
+    ASSERT_TRUE(sees(*window, "rating_blind_notice"));
+    EXPECT_EQ(shown("ratings_hidden"),
+              QStringList("Ratings by others: 2. You will see them when you have handed in yours."));
+    EXPECT_FALSE(sees(*window, "rating_shown"));
+    EXPECT_FALSE(sees(*window, "ratings_reveal"));
+    click(*window, "lift_blinding");
+    EXPECT_EQ(shown("rating_shown").size(), 1) << "the form that does not ask for blinding";
+    click(*window, "ratings_reveal");
+    EXPECT_EQ(shown("rating_shown").size(), 2);
+    click(*window, "rating_begin");
+    const auto own = ratings().of_attempt(*ida, id).rows;
+    ASSERT_EQ(own.size(), 1U);
+    EXPECT_EQ(own[0].blinding, database::Blinding::lifted);
 }
 
 TEST_F(RatingPages, OptionalItemsCanBeNotSeenAndOneLegendServesEqualScales) {
