@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <set>
 
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
@@ -30,6 +29,27 @@ QString choice_text(const database::AttemptSummary& attempt, bool with_result, c
     if (!attempt.meta.variant.empty() && attempt.meta.variant != "standard")
         parts << variant_title(task, attempt.meta.variant);
     return parts.join(QStringLiteral(", "));
+}
+
+using CohortValues = std::map<std::pair<std::string, std::string>, std::vector<double>>;
+
+/// Those values of `score` that the same versions of the metrics measured as those of `own`. Metrics of which
+/// others did are added to `other_versions`.
+void add_values(CohortValues& values, std::set<std::string>& other_versions, const database::ScoreRow& score,
+                const AttemptModel& own) {
+    if (!own.score) return;
+    for (const database::MetricRow& row : score.metrics) {
+        if (!row.value || !row.tissue.empty()) continue;
+        const auto like = std::find_if(
+            own.score->metrics.begin(), own.score->metrics.end(), [&](const database::MetricRow& one) {
+                return one.id == row.id && one.hand == row.hand && one.tissue.empty();
+            });
+        if (like == own.score->metrics.end()) continue;
+        if (like->version == row.version)
+            values[{row.id, row.hand}].push_back(*row.value);
+        else
+            other_versions.insert(row.id);
+    }
 }
 
 bool is_comparable(const database::AttemptSummary& one, const database::AttemptSummary& own) {
@@ -168,14 +188,13 @@ std::optional<CohortSide> load_cohort(const database::Store& store, const databa
     }
     side.people = chosen.size();
     if (side.people < least_in_band) return side;
-    std::map<std::pair<std::string, std::string>, std::vector<double>> values;
+    CohortValues values;
     std::array<std::vector<std::vector<float>>, hand_count> force, speed;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(chosen.size()), {}))
             return std::nullopt;
         if (const auto score = attempts.score(session, chosen[i]))
-            for (const database::MetricRow& row : score->metrics)
-                if (row.value && row.tissue.empty()) values[{row.id, row.hand}].push_back(*row.value);
+            add_values(values, side.other_versions, *score, own.model);
         if (!own.has_trace()) continue;
         std::optional<AttemptModel> model;
         std::vector<Event> events;
@@ -253,6 +272,12 @@ QStringList comparison_notes(const ComparedSide& own, const CohortSide& cohort) 
         notes << ComparisonTexts::tr(
             "The recording of %n of them was not kept here: only their metrics are compared.", nullptr,
             static_cast<int>(cohort.without_trace));
+    if (!cohort.other_versions.empty()) {
+        QStringList names;
+        for (const std::string& id : cohort.other_versions) names << metric_text(id);
+        notes << ComparisonTexts::tr("Values that another version of the metric measured are left out: %1.")
+                     .arg(names.join(QStringLiteral(", ")));
+    }
     if (!own.has_trace()) notes << ComparisonTexts::tr("This attempt: %1").arg(own.why_no_trace);
     return notes;
 }

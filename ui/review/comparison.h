@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,10 +60,12 @@ ComparedPair align(const ComparedSide& own, const ComparedSide& other);
 /// device, completed and counting.
 struct CohortSide {
     QString name;
-    std::size_t people = 0;                                         ///< with such an attempt
-    std::size_t without_trace = 0;                                  ///< of them, whose trace is not here
-    std::array<std::vector<BandPoint>, hand_count> force, speed;    ///< over the own attempt's time
-    std::map<std::pair<std::string, std::string>, Spread> metrics;  ///< by metric and hand
+    std::size_t people = 0;                                       ///< with such an attempt
+    std::size_t without_trace = 0;                                ///< of them, whose trace is not here
+    std::array<std::vector<BandPoint>, hand_count> force, speed;  ///< over the own attempt's time
+    /// By metric and hand, of the versions of the metrics that measured the own attempt.
+    std::map<std::pair<std::string, std::string>, Spread> metrics;
+    std::set<std::string> other_versions;  ///< metrics of which values by other versions are left out
 };
 /// Worker thread; empty when stopped. Throws AccessDenied, StoreError.
 std::optional<CohortSide> load_cohort(const database::Store& store, const database::Session& session,

@@ -65,6 +65,10 @@ QTableWidgetItem* value_cell(const ComparedMetric& metric) {
     return cell;
 }
 
+QString other_version_text() {
+    return CompareWords::tr("measured by another version of the metric");
+}
+
 const ComparedMetric* find_compared(const std::vector<ComparedMetric>& rows, const ComparedMetric& like) {
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const ComparedMetric& one) {
         return one.id == like.id && one.hand == like.hand;
@@ -80,7 +84,8 @@ std::vector<ComparedMetric> compared_metrics(const std::vector<database::MetricR
     for (const database::MetricRow& row : rows) {
         const bool asked = wanted.empty() || std::find(wanted.begin(), wanted.end(), row.id) != wanted.end();
         if (asked && row.tissue.empty())
-            shown.push_back({row.id, row.hand, row.unit, row.direction, row.value, row.absent_because});
+            shown.push_back(
+                {row.id, row.version, row.hand, row.unit, row.direction, row.value, row.absent_because});
     }
     return shown;
 }
@@ -89,7 +94,8 @@ std::vector<ComparedMetric> compared_metrics(const std::vector<MetricResult>& ro
     std::vector<ComparedMetric> shown;
     for (const MetricResult& row : rows)
         if (row.tissue.empty())
-            shown.push_back({row.id, row.hand, row.unit, row.direction, row.value, row.absent_because});
+            shown.push_back(
+                {row.id, row.version, row.hand, row.unit, row.direction, row.value, row.absent_because});
     return shown;
 }
 
@@ -136,6 +142,10 @@ void ComparisonTable::show_pair(const std::vector<ComparedMetric>& own,
         if (against == nullptr) continue;
         table_->setItem(row, other_column, value_cell(*against));
         if (!metric.value || !against->value) continue;
+        if (metric.version != against->version) {
+            table_->setItem(row, verdict_column, make_cell(other_version_text()));
+            continue;
+        }
         table_->setItem(row, difference_column,
                         make_cell(difference_text(*metric.value, *against->value, metric.unit),
                                   Qt::AlignRight | Qt::AlignVCenter));
@@ -179,7 +189,11 @@ void ComparisonTable::show_part(const std::vector<ComparedMetric>& part,
         const ComparedMetric* all = find_compared(whole, metric);
         if (!metric.value && (all == nullptr || !all->value)) continue;
         const int row = add_row(metric);
-        if (all != nullptr) table_->setItem(row, other_column, value_cell(*all));
+        if (all == nullptr) continue;
+        if (metric.version == all->version)
+            table_->setItem(row, other_column, value_cell(*all));
+        else
+            table_->item(row, other_column)->setToolTip(other_version_text());
     }
     table_->horizontalHeaderItem(own_column)->setText(CompareWords::tr("Part"));
     table_->horizontalHeaderItem(other_column)->setText(CompareWords::tr("Whole attempt"));

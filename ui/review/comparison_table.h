@@ -19,7 +19,9 @@ namespace fulcrum::ui {
 
 /// A metric of one attempt, of all tissues together.
 struct ComparedMetric {
-    std::string id, hand, unit;
+    std::string id;
+    int version = 1;  ///< of the definition that measured it
+    std::string hand, unit;
     Direction direction = Direction::context;
     std::optional<double> value;
     Statement why_absent;
@@ -34,10 +36,13 @@ using MetricSpreads = std::map<std::pair<std::string, std::string>, Spread>;
 class ComparisonTable : public QWidget {
   public:
     explicit ComparisonTable(const char* name = "comparison_table", QWidget* parent = nullptr);
-    /// Rows that both lack are left out.
+    /// Rows that both lack are left out. Values of two versions of a metric have no difference, and neither
+    /// is better.
     void show_pair(const std::vector<ComparedMetric>& own, const std::vector<ComparedMetric>& other);
+    /// `cohort`: of the versions of `own`.
     void show_cohort(const std::vector<ComparedMetric>& own, const MetricSpreads& cohort);
-    /// A part next to the whole of one attempt; neither is better than the other.
+    /// A part next to the whole of one attempt; neither is better than the other. A whole that another
+    /// version of the metric measured is left out.
     void show_part(const std::vector<ComparedMetric>& part, const std::vector<ComparedMetric>& whole);
     void clear();
 

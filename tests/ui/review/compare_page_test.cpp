@@ -23,7 +23,6 @@
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
 #include "ui/charts/time_chart.h"
-#include "ui/review/comparison_table.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
@@ -43,6 +42,7 @@ struct ComparedRecord {
     bool keep_trace = true;
     double points = 50;
     std::string task = "B2";
+    int version = 1;  // of the metric
 };
 
 class Comparing : public ::testing::Test {
@@ -129,6 +129,7 @@ class Comparing : public ::testing::Test {
         score.limits = "B2-operators@1";
         database::MetricRow time;
         time.id = "time";
+        time.version = like.version;
         time.value = 6 * like.pace;
         time.unit = "s";
         time.direction = Direction::lower;
@@ -197,36 +198,6 @@ class Comparing : public ::testing::Test {
     std::unique_ptr<MainWindow> window;
     int recorded = 0;
 };
-
-TEST(ComparedMetrics, OfAMetricWithASignTheSizeSaysWhichIsBetter) {
-    const auto side = [](double value) {
-        ComparedMetric metric;
-        metric.id = "plane_dev_median";
-        metric.unit = "mm";
-        metric.direction = Direction::lower;
-        metric.value = value;
-        return std::vector<ComparedMetric>{metric};
-    };
-    ComparisonTable shown;
-    const auto* table = shown.findChild<QTableWidget*>(QStringLiteral("comparison_table"));
-    ASSERT_NE(table, nullptr);
-    const auto verdict_of_pair = [&](double own, double other) {
-        shown.show_pair(side(own), side(other));
-        return table->item(0, 5)->text();
-    };
-    EXPECT_TRUE(verdict_of_pair(-3.0, 0.2).contains("worse"));
-    EXPECT_TRUE(verdict_of_pair(0.2, -3.0).contains("better"));
-    EXPECT_EQ(verdict_of_pair(-3.0, 3.0), QStringLiteral("–"));
-    EXPECT_TRUE(verdict_of_pair(1.0, 3.0).contains("better"));
-    Spread cohort;
-    cohort.low = -0.5;
-    cohort.middle = 0.2;
-    cohort.high = 0.5;
-    MetricSpreads spreads;
-    spreads[{"plane_dev_median", ""}] = cohort;
-    shown.show_cohort(side(-3.0), spreads);
-    EXPECT_TRUE(table->item(0, 5)->text().contains("worse"));
-}
 
 TEST_F(Comparing, TwoAttemptsMoveTogetherAlignedByTheirSteps) {
     record("tara", {2, 1, "standard", true, 90});
@@ -430,6 +401,22 @@ TEST_F(Comparing, AnAttemptThatARaterSawNextToAnotherIsNotRatedBlindAfterwards) 
     for (const ComparisonChoice& one : page.choices())
         EXPECT_NE(one.id, begun) << "that would lift the blinding of the form";
     EXPECT_TRUE(ratings.is_blind(ed, begun));
+}
+
+TEST_F(Comparing, ValuesOfTwoVersionsOfAMetricAreNotHeldAgainstEachOther) {
+    const ComparedRecord old_one{2, 1, "standard", true, 90, "B2", 2};
+    ComparedRecord present;
+    present.version = 3;
+    record("tara", old_one);
+    for (int i = 0; i < 5; ++i) record("other" + std::to_string(i), i == 0 ? old_one : present);
+    ComparePage& page = open("ed", record("tara", present));
+    EXPECT_EQ(line("Time"), (QStringList{"6 s", "12 s", "–", "measured by another version of the metric"}));
+    choose(page, "Cohort Spring");
+    ASSERT_NE(page.cohort(), nullptr);
+    EXPECT_TRUE(page.cohort()->metrics.empty()) << "of fewer than five by the same version";
+    EXPECT_TRUE(notes().contains("another version of the metric measured are left out: Time."))
+        << notes().toStdString();
+    EXPECT_EQ(line("Time"), (QStringList{"6 s", "–", "–", "–"}));
 }
 
 // A part is chosen while something else happens to the page.

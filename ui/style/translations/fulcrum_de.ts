@@ -12680,6 +12680,10 @@ Kennzahlen: %2</translation>
         <source>Metrics of the part</source>
         <translation>Kennzahlen des Abschnitts</translation>
     </message>
+    <message>
+        <source>measured by another version of the metric</source>
+        <translation>nach einer anderen Version der Kennzahl gemessen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ComparisonTexts</name>
@@ -12754,6 +12758,10 @@ Kennzahlen: %2</translation>
             <numerusform>Von %n Person wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
             <numerusform>Von %n Personen wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Values that another version of the metric measured are left out: %1.</source>
+        <translation>Werte, die nach einer anderen Version der Kennzahl gemessen sind, sind weggelassen: %1.</translation>
     </message>
 </context>
 <context>
