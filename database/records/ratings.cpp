@@ -6,6 +6,7 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/people_rows.h"
+#include "database/records/rating_seen.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
@@ -151,12 +152,6 @@ std::string store_form(Connection& connection, const ObserverForm& form) {
     return digest;
 }
 
-bool has_seen(Connection& connection, const Session& rater, const std::string& attempt_id) {
-    Query seen(connection, "SELECT 1 FROM rating_seen WHERE attempt_id = ? AND person_id = ?");
-    seen.bind(attempt_id).bind(rater.person_id());
-    return seen.next();
-}
-
 void check_answers(const ObserverForm& form, const FormAnswers& answers, const std::vector<bool>& answered,
                    const std::string& remark) {
     if (answers.size() != form.items.size() || answered.size() != form.items.size())
@@ -180,22 +175,6 @@ void check_answers(const ObserverForm& form, const FormAnswers& answers, const s
         throw StoreError(StoreErrorKind::bad_value,
                          QT_TRANSLATE_NOOP("errors", "a remark has at most 4,000 characters"),
                          QT_TRANSLATE_NOOP("errors", "shorten it"));
-}
-
-/// The one row that is written at a server, with a right of its own: without it somebody could look an
-/// attempt up there and then rate it "blind" at a station.
-void note_seen_at_server(Connection& server, const Session& rater, const std::string& attempt_id,
-                         UtcMilliseconds now) {
-    if (has_seen(server, rater, attempt_id)) return;
-    Transaction transaction(server);
-    server.execute("SET TRANSACTION READ WRITE");
-    Query(server,
-          "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
-        .bind(attempt_id)
-        .bind(rater.person_id())
-        .bind(now)
-        .run();
-    transaction.commit();
 }
 
 }  // namespace
@@ -250,9 +229,8 @@ std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, const Curricu
         "SELECT a.id, a.task_id, a.variant, a.started, a.duration_s, (SELECT COUNT(*) FROM rating r WHERE "
         "r.attempt_id = a.id AND r.handed_in > 0), (SELECT COUNT(*) FROM rating r WHERE r.attempt_id = a.id "
         "AND r.handed_in > 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating r WHERE r.attempt_id = a.id "
-        "AND r.handed_in = 0 AND r.rater_id = ?), EXISTS (SELECT 1 FROM rating_seen s WHERE s.attempt_id = "
-        "a.id AND s.person_id = ?), " +
-            first + " AS awaited FROM attempt a " + join_owner("a.person_id", "p") +
+        "AND r.handed_in = 0 AND r.rater_id = ?), a.id IN (" +
+            seen_attempts() + "), " + first + " AS awaited FROM attempt a " + join_owner("a.person_id", "p") +
             "WHERE a.state <> 'running' AND a.events <> -1 AND p.id <> ? AND NOT EXISTS (SELECT 1 FROM "
             "attempt_void v WHERE v.attempt_id = a.id) AND " +
             QString(store_.is_demo() ? "1 = 1" : "p.kind = 'real'") + " AND " +
@@ -297,40 +275,6 @@ std::map<std::string, AttemptRatings> Ratings::of_person(const Session& session,
         if (!one.rows.empty() || one.hidden > 0) shown.emplace(attempt, std::move(one));
     }
     return shown;
-}
-
-bool Ratings::is_blind(const Session& rater, const std::string& attempt_id) const {
-    Query row(
-        store_.connection(),
-        "SELECT 1 FROM rating WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND blinding = 'kept'");
-    row.bind(attempt_id).bind(rater.person_id());
-    return row.next();
-}
-
-void Ratings::note_seen(const Session& rater, const std::string& attempt_id) const {
-    const std::string person = person_of(store_, attempt_id);
-    Connection& connection = store_.connection();
-    if (store_.is_server()) {
-        if (scope_of(rater.role(), Operation::rate) != Scope::none && person != rater.person_id())
-            note_seen_at_server(connection, rater, attempt_id, store_.now());
-        return;
-    }
-    if (store_.is_read_only() || !store_.allowed(rater, Operation::rate, Subject::person(person))) return;
-    if (has_seen(connection, rater, attempt_id) && !is_blind(rater, attempt_id)) return;
-    Transaction transaction(connection);
-    if (!has_seen(connection, rater, attempt_id))
-        Query(connection, "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?)")
-            .bind(attempt_id)
-            .bind(rater.person_id())
-            .bind(store_.now())
-            .run();
-    Query(connection,
-          "UPDATE rating SET blinding = 'lifted' WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND "
-          "blinding = 'kept'")
-        .bind(attempt_id)
-        .bind(rater.person_id())
-        .run();
-    transaction.commit();
 }
 
 std::string Ratings::begin(const Session& rater, const std::string& attempt_id,

@@ -155,6 +155,24 @@ TEST_F(RatingsOfAnAttempt, BlindingIsLiftedByOpeningTheAttemptWithNameAndScore) 
     EXPECT_EQ(rows.integer(0), 1);
 }
 
+TEST_F(RatingsOfAnAttempt, ACopyForAnotherPersonIsNotBlindForThoseWhoSawTheOriginal) {
+    const Session &educator = programme.session("educator"), &other = programme.session("other_educator");
+    const Attempts attempts = programme.attempts();
+    ratings().note_seen(educator, attempt);
+    const std::string copy = attempts.reassign(educator, attempt, programme.id("ben"), "Ben sat there");
+    ASSERT_EQ(ratings().to_rate(educator).size(), 1U);
+    EXPECT_EQ(ratings().to_rate(educator)[0].attempt_id, copy);
+    EXPECT_FALSE(ratings().to_rate(educator)[0].blind);
+    EXPECT_TRUE(ratings().to_rate(other).at(0).blind);
+    // A copy of the copy too.
+    const std::string second = attempts.reassign(educator, copy, programme.id("ann"), "it was Ann");
+    EXPECT_FALSE(ratings().to_rate(educator).at(0).blind);
+    ratings().begin(educator, second, form_named("goals"));
+    EXPECT_EQ(ratings().of_attempt(educator, second).rows.at(0).blinding, Blinding::lifted);
+    ratings().begin(other, second, form_named("goals"));
+    EXPECT_EQ(ratings().of_attempt(other, second).rows.at(0).blinding, Blinding::kept);
+}
+
 TEST_F(RatingsOfAnAttempt, NothingChangesWhatWasHandedInAndNoScoreMoves) {
     const auto scores_before = programme.attempts().scores(programme.session("director"), attempt);
     const std::string id = rate("educator", attempt, 4);

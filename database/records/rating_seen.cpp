@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/records/rating_seen.h"
+
+#include "database/records/attempt_query.h"
+#include "database/records/ratings.h"
+
+namespace fulcrum::database {
+namespace {
+
+/// This attempt itself was opened: a copy is noted too, because what is noted of the original is erased with
+/// the person whose it was.
+bool is_noted(Connection& connection, const Session& rater, const std::string& attempt_id) {
+    Query seen(connection, "SELECT 1 FROM rating_seen WHERE attempt_id = ? AND person_id = ?");
+    seen.bind(attempt_id).bind(rater.person_id());
+    return seen.next();
+}
+
+/// The one row that is written at a server, with a right of its own: without it somebody could look an
+/// attempt up there and then rate it "blind" at a station.
+void note_seen_at_server(Connection& server, const Session& rater, const std::string& attempt_id,
+                         UtcMilliseconds now) {
+    if (is_noted(server, rater, attempt_id)) return;
+    Transaction transaction(server);
+    server.execute("SET TRANSACTION READ WRITE");
+    Query(server,
+          "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
+        .bind(attempt_id)
+        .bind(rater.person_id())
+        .bind(now)
+        .run();
+    transaction.commit();
+}
+
+}  // namespace
+
+QString seen_attempts() {
+    return QStringLiteral(
+        "WITH RECURSIVE seen (id) AS (SELECT attempt_id FROM rating_seen WHERE person_id = ? UNION SELECT "
+        "c.to_id FROM attempt_reassignment c JOIN seen ON c.from_id = seen.id) SELECT id FROM seen");
+}
+
+bool has_seen(Connection& connection, const Session& rater, const std::string& attempt_id) {
+    Query seen(connection, "SELECT 1 WHERE ? IN (" + seen_attempts() + ")");
+    seen.bind(attempt_id).bind(rater.person_id());
+    return seen.next();
+}
+
+bool Ratings::is_blind(const Session& rater, const std::string& attempt_id) const {
+    Query row(
+        store_.connection(),
+        "SELECT 1 FROM rating WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND blinding = 'kept'");
+    row.bind(attempt_id).bind(rater.person_id());
+    return row.next();
+}
+
+void Ratings::note_seen(const Session& rater, const std::string& attempt_id) const {
+    const std::string person = person_of(store_, attempt_id);
+    Connection& connection = store_.connection();
+    if (store_.is_server()) {
+        if (scope_of(rater.role(), Operation::rate) != Scope::none && person != rater.person_id())
+            note_seen_at_server(connection, rater, attempt_id, store_.now());
+        return;
+    }
+    if (store_.is_read_only() || !store_.allowed(rater, Operation::rate, Subject::person(person))) return;
+    if (is_noted(connection, rater, attempt_id) && !is_blind(rater, attempt_id)) return;
+    Transaction transaction(connection);
+    if (!is_noted(connection, rater, attempt_id))
+        Query(connection, "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?)")
+            .bind(attempt_id)
+            .bind(rater.person_id())
+            .bind(store_.now())
+            .run();
+    Query(connection,
+          "UPDATE rating SET blinding = 'lifted' WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND "
+          "blinding = 'kept'")
+        .bind(attempt_id)
+        .bind(rater.person_id())
+        .run();
+    transaction.commit();
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who knows name and score of an attempt, so that a rating of theirs is not blind. Internal to the database.
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "database/rows/connection.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+/// SELECT of the ids of the attempts that a person, its one binding, opened with name and score, and of the
+/// copies that a reassignment made of them: the score is the same, and whose it is was said there.
+QString seen_attempts();
+/// Whether the attempt is one of these for the rater.
+bool has_seen(Connection& connection, const Session& rater, const std::string& attempt_id);
+
+}  // namespace fulcrum::database
