@@ -359,16 +359,20 @@ void Ratings::hand_in(const Session& rater, const std::string& rating_id) const 
         throw StoreError(StoreErrorKind::bad_value,
                          {QT_TRANSLATE_NOOP("errors", "%1 is not rated yet"), draft.form.items[*left].title},
                          QT_TRANSLATE_NOOP("errors", "rate every item of the form"));
-    Query(connection, "UPDATE rating SET handed_in = ? WHERE id = ?")
+    // The attempt may have been opened at another station or at the server, or under an account that was
+    // merged into this one, since the form was begun.
+    const bool lifted = draft.blinding == Blinding::kept && has_seen(connection, rater, draft.attempt_id);
+    const std::string blinding = row_of(blindings, lifted ? Blinding::lifted : draft.blinding).name;
+    Query(connection, "UPDATE rating SET handed_in = ?, blinding = ? WHERE id = ?")
         .bind(store_.now())
+        .bind(blinding)
         .bind(rating_id)
         .run();
     // The answers stay out of the chain's payload: the administrator reads the chain, not the ratings.
-    Audit(store_).append(rater, rating_id, "rating.hand_in",
-                         json_object({{"attempt", draft.attempt_id},
-                                      {"blinding", row_of(blindings, draft.blinding).name},
-                                      {"form", draft.form.name()}}),
-                         {{RecordKind::rating, rating_id}, {RecordKind::form, text_digest(draft.form.text)}});
+    Audit(store_).append(
+        rater, rating_id, "rating.hand_in",
+        json_object({{"attempt", draft.attempt_id}, {"blinding", blinding}, {"form", draft.form.name()}}),
+        {{RecordKind::rating, rating_id}, {RecordKind::form, text_digest(draft.form.text)}});
     transaction.commit();
 }
 

@@ -155,6 +155,32 @@ TEST_F(RatingsOfAnAttempt, BlindingIsLiftedByOpeningTheAttemptWithNameAndScore) 
     EXPECT_EQ(rows.integer(0), 1);
 }
 
+TEST_F(RatingsOfAnAttempt, AFormIsHandedInAsNotBlindWhereTheRaterSawTheAttemptElsewhere) {
+    const Session& educator = programme.session("educator");
+    const ObserverForm& goals = form_named("goals");
+    const std::string id = ratings().begin(educator, attempt, goals);
+    // As an exchange brings it from another station.
+    Query(programme.store->connection(),
+          "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?)")
+        .bind(attempt)
+        .bind(educator.person_id())
+        .bind(noon)
+        .run();
+    ratings().answer(educator, id, all_of(goals, 4), std::vector<bool>(goals.items.size(), true), "");
+    ratings().hand_in(educator, id);
+    const AttemptRatings handed_in = ratings().of_attempt(educator, attempt);
+    ASSERT_EQ(handed_in.rows.size(), 1U);
+    EXPECT_GT(handed_in.rows[0].handed_in, 0);
+    EXPECT_EQ(handed_in.rows[0].blinding, Blinding::lifted);
+    const auto deed = Audit(*programme.store).entries(programme.session("administrator"), {}).front();
+    EXPECT_EQ(deed.operation, "rating.hand_in");
+    EXPECT_NE(deed.payload.find("lifted"), std::string::npos) << deed.payload;
+    EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+    rate("other_educator", attempt, 3);
+    for (const RatingRow& row : ratings().of_attempt(programme.session("other_educator"), attempt).rows)
+        EXPECT_EQ(row.blinding, row.id == id ? Blinding::lifted : Blinding::kept);
+}
+
 TEST_F(RatingsOfAnAttempt, ACopyForAnotherPersonIsNotBlindForThoseWhoSawTheOriginal) {
     const Session &educator = programme.session("educator"), &other = programme.session("other_educator");
     const Attempts attempts = programme.attempts();
