@@ -2,6 +2,7 @@
 // What changes about an attempt after its end: another score, void, reassignment, a request for correction.
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
+#include "database/records/external_attempts.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
@@ -47,9 +48,14 @@ void write_void(const Store& store, const Session& educator, const std::string& 
 
 /// A copy has a trace of its own: made where there is none, it would have none anywhere.
 void require_trace_to_copy(const Store& store, const std::string& attempt_id) {
-    Query row(store.connection(), "SELECT events FROM attempt WHERE id = ?");
+    Query row(store.connection(), "SELECT events, task_id FROM attempt WHERE id = ?");
     row.bind(attempt_id);
-    if (row.next() && row.integer(0) != trace_not_kept) require_trace_here(store, attempt_id);
+    if (!row.next()) return;
+    if (row.integer(0) != trace_not_kept) require_trace_here(store, attempt_id);
+    if (!is_external_task(row.text(1))) return;
+    Query imported(store.connection(), "SELECT 1 FROM attempt_product WHERE attempt_id = ? AND kind = ?");
+    imported.bind(attempt_id).bind(external_trace_product);
+    if (!imported.next()) no_imported_trace(attempt_id);
 }
 
 /// Everything but scores and reviews, as an attempt of that person. The copy is this station's, as its trace

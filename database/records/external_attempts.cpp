@@ -146,16 +146,20 @@ std::string ExternalAttempts::add(const Session& session, const ExternalAttempt&
     return id;
 }
 
+void no_imported_trace(const std::string& attempt_id) {
+    throw StoreError(
+        StoreErrorKind::not_found,
+        {QT_TRANSLATE_NOOP("errors", "there is no imported trace of attempt %1 in this store"), attempt_id},
+        QT_TRANSLATE_NOOP("errors", "open it at the station that imported it"));
+}
+
 std::string ExternalAttempts::trace(const Session& session, const std::string& attempt_id) const {
     for (const ProductBlob& product : Attempts(store_).products(session, attempt_id)) {
         if (product.kind != external_trace_product) continue;
         const Bytes plain = unpack_bytes(product.data);
         return {plain.begin(), plain.end()};
     }
-    throw StoreError(
-        StoreErrorKind::not_found,
-        {QT_TRANSLATE_NOOP("errors", "there is no imported trace of attempt %1 in this store"), attempt_id},
-        QT_TRANSLATE_NOOP("errors", "open it at the station that imported it"));
+    no_imported_trace(attempt_id);
 }
 
 }  // namespace fulcrum::database

@@ -33,6 +33,9 @@ inline constexpr const char* external_mapping_file = "external/mapping";
 /// The kind of the product that holds the trace, packed (pack_bytes()).
 inline constexpr const char* external_trace_product = "external_trace";
 
+/// Throws not_found: its trace is at another station, or it is none of these attempts.
+[[noreturn]] void no_imported_trace(const std::string& attempt_id);
+
 class ExternalAttempts {
   public:
     explicit ExternalAttempts(const Store& store) : store_(store) {}

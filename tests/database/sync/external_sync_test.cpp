@@ -66,6 +66,28 @@ TEST_F(SyncExternal, ReachTheOtherStationAndAreSeenByThoseWhoMay) {
     }
 }
 
+TEST_F(SyncExternal, AreReassignedOnlyWhereTheirTraceIs) {
+    const std::string id = import_box("ann");
+    sync(a);
+    const Station b;
+    sync(b);
+    const Session there = b.sign_in("educator");
+    EXPECT_EQ(error_kind([&] { Attempts(*b.store).reassign(there, id, a.id("ben"), "Ben's box"); }),
+              StoreErrorKind::not_found)
+        << "the copy would have a trace nowhere";
+    EXPECT_EQ(Attempts(*b.store).read(there, id).state, AttemptState::completed) << "nothing was voided";
+    const std::string copy = Attempts(*a.store).reassign(a.session("educator"), id, a.id("ben"), "Ben's box");
+    EXPECT_EQ(ExternalAttempts(*a.store).trace(a.session("educator"), copy), box_trace);
+    sync(a);
+    sync(b);
+    EXPECT_EQ(Attempts(*b.store).read(there, id).state, AttemptState::voided);
+    const Store at_server = open_as("ben");
+    EXPECT_EQ(ExternalAttempts(at_server).trace(People(at_server).account_session(), copy), box_trace);
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
 TEST_F(SyncExternal, AreNotImportedThroughTheServer) {
     sync(a);
     const Store store = open_as("educator");
