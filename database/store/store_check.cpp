@@ -186,6 +186,23 @@ void check_permissions(const Store& store, CheckItem& item) {
     }
 }
 
+/// One view of the store for everything that is read while it exists: other programs may write, and a
+/// record made after the audit log was read would have no row there. Begins with the first statement.
+class OneView {
+  public:
+    explicit OneView(Connection& connection) : connection_(connection) {
+        // Not a Transaction: that one waits for whoever writes, and keeps them waiting.
+        connection_.execute("BEGIN");
+    }
+    // Where SQLite has ended it after a failed read, there is none.
+    ~OneView() { sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr); }
+    OneView(const OneView&) = delete;
+    OneView& operator=(const OneView&) = delete;
+
+  private:
+    Connection& connection_;
+};
+
 }  // namespace
 
 void check_definitions(const Store& store, std::vector<Sentence>& problems) {
@@ -239,6 +256,7 @@ bool CheckWatch::report() {
 
 CheckReport check_store(const Store& store, const StoreProgress& progress) {
     CheckReport report;
+    const OneView view(store.connection());
     CheckWatch watch(store.connection(), progress);
     const auto look = [&](double from, double to, CheckId id,
                           const std::function<void(CheckItem&)>& checker) {
