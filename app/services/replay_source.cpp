@@ -45,6 +45,9 @@ class Replay : public ui::ReplaySource {
         shown_ticks_ = ticks_->reader();
         record_ = std::make_shared<const AttemptRecord>(
             AttemptRecord{{}, {}, request_.trace->steps, request_.trace->events, request_.devices, ticks_});
+        wanted_s_ = begin_s();
+        viewed_ = static_cast<std::uint32_t>(std::lround(wanted_s_ / period()));
+        wanted_.store(viewed_);
         thread_ = std::thread([this] { run(); });
     }
     ~Replay() override {
@@ -62,7 +65,7 @@ class Replay : public ui::ReplaySource {
         return ticks_->size() == 0 ? 0.0 : ticks_->last_sample().tick * period();
     }
     void seek(double time_s) override {
-        wanted_s_ = std::clamp(time_s, 0.0, duration_s());
+        wanted_s_ = std::clamp(time_s, begin_s(), duration_s());
         moved_ = true;
         {
             const std::lock_guard<std::mutex> lock(mutex_);
@@ -122,6 +125,10 @@ class Replay : public ui::ReplaySource {
 
   private:
     double period() const { return request_.start.loaded.scene.tick_period(); }
+    /// Of the record: the ticks of practice from a moment continue those of what it began with.
+    double begin_s() const {
+        return ticks_->size() == 0 ? 0.0 : (std::max(ticks_->first_tick(), 1U) - 1) * period();
+    }
 
     void run() {
         try {
@@ -145,7 +152,7 @@ class Replay : public ui::ReplaySource {
             }
         } catch (const std::exception&) {
             // The tissue cannot be simulated here: only the recorded poses are shown.
-            differs_from_.store(ticks_->size() == 0 ? 0.0 : (ticks_->first_tick() - 1) * period());
+            differs_from_.store(begin_s());
             finished_.store(true);
         }
     }

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
 #include <QSlider>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -90,6 +91,26 @@ TEST_F(TakeOver, BeginsWhereTheReplayIsAndReplaysFromItsOwnRecord) {
 
     // Its own replay, and practice from there: a chain.
     ReplayPanel& again = prepared_replay();
+    const double begin = taken.meta.origin->tick * 1e-3;
+    EXPECT_NEAR(again.time(), begin, 1e-6) << "where its record begins";
+    const auto tissue_is_of_the_moment = [&] {
+        EXPECT_TRUE(wait_for([&] { return std::abs(again.shown_time() - again.time()) < 0.02; }, 120000));
+        for (const QLabel* label : again.findChildren<QLabel*>())
+            EXPECT_FALSE(label->text().contains("differs")) << label->text().toStdString();
+    };
+    QTest::keyClick(slider, Qt::Key_Home);
+    click(window, "replay_forward");
+    EXPECT_NEAR(again.time(), begin + 0.02, 1e-6);
+    QTest::qWait(300);
+    tissue_is_of_the_moment();
+    click(window, "replay_play");
+    EXPECT_TRUE(wait_for([&] { return again.time() > begin + 0.2; }));
+    again.play(false);
+    tissue_is_of_the_moment();
+    QTest::keyClick(slider, Qt::Key_Home);
+    EXPECT_NEAR(again.time(), begin, 1e-6);
+    QTest::qWait(300);
+    tissue_is_of_the_moment();
     QTest::keyClick(slider, Qt::Key_End);
     QTest::keyClick(slider, Qt::Key_PageDown);
     EXPECT_TRUE(wait_for([&] { return std::abs(again.shown_time() - again.time()) < 0.02; }, 120000));

@@ -96,7 +96,7 @@ void TimeChart::clear() {
     limits_.clear();
     marks_.clear();
     cursor_ = -1;
-    length_ = 0;
+    begin_ = end_ = 0;
 }
 
 void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
@@ -169,8 +169,8 @@ void TimeChart::set_cursor(double time) {
 }
 
 void TimeChart::show_all() {
-    first_ = 0;
-    last_ = length_;
+    first_ = begin_;
+    last_ = end_;
     double low = 0, high = 0;
     for (const Series& series : series_) {
         last_ = std::max(last_, series.data->last_x());

@@ -73,8 +73,11 @@ class TimeChart : public QtCharts::QChartView {
     /// A drag with Shift selects (range_selected).
     void offer_selection(bool offered) { selects_ = offered; }
     void set_marks(std::vector<ChartMark> marks);
-    /// s: all data is at least so long, whatever the series hold.
-    void set_length(double length) { length_ = length; }
+    /// s: all data begins at `from` and is there at least until `to`, whatever the series hold.
+    void set_extent(double from, double to) {
+        begin_ = from;
+        end_ = to;
+    }
     void set_cursor(double time);
     double cursor() const { return cursor_; }  ///< s; negative: none
     /// Shows all data, y from 0 (or the lowest value below it) to the highest.
@@ -179,7 +182,7 @@ class TimeChart : public QtCharts::QChartView {
     QColor Palette::*steps_colour_ = &Palette::neutral;
     std::vector<Lane> lanes_;
     int compact_left_ = 0;  ///< px; 0: Qt Charts lays the plot out
-    double first_ = 0, last_ = 1, cursor_ = -1, length_ = 0;
+    double first_ = 0, last_ = 1, cursor_ = -1, begin_ = 0, end_ = 0;
     QPoint pressed_at_;
     double pressed_from_ = 0, pressed_to_ = 1;
     double selected_from_ = 0, selected_to_ = 0;

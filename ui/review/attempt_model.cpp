@@ -139,6 +139,9 @@ void join(const std::vector<ChunkPart>& parts, AttemptModel& model) {
     other.join();
     model.samples = samples;
     model.duration = samples == 0 ? 0 : model.force[0]->last_x();
+    // Its ticks continue those of what it began with.
+    const std::optional<database::AttemptOrigin>& origin = model.summary.meta.origin;
+    model.begin = origin ? std::min(origin->tick * model.tick, model.duration) : 0;
 }
 
 void take_scene(const Scene& scene, AttemptModel& model) {

@@ -43,7 +43,8 @@ struct AttemptModel {
     std::optional<PathologyReport> pathology;      ///< of the score in force, where there is a specimen
     std::shared_ptr<const database::Trace> trace;  ///< null until the whole record was read, for the replay
     std::size_t samples = 0;                       ///< recorded
-    double duration = 0;                           ///< s, of the record
+    double begin = 0;     ///< s, of the record: of practice from a moment that moment
+    double duration = 0;  ///< s: when the record ends
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> force;  ///< N over s
     /// mm/s over s, every 10 samples; the mean over speed_window samples.
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> speed;

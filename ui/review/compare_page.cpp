@@ -28,12 +28,12 @@ QString compared_words(const ComparedSide& side) {
     const database::AttemptSummary& attempt = side.model.summary;
     const std::optional<bool> passed = side.model.score ? side.model.score->passed : attempt.passed;
     const std::optional<double> points = side.model.score ? side.model.score->points : attempt.points;
-    return join_with_dots({attempt.meta.id.empty() ? ComparePage::tr("Expert of the benchmark (simulated)")
-                                                   : text(attempt.person_name),
-                           attempt.meta.id.empty() ? QString() : local_time(attempt.meta.started),
-                           verdict(passed, attempt.provisional),
-                           points && passed ? points_text(*points) : QString(),
-                           ComparePage::tr("duration %1").arg(clock_text(side.model.duration))});
+    return join_with_dots(
+        {attempt.meta.id.empty() ? ComparePage::tr("Expert of the benchmark (simulated)")
+                                 : text(attempt.person_name),
+         attempt.meta.id.empty() ? QString() : local_time(attempt.meta.started),
+         verdict(passed, attempt.provisional), points && passed ? points_text(*points) : QString(),
+         ComparePage::tr("duration %1").arg(clock_text(side.model.duration - side.model.begin))});
 }
 
 }  // namespace
@@ -254,10 +254,12 @@ void ComparePage::own_loaded() {
     steering_->setVisible(own_->has_trace());
     tabs_->setTabEnabled(0, own_->has_trace() && !own_->model.scope_alone);
     const QSignalBlocker quiet(slider_);
-    slider_->setRange(0, std::max(1, static_cast<int>(std::ceil(own_->model.duration * 100))));
-    slider_->setPageStep(std::max(1, slider_->maximum() / 20));
-    part_->open(own_->moments, context().task(own_->model.summary.meta.task_id), own_->model.duration,
-                own_->has_trace());
+    const int first = static_cast<int>(std::floor(own_->model.begin * 100));
+    const int last = std::max(first + 1, static_cast<int>(std::ceil(own_->model.duration * 100)));
+    slider_->setRange(first, last);
+    slider_->setPageStep(std::max(1, (last - first) / 20));
+    part_->open(own_->moments, context().task(own_->model.summary.meta.task_id), own_->model.begin,
+                own_->model.duration, own_->has_trace());
     if (own_->has_trace()) {
         const auto model = std::make_shared<const AttemptModel>(own_->model);
         own_replay_->open(model, context().task(own_->model.summary.meta.task_id));
@@ -335,7 +337,7 @@ void ComparePage::show_charts() {
         chart.add_series(tr("this attempt"), &Palette::left_hand, Qt::SolidLine,
                          force ? own_->model.force[h] : own_->model.speed[h]);
         chart.set_marks(marks);
-        chart.set_length(own_->model.duration);
+        chart.set_extent(own_->model.begin, own_->model.duration);
         chart.set_selection(part_->from(), part_->to());
         chart.show_all();
         chart.set_cursor(moment());
@@ -386,7 +388,7 @@ void ComparePage::time_changed(double time) {
     for (TimeChart* chart : charts_) chart->set_cursor(time);
     QString words = QStringLiteral("%1 / %2").arg(clock_text(time), clock_text(own_->model.duration));
     if (pair_ && other_->has_trace()) {
-        const double there = pair_->map.to_second(time);
+        const double there = std::max(pair_->map.to_second(time), other_->model.begin);
         other_replay_->seek(there);
         words += tr("; other attempt %1 / %2").arg(clock_text(there), clock_text(other_->model.duration));
     }

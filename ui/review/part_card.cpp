@@ -40,14 +40,14 @@ void PartCard::open(std::shared_ptr<const AttemptModel> model, const TaskDefinit
     model_ = std::move(model);
     if (task != nullptr) task_ = *task;
     setVisible(model_->summary.meta.keep_trace);
-    part_->open({}, nullptr, model_->duration, false);
+    part_->open({}, nullptr, model_->begin, model_->duration, false);
 }
 
 void PartCard::set_record(std::shared_ptr<const AttemptModel> model, const std::optional<Scene>& scene) {
     model_ = std::move(model);
     scene_ = scene;
     part_->open(phase_moments(model_->trace->events, model_->tick, model_->duration),
-                task_ ? &*task_ : nullptr, model_->duration, model_->trace->tick_count() > 0);
+                task_ ? &*task_ : nullptr, model_->begin, model_->duration, model_->trace->tick_count() > 0);
 }
 
 void PartCard::close() {

@@ -35,7 +35,7 @@ PartChoice::PartChoice(const QString& prefix, QWidget* parent) : QWidget(parent)
     row->add(words_, 2, with_text(220));
     connect(step_, QOverload<int>::of(&QComboBox::activated), this, &PartChoice::choose_step);
     connect(begin_, &QPushButton::clicked, this, [this] {
-        const double end = is_part() ? to_ : duration_;
+        const double end = is_part() ? to_ : last_;
         choose(moment_, std::max(end, moment_ + least_part_s));
     });
     connect(end_, &QPushButton::clicked, this,
@@ -44,15 +44,17 @@ PartChoice::PartChoice(const QString& prefix, QWidget* parent) : QWidget(parent)
     show_words();
 }
 
-void PartChoice::open(const PhaseMoments& moments, const TaskDefinition* task, double duration, bool usable) {
-    from_ = to_ = moment_ = 0;
-    duration_ = duration;
+void PartChoice::open(const PhaseMoments& moments, const TaskDefinition* task, double first, double last,
+                      bool usable) {
+    from_ = to_ = 0;
+    moment_ = first_ = first;
+    last_ = last;
     usable_ = usable;
     note_.clear();
     const QSignalBlocker quiet(step_);
     step_->clear();
     step_->addItem(tr("Whole attempt"));
-    double from = moments.begin;
+    double from = std::max(moments.begin, first);
     std::vector<std::pair<double, int>> in_order;
     for (const auto& [goal, time] : moments.met) in_order.emplace_back(time, goal);
     std::sort(in_order.begin(), in_order.end());
@@ -77,8 +79,8 @@ void PartChoice::choose_step(int index) {
 
 void PartChoice::choose(double from, double to) {
     if (!usable_) return;
-    from_ = std::clamp(from, 0.0, duration_);
-    to_ = std::clamp(to, 0.0, duration_);
+    from_ = std::clamp(from, first_, last_);
+    to_ = std::clamp(to, first_, last_);
     if (to_ - from_ < least_part_s) from_ = to_ = 0;
     note_.clear();
     const int known = is_part() ? step_->findData(QPointF(from_, to_)) : 0;

@@ -28,8 +28,10 @@ class PartChoice : public QWidget {
   public:
     /// Object names begin with `prefix`.
     explicit PartChoice(const QString& prefix, QWidget* parent = nullptr);
-    /// The steps that were completed. `usable`: there is a record; `task`: null where the program lacks it.
-    void open(const PhaseMoments& moments, const TaskDefinition* task, double duration, bool usable);
+    /// The steps that were completed. `first`, `last`: of the record, s; `usable`: there is one; `task`: null
+    /// where the program lacks it.
+    void open(const PhaseMoments& moments, const TaskDefinition* task, double first, double last,
+              bool usable);
     /// s; to <= from, or too short a part: the whole attempt. Emits part_changed.
     void choose(double from, double to);
     /// Where a part begins or ends that the buttons choose.
@@ -48,7 +50,7 @@ class PartChoice : public QWidget {
   private:
     void choose_step(int index);
     void show_words();
-    double from_ = 0, to_ = 0, moment_ = 0, duration_ = 0;
+    double from_ = 0, to_ = 0, moment_ = 0, first_ = 0, last_ = 0;
     bool usable_ = false;
     QString note_;
     QComboBox* step_;

@@ -90,9 +90,11 @@ void ReplayPanel::open(std::shared_ptr<const AttemptModel> model, const TaskDefi
     model_ = std::move(model);
     task_ = task;
     const QSignalBlocker quiet(slider_);
-    slider_->setRange(0, std::max(1, static_cast<int>(std::ceil(model_->duration * 100))));
-    slider_->setPageStep(std::max(1, slider_->maximum() / 20));
-    slider_->setValue(0);
+    const int first = static_cast<int>(std::floor(model_->begin * 100));
+    const int last = std::max(first + 1, static_cast<int>(std::ceil(model_->duration * 100)));
+    slider_->setRange(first, last);
+    slider_->setPageStep(std::max(1, (last - first) / 20));
+    time_ = model_->begin;
     state_->setText(tr("reading the recording …"));
     view_->show();
     timer_.start();
@@ -124,7 +126,7 @@ void ReplayPanel::close() {
 
 void ReplayPanel::seek(double time) {
     if (!model_) return;
-    time_ = std::clamp(time, 0.0, model_->duration);
+    time_ = std::clamp(time, model_->begin, model_->duration);
     notice_.clear();
     if (source_) source_->seek(time_);
     show_time();
@@ -132,7 +134,7 @@ void ReplayPanel::seek(double time) {
 }
 
 void ReplayPanel::play(bool on) {
-    if (on && model_ && time_ >= model_->duration - 1e-9) seek(0);
+    if (on && model_ && time_ >= model_->duration - 1e-9) seek(model_->begin);
     playing_ = on && model_ != nullptr;
     play_->setText(playing_ ? tr("Pause") : tr("Play"));
     since_.restart();

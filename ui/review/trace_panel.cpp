@@ -246,7 +246,7 @@ void TracePanel::fill_events() {
 void TracePanel::fill_charts(const TaskDefinition* task) {
     for (TimeChart* chart : all_charts_) {
         chart->clear();
-        chart->set_length(model_->duration);
+        chart->set_extent(model_->begin, model_->duration);
     }
     for (TimeChart* chart : {force_, speed_}) {
         const auto& hands = chart == force_ ? model_->force : model_->speed;

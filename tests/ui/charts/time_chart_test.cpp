@@ -84,6 +84,22 @@ TEST(TimeChart, ShowsEverySampleBeforeItsFirstLayoutAndWithoutSamples) {
     EXPECT_EQ(shown(chart).highest, 9);
 }
 
+TEST(TimeChart, BeginsWhereTheRecordBegins) {
+    TimeChart chart("force (N)");
+    chart.add_series(
+        "left", &Palette::left_hand, Qt::SolidLine,
+        std::make_shared<MinMaxPyramid>(std::vector<double>{300.001, 310, 320}, std::vector<float>{1, 2, 1}));
+    chart.set_extent(300, 320);
+    chart.show_all();
+    EXPECT_DOUBLE_EQ(chart.first_shown(), 300);
+    EXPECT_DOUBLE_EQ(chart.last_shown(), 320);
+    chart.show_range(0, 10);
+    EXPECT_DOUBLE_EQ(chart.first_shown(), 300) << "there is nothing before";
+    chart.clear();
+    chart.show_all();
+    EXPECT_DOUBLE_EQ(chart.first_shown(), 0);
+}
+
 QStringList painted_words(TimeChart& chart) {
     window_test::WordsDevice device(chart.size());
     QPainter painter(&device);

@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QSlider>
 #include <utility>
 
 #include "assessment/assets/assets.h"
@@ -104,6 +105,24 @@ TEST_F(PreparingReplay, SaysWhichMomentIsShownAndAnEarlierOneEndsTheWait) {
     panel.seek(100);
     EXPECT_TRUE(says(QStringLiteral("preparing 60\u00a0%")));
     EXPECT_EQ(panel.shown_time(), 100);
+}
+
+TEST_F(PreparingReplay, ARecordThatContinuesAnotherBeginsAtItsOwnFirstMoment) {
+    auto practice = std::make_shared<AttemptModel>();
+    practice->begin = 300;
+    practice->duration = 320;
+    practice->trace = std::make_shared<database::Trace>();
+    panel.open(practice, &task);
+    EXPECT_EQ(panel.time(), 300);
+    panel.seek(0);
+    EXPECT_EQ(panel.time(), 300);
+    const auto* slider = panel.findChild<QSlider*>("replay_slider");
+    EXPECT_EQ(slider->minimum(), 30000);
+    EXPECT_EQ(slider->value(), 30000);
+    EXPECT_EQ(slider->pageStep(), 100) << "of its own length";
+    panel.seek(320);
+    panel.play(true);
+    EXPECT_EQ(panel.time(), 300) << "from the beginning once more";
 }
 
 TEST_F(PreparingReplay, WhyPracticeCannotBeginStaysUntilAnotherMomentIsChosen) {
