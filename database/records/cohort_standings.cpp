@@ -19,12 +19,14 @@ std::int64_t local_day(const AttemptMeta& meta) {
 }
 
 /// The attempts that count for one task with the device class used last, oldest first; `counting`: all of
-/// this task that count for any curriculum.
+/// this task that count for any curriculum. A task that is unlocked is never locked again, so what began
+/// before `first`, the first one that the standing counts, was performed while the task was locked.
 std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummary*>& counting,
-                                           const CurriculumTask& task) {
+                                           const CurriculumTask& task, std::int64_t first) {
     std::vector<const AttemptSummary*> found;
     for (const AttemptSummary* attempt : counting)
-        if (counts(task, attempt->meta.device_class)) found.push_back(attempt);
+        if (attempt->meta.started >= first && counts(task, attempt->meta.device_class))
+            found.push_back(attempt);
     if (found.empty()) return found;
     const DeviceClass last = found.back()->meta.device_class;
     found.erase(std::remove_if(found.begin(), found.end(),
@@ -101,7 +103,8 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
             person.tasks.push_back(std::move(task));
             continue;
         }
-        for (const AttemptSummary* attempt : of_task(counting[standing.task], *own.find(standing.task))) {
+        for (const AttemptSummary* attempt :
+             of_task(counting[standing.task], *own.find(standing.task), standing.first_attempt)) {
             task.device_class = attempt->meta.device_class;
             if (attempt->points) points[standing.task].push_back(*attempt->points);
             task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fulcrum::database {
 namespace {
 
@@ -158,23 +160,30 @@ TEST(CohortDashboard, TimeToProficiencyEndsWithTheFirstDeclarationWhateverRelaps
     expect_ten_days(Standing::proficient);
 }
 
-TEST(CohortDashboard, WhatWasPerformedWhileATaskWasLockedIsNotInItsTables) {
+/// Two passes in a row on two days; B1 is unlocked by A1.
+Curriculum with_b1_after_a1() {
     Curriculum curriculum = two_stages();
     for (CurriculumTask& task : curriculum.tasks) {
         task.rule = parse_pass_rule("row:2");
         task.device_classes = {DeviceClass::haptic};
     }
     curriculum.tasks[2].after = {"A1"};
+    return curriculum;
+}
+
+AttemptSummary attempt_at_b1(std::int64_t day, bool passed, double points) {
+    AttemptSummary one = counting_attempt(day, passed);
+    one.meta.id += "-b1";
+    one.meta.task_id = "B1";
+    one.points = points;
+    return one;
+}
+
+TEST(CohortDashboard, WhatWasPerformedWhileATaskWasLockedIsNotInItsTables) {
+    const Curriculum curriculum = with_b1_after_a1();
     const std::int64_t first = dashboard_today - 10;
-    const auto of_b1 = [&](std::int64_t day, bool passed) {
-        AttemptSummary one = counting_attempt(day, passed);
-        one.meta.id += "-b1";
-        one.meta.task_id = "B1";
-        one.points = 70;
-        return one;
-    };
     // A1, which unlocked it, turned out to be another person's and was voided.
-    std::vector<AttemptSummary> attempts = {of_b1(first + 2, true)};
+    std::vector<AttemptSummary> attempts = {attempt_at_b1(first + 2, true, 70)};
     const auto dashboard_with = [&](std::vector<PersonStandings>& people) {
         people = {person_standings(attempts, {}, curriculum, noon().at)};
         return dashboard_of(people, curriculum, noon());
@@ -194,7 +203,7 @@ TEST(CohortDashboard, WhatWasPerformedWhileATaskWasLockedIsNotInItsTables) {
 
     attempts.push_back(counting_attempt(first, true));
     attempts.push_back(counting_attempt(first + 1, true));
-    attempts.push_back(of_b1(first + 4, false));
+    attempts.push_back(attempt_at_b1(first + 4, false, 70));
     dashboard = dashboard_with(people);
     const PersonTask& open = people[0].tasks[2];
     EXPECT_EQ(open.standing.attempts, 2);
@@ -204,6 +213,36 @@ TEST(CohortDashboard, WhatWasPerformedWhileATaskWasLockedIsNotInItsTables) {
     EXPECT_EQ(dashboard.overview[2].attempted, 1);
     EXPECT_EQ(dashboard.overview[2].passed, 1);
     ASSERT_EQ(dashboard.waiting_for_proficiency[2].size(), 1U);
+}
+
+TEST(CohortDashboard, ATaskThatIsOpenAgainShowsWhatWasPerformedSince) {
+    const Curriculum curriculum = with_b1_after_a1();
+    const std::int64_t first = dashboard_today - 10;
+    // While it was locked: a curve that levels off below the pass mark.
+    std::vector<AttemptSummary> attempts;
+    for (int i = 0; i < 16; ++i)
+        attempts.push_back(
+            attempt_at_b1(first - 20 + i, false, 48 - 28 * std::exp(-0.5 * i) + (i % 2 == 0 ? 0.8 : -0.8)));
+    attempts.push_back(counting_attempt(first, true));
+    attempts.push_back(counting_attempt(first + 1, true));
+    EXPECT_TRUE(person_standings(attempts, {}, curriculum, noon().at).tasks[2].recent.empty());
+    attempts.push_back(attempt_at_b1(first + 4, false, 48));
+    PersonStandings person = person_standings(attempts, {}, curriculum, noon().at);
+    EXPECT_EQ(person.tasks[2].standing.standing, Standing::attempted);
+    EXPECT_EQ(person.tasks[2].standing.attempts, 1);
+    EXPECT_EQ(person.tasks[2].first_attempt, (first + 4) * dashboard_day_ms);
+    EXPECT_EQ(person.tasks[2].device_class, DeviceClass::haptic);
+    ASSERT_EQ(person.tasks[2].recent.size(), 1U);
+    EXPECT_EQ(person.tasks[2].recent[0].attempt_id, attempts.back().meta.id);
+    EXPECT_TRUE(person.concerns.empty()) << "one attempt is no plateau";
+    // The same attempts in a task that was never locked are one.
+    Curriculum open = curriculum;
+    open.tasks[2].after.clear();
+    person = person_standings(attempts, {}, open, noon().at);
+    EXPECT_EQ(person.tasks[2].standing.attempts, 17);
+    EXPECT_EQ(person.tasks[2].recent.size(), most_recent);
+    ASSERT_EQ(person.concerns.size(), 1U);
+    EXPECT_EQ(person.concerns[0].kind, ConcernKind::plateau);
 }
 
 TEST(CohortDashboard, AMoveAheadOfTheClockIsNotYetFollowed) {
