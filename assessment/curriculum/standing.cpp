@@ -48,7 +48,7 @@ int variants_passed(const std::vector<Outcome>& outcomes, std::size_t from) {
 struct RuleState {
     bool met = false, one_more_day = false;
     int more_variants = 0;
-    double progress = 0;
+    double progress = 0, of_one_pass = 0;  ///< of_one_pass: what one pass adds to it
 };
 
 /// The rule with the conditions that the passes it counts lie on two local dates and on enough variants.
@@ -56,7 +56,7 @@ RuleState judge(const CurriculumTask& task, const std::vector<Outcome>& outcomes
     const PassRule& rule = task.rule;
     RuleState state;
     std::size_t from = outcomes.size();
-    double have = 0, need = 1;
+    double have = 0, need = 1, one_pass = 1;
     if (rule.kind == PassRuleKind::lc_cusum) {
         // Held at the limit until there are passes on two days and on enough variants.
         double sum = 0;
@@ -67,6 +67,7 @@ RuleState judge(const CurriculumTask& task, const std::vector<Outcome>& outcomes
         }
         have = sum;
         need = rule.h;
+        one_pass = lc_cusum_step(rule, true);
     } else {
         const std::size_t window = std::min<std::size_t>(outcomes.size(), static_cast<std::size_t>(rule.n));
         from = outcomes.size() - window;
@@ -85,6 +86,7 @@ RuleState judge(const CurriculumTask& task, const std::vector<Outcome>& outcomes
     state.one_more_day = enough && !two_days;
     state.more_variants = enough ? more_variants : 0;
     state.progress = std::clamp(have / need, 0.0, 1.0);
+    state.of_one_pass = one_pass / need;
     return state;
 }
 
@@ -113,6 +115,8 @@ class RuleRun {
         const std::vector<Outcome> until(outcomes_.begin(), outcomes_.begin() + rated_count_);
         if (!judge(task, until).met) rated_.clear();
     }
+    /// The passes from before a move are enough for the rule in force since, which no attempt has met yet.
+    bool asks_for_one_more() const { return state_.met && rated_.empty(); }
     /// Whether it is met at `at`, with the ratings released until then.
     bool look(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
         return !rated_.empty() && (!task.ratings || verdict(task, ratings, at).met);
@@ -236,7 +240,9 @@ class TaskRun {
         const RuleState& state = shown().state();
         result.one_more_day = state.one_more_day && !met;
         result.more_variants = met ? 0 : state.more_variants;
+        result.one_more_pass = !waits && !met && shown().asks_for_one_more();
         result.progress = met ? 1 : state.progress;
+        if (result.one_more_pass) result.progress /= 1 + state.of_one_pass;
         result.stalled = !waits && !met && attempts_ >= most_attempts;
         return result;
     }

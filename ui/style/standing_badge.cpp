@@ -230,6 +230,10 @@ QString standing_detail(const TaskStanding& standing) {
                                      "The ratings of the attempt of %1 are below the limit: the next pass "
                                      "that meets the rule is rated."))
             .arg(date_text(standing.rated_time));
+    if (standing.one_more_pass)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                     "You have enough passes for the present rule: the next pass that meets "
+                                     "it counts."));
     if (standing.one_more_day)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass once more on another day."));
     if (standing.more_variants == 1)

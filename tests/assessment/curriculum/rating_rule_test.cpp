@@ -252,9 +252,54 @@ TEST(StandingRatings, AfterAMoveTheStandingIsThatOfTheNewRule) {
     ann.record.assignments.push_back({rating_begin + 3 * rating_day, &one});
     EXPECT_EQ(ann.on(2).more_variants, 1);
     EXPECT_EQ(ann.on(3).more_variants, 0);
+    EXPECT_FALSE(ann.on(2).one_more_pass);
     EXPECT_EQ(ann.on(3).standing, Standing::passed) << "the rule applies to what comes";
+    EXPECT_TRUE(ann.on(3).one_more_pass);
+    EXPECT_DOUBLE_EQ(ann.on(3).progress, 2.0 / 3);
+    RatedTrainee failed = ann;
+    failed.attempt(4, false);
+    EXPECT_FALSE(failed.on(4).one_more_pass) << "no pass in a row";
+    EXPECT_DOUBLE_EQ(failed.on(4).progress, 0);
     ann.attempt(4, true);
     EXPECT_EQ(ann.on(4).standing, Standing::proficient);
+}
+
+TEST(StandingRatings, AfterAMoveToAnEasierRuleOneMorePassIsAskedFor) {
+    Curriculum strict = with_ratings(std::nullopt), held = strict;
+    strict.tasks[0].rule = parse_pass_rule("row:5");
+    held.tasks[0].rule = parse_pass_rule("lc-cusum:0.1,0.3,0.4");
+    const Curriculum easy = with_ratings(std::nullopt);
+    for (const bool provisional : {false, true})
+        for (const Curriculum* next : {&easy, static_cast<const Curriculum*>(&held)}) {
+            RatedTrainee ann(strict);
+            ann.attempt(0, true, provisional);
+            ann.attempt(1, true, provisional);
+            ann.record.assignments.push_back({rating_begin + 3 * rating_day, next});
+            EXPECT_DOUBLE_EQ(ann.on(2).progress, 0.4);
+            EXPECT_EQ(ann.on(3).standing, Standing::passed);
+            EXPECT_TRUE(ann.on(3).one_more_pass);
+            EXPECT_GT(ann.on(3).progress, 0.5);
+            EXPECT_LT(ann.on(3).progress, 0.99);
+            ann.attempt(4, true, provisional);
+            EXPECT_FALSE(ann.on(4).one_more_pass);
+            EXPECT_EQ(ann.on(4).standing, provisional ? Standing::passed : Standing::proficient);
+            EXPECT_EQ(ann.on(4).met_provisionally, provisional);
+        }
+    // Moved by mistake and back: the attempt that awaited its ratings was given up at the first move.
+    const Curriculum rated = with_ratings();
+    RatedTrainee ben(rated);
+    ben.attempt(0, true);
+    ben.attempt(1, true);
+    ben.record.assignments.push_back({rating_begin + 3 * rating_day, &strict});
+    ben.record.assignments.push_back({rating_begin + 4 * rating_day, &rated});
+    EXPECT_EQ(ben.on(2).standing, Standing::awaiting_rating);
+    EXPECT_FALSE(ben.on(3).one_more_pass) << "2 of 5";
+    EXPECT_EQ(ben.on(4).standing, Standing::passed);
+    EXPECT_TRUE(ben.on(4).one_more_pass);
+    const std::string next = ben.attempt(5, true);
+    EXPECT_EQ(ben.on(5).standing, Standing::awaiting_rating);
+    EXPECT_EQ(ben.on(5).rated_attempt, next);
+    EXPECT_FALSE(ben.on(5).one_more_pass);
 }
 
 TEST(StandingRatings, TheNextThingToDoIsWhatDoesNotWait) {
@@ -293,7 +338,8 @@ PersonRecord rated_history(const Curriculum& curriculum) {
 auto rated_key(const TaskStanding& one) {
     return std::make_tuple(one.task, one.standing, one.attempts, one.passes, one.progress, one.declared_at,
                            one.next_check, one.met_provisionally, one.rated_low, one.rated_attempt,
-                           one.rated_time, one.raters, one.waits_for, one.one_more_day, one.stalled);
+                           one.rated_time, one.raters, one.waits_for, one.one_more_day, one.one_more_pass,
+                           one.stalled);
 }
 bool same_standings(const std::vector<TaskStanding>& a, const std::vector<TaskStanding>& b) {
     return std::equal(

@@ -350,10 +350,11 @@ bool same(const std::vector<TaskStanding>& a, const std::vector<TaskStanding>& b
             return x.task == y.task && x.standing == y.standing && x.attempts == y.attempts &&
                    x.passes == y.passes && x.progress == y.progress && x.declared_at == y.declared_at &&
                    x.next_check == y.next_check && x.met_provisionally == y.met_provisionally &&
-                   x.one_more_day == y.one_more_day && x.more_variants == y.more_variants &&
-                   x.first_declared_at == y.first_declared_at && x.last_attempt == y.last_attempt &&
-                   x.first_attempt == y.first_attempt && x.first_pass == y.first_pass &&
-                   x.waits_for == y.waits_for && x.overdue == y.overdue && x.provisional == y.provisional;
+                   x.one_more_day == y.one_more_day && x.one_more_pass == y.one_more_pass &&
+                   x.more_variants == y.more_variants && x.first_declared_at == y.first_declared_at &&
+                   x.last_attempt == y.last_attempt && x.first_attempt == y.first_attempt &&
+                   x.first_pass == y.first_pass && x.waits_for == y.waits_for && x.overdue == y.overdue &&
+                   x.provisional == y.provisional;
         });
 }
 

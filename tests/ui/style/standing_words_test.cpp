@@ -15,5 +15,15 @@ TEST(StandingWords, DoNotPromiseThatPassesOnProvisionalLimitsCompleteACheck) {
     EXPECT_TRUE(standing_detail(check).contains("An educator can decide"));
 }
 
+TEST(StandingWords, AskForOneMorePassWhereThoseFromBeforeAMoveAreEnough) {
+    TaskStanding moved;
+    moved.standing = Standing::passed;
+    moved.progress = 2.0 / 3;
+    EXPECT_EQ(standing_detail(moved), "66 % of the way to proficiency");
+    moved.one_more_pass = true;
+    EXPECT_EQ(standing_detail(moved),
+              "You have enough passes for the present rule: the next pass that meets it counts.");
+}
+
 }  // namespace
 }  // namespace fulcrum::ui

@@ -20010,6 +20010,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Genug Versuche sind bestanden, aber die Grenzwerte sind vorläufig: Spätere Aufgaben sind freigegeben, „sicher beherrscht“ wird nicht festgestellt.</translation>
     </message>
     <message>
+        <source>You have enough passes for the present rule: the next pass that meets it counts.</source>
+        <translation>Für die jetzige Regel sind genug Versuche bestanden: Der nächste bestandene Versuch, mit dem sie erfüllt ist, zählt.</translation>
+    </message>
+    <message>
         <source>%1 % of the way to proficiency</source>
         <translation>%1 % des Weges bis „sicher beherrscht“</translation>
     </message>
