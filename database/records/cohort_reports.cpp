@@ -86,7 +86,6 @@ class CohortSource {
     std::int64_t as_of_ = store_.now();
     std::vector<PersonSource> people_;  ///< by name
     std::map<std::string, Decisions> decisions_;
-    MetricVersions versions_{store_};
 };
 
 CohortSource::CohortSource(const Store& store, const Session& session, const std::string& cohort_id,
@@ -137,7 +136,7 @@ CohortTable CohortSource::table(const CohortTableOptions& options) {
     table.people = static_cast<int>(shown.size());
     // A screen names the sets, and a report every file.
     Provenance provenance(
-        store_, versions_, belongs_to_cohort("a.person_id"), cohort_id_,
+        store_, belongs_to_cohort("a.person_id"), cohort_id_,
         purpose_ == ReportPurpose::exported ? Provenance::Kinds::all : Provenance::Kinds::benchmark_sets);
     for (const PersonSource* person : shown) {
         for (CohortRow& row : rows_of(*person, table.tasks)) table.rows.push_back(std::move(row));
@@ -165,7 +164,7 @@ bool CohortSource::each(const PersonDataOptions& options,
         if (options.detail == PointDetail::all)
             source.scores = read_scores_in_force(store_.connection(), belongs_to("a.person_id"), {id});
         source.metrics = &metrics;
-        Provenance provenance(store_, versions_, belongs_to("a.person_id"), id);
+        Provenance provenance(store_, belongs_to("a.person_id"), id);
         PersonData data = data_of(source, options, decisions_[id], as_of_, provenance);
         if (options.with_rows) provenance.write(data, head);
         const double done = static_cast<double>(i + 1) / static_cast<double>(people_.size());

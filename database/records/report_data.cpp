@@ -53,8 +53,7 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
         store_.connection(), belongs_to("a.person_id") + " AND a.task_id = ?", {person_id, task_id});
     if (purpose == ReportPurpose::exported)
         source.released = released_forms(store_, session, person_id, task_id);
-    MetricVersions versions(store_);
-    Provenance provenance(store_, versions, belongs_to("a.person_id"), person_id);
+    Provenance provenance(store_, belongs_to("a.person_id"), person_id);
     PersonProgress progress = progress_of(source, task_id, provenance);
     provenance.write(progress);
     return progress;
@@ -72,8 +71,7 @@ PersonData Reports::person_data(const Session& session, const std::string& perso
     Decisions decisions;
     if (options.curriculum != nullptr)
         decisions = decisions_of(store_, session, person_id, *options.curriculum);
-    MetricVersions versions(store_);
-    Provenance provenance(store_, versions, belongs_to("a.person_id"), person_id);
+    Provenance provenance(store_, belongs_to("a.person_id"), person_id);
     PersonData data = data_of(source, options, decisions, store_.now(), provenance);
     provenance.write(data);
     return data;

@@ -21,15 +21,30 @@ const MetricVersions::Set& MetricVersions::of(const AttemptSummary& attempt) {
         if (next->first == moment) return *next->second;
         if (next != known.begin() && std::prev(next)->second == next->second) return *next->second;
     }
-    Set versions;
-    Query rows(store_.connection(),
-               "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
-               "WHERE s.attempt_id = ? AND s.in_force = 1");
-    rows.bind(attempt.meta.id);
-    while (rows.next()) versions.insert(rows.text(0) + "@" + rows.text(1));
-    const Set& kept = *sets_.insert(std::move(versions)).first;
-    if (!kept.empty()) known.emplace(moment, &kept);
-    return kept;
+    read({&attempt});
+    const auto found = known.find(moment);
+    return found == known.end() ? none_ : *found->second;
+}
+
+void MetricVersions::read(const std::vector<const AttemptSummary*>& attempts) {
+    constexpr std::size_t at_once = 500;  // a statement has room for so many values
+    for (std::size_t from = 0; from < attempts.size(); from += at_once) {
+        const std::size_t to = std::min(attempts.size(), from + at_once);
+        Query rows(store_.connection(),
+                   "SELECT DISTINCT s.attempt_id, m.id, m.version FROM metric m JOIN score s ON s.id = "
+                   "m.score_id WHERE s.in_force = 1 AND s.attempt_id IN (?" +
+                       QString(", ?").repeated(static_cast<int>(to - from) - 1) + ")");
+        for (std::size_t i = from; i < to; ++i) rows.bind(attempts[i]->meta.id);
+        std::map<std::string, Set> versions;
+        while (rows.next()) versions[rows.text(0)].insert(rows.text(1) + "@" + rows.text(2));
+        for (std::size_t i = from; i < to; ++i) {
+            const AttemptMeta& meta = attempts[i]->meta;
+            const auto found = versions.find(meta.id);
+            if (found == versions.end()) continue;
+            known_[group_of(meta)].emplace(Moment{meta.started, meta.id},
+                                           &*sets_.insert(found->second).first);
+        }
+    }
 }
 
 void Provenance::add_basis(const AttemptMeta& meta) {
@@ -49,9 +64,15 @@ void Provenance::add(const AttemptSummary& attempt, const std::vector<MetricRow>
 }
 
 void Provenance::look_up_versions() {
+    std::vector<const AttemptSummary*> ends;
     for (auto& [group, attempts] : to_look_up_) {
         std::stable_sort(attempts.begin(), attempts.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
+        ends.push_back(attempts.front().second);
+        if (attempts.size() > 1) ends.push_back(attempts.back().second);
+    }
+    versions_.read(ends);
+    for (const auto& [group, attempts] : to_look_up_) {
         std::size_t first = 0, last = attempts.size() - 1;
         while (first < last && versions_.of(*attempts[first].second).empty()) ++first;
         while (first < last && versions_.of(*attempts[last].second).empty()) --last;

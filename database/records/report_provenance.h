@@ -16,9 +16,10 @@
 
 namespace fulcrum::database {
 
-/// The versions of the metrics in attempts' scores. They change where the program is updated, so between two
-/// attempts (of one task and version, device class and program) with the same ones no others are looked for:
-/// few attempts are asked about, whatever their number.
+/// The versions of the metrics in the scores of one report's attempts. They change where the program is
+/// updated, so between two attempts (of one task and version, device class and program) with the same ones no
+/// others are looked for: few attempts are asked about, whatever their number. A report of one person has
+/// its own: stations are updated at different times, and the attempts of others may be from another station.
 class MetricVersions {
   public:
     using Set = std::set<std::string>;         ///< "path_len@1"
@@ -28,10 +29,13 @@ class MetricVersions {
     explicit MetricVersions(const Store& store) : store_(store) {}
     /// Empty where the attempt has no score, or one without metrics.
     const Set& of(const AttemptSummary& attempt);
+    /// Of several in one query: of() knows them from then on.
+    void read(const std::vector<const AttemptSummary*>& attempts);
 
   private:
     using Moment = std::pair<std::int64_t, std::string>;  ///< start, attempt
     const Store& store_;
+    Set none_;
     std::set<Set> sets_;
     std::map<Group, std::map<Moment, const Set*>> known_;  ///< none of them empty
 };
@@ -41,9 +45,8 @@ class Provenance {
     /// Which files are asked for: the sets are a third of them.
     enum class Kinds { all, benchmark_sets };
     /// Over the attempts (table `a`) for which `whose` holds with this value.
-    Provenance(const Store& store, MetricVersions& versions, const QString& whose, const std::string& value,
-               Kinds kinds = Kinds::all)
-        : store_(store), versions_(versions), whose_(whose), value_(value), kinds_(kinds) {}
+    Provenance(const Store& store, const QString& whose, const std::string& value, Kinds kinds = Kinds::all)
+        : store_(store), versions_(store), whose_(whose), value_(value), kinds_(kinds) {}
     /// The attempt stays where it is until write().
     void add(const AttemptSummary& attempt);
     /// The same where the metrics of its score have been read.
@@ -78,7 +81,7 @@ class Provenance {
     std::vector<std::string> named_sets(const Files& files) const;
 
     const Store& store_;
-    MetricVersions& versions_;
+    MetricVersions versions_;
     QString whose_;
     std::string value_;
     Kinds kinds_;

@@ -69,15 +69,37 @@ TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
     EXPECT_EQ(personal[0].best_points, 80);
 }
 
+/// An attempt with this version of `path_len`, a minute before the next one.
+void record_with_version(const Programme& programme, const std::string& login, int version) {
+    AttemptResult result = example_result(true, 70);
+    result.score->metrics[0].version = version;
+    Recorder(programme.path, programme.session(login), example_meta(programme.id(login)),
+             programme.clock.options())
+        .finish(result);
+    programme.clock.pass_s(60);
+}
+
+/// Of the pages of people in a cohort's PDF, by login.
+std::map<std::string, std::vector<std::string>> versions_on_pages(const Programme& programme) {
+    PersonDataOptions pages;
+    pages.tasks = {"A2"};
+    pages.detail = PointDetail::none;
+    CohortTableOptions options;
+    options.tasks = pages.tasks;
+    std::map<std::string, std::vector<std::string>> versions;
+    EXPECT_TRUE(Reports(*programme.store)
+                    .table_with_people(programme.session("director"), programme.cohort, options, pages,
+                                       [&](const CohortTable&, PersonData&& person, double) {
+                                           versions[person.login] = person.metric_versions;
+                                           return true;
+                                       }));
+    return versions;
+}
+
 TEST(CohortTable, NamesEachVersionOfAMetricThatItsValuesHave) {
     Programme programme;
     const auto record = [&](const std::string& login, int version) {
-        AttemptResult result = example_result(true, 70);
-        result.score->metrics[0].version = version;
-        Recorder(programme.path, programme.session(login), example_meta(programme.id(login)),
-                 programme.clock.options())
-            .finish(result);
-        programme.clock.pass_s(60);
+        record_with_version(programme, login, version);
     };
     record("ben", 2);
     record("ann", 2);
@@ -90,18 +112,22 @@ TEST(CohortTable, NamesEachVersionOfAMetricThatItsValuesHave) {
     EXPECT_EQ(reports.cohort_table(director, programme.cohort).metric_versions, all);
     EXPECT_EQ(reports.person_progress(director, programme.id("ann"), "A2").metric_versions, all);
     EXPECT_EQ(reports.person_data(director, programme.id("ann"), {{"A2"}, nullptr}).metric_versions, all);
-    PersonDataOptions pages;
-    pages.tasks = {"A2"};
-    pages.detail = PointDetail::none;
-    CohortTableOptions options;
-    options.tasks = pages.tasks;
-    std::map<std::string, std::vector<std::string>> of_person;
-    EXPECT_TRUE(reports.table_with_people(director, programme.cohort, options, pages,
-                                          [&](const CohortTable&, PersonData&& person, double) {
-                                              of_person[person.login] = person.metric_versions;
-                                              return true;
-                                          }));
+    std::map<std::string, std::vector<std::string>> of_person = versions_on_pages(programme);
     EXPECT_EQ(of_person["ann"], all);
+    EXPECT_EQ(of_person["ben"], (std::vector<std::string>{"path_len@2", "sparc@2"}));
+}
+
+TEST(CohortTable, PagesOfPeopleNameThePersonsOwnVersionsOfAMetric) {
+    // As where Ann trains at a station that was updated and Ben at one that was not.
+    Programme programme;
+    record_with_version(programme, "ben", 2);
+    record_with_version(programme, "ann", 3);
+    record_with_version(programme, "ann", 3);
+    record_with_version(programme, "ben", 2);
+    record_with_version(programme, "ann", 3);
+    record_with_version(programme, "ben", 2);
+    std::map<std::string, std::vector<std::string>> of_person = versions_on_pages(programme);
+    EXPECT_EQ(of_person["ann"], (std::vector<std::string>{"path_len@3", "sparc@2"}));
     EXPECT_EQ(of_person["ben"], (std::vector<std::string>{"path_len@2", "sparc@2"}));
 }
 
