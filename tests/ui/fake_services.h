@@ -55,7 +55,8 @@ class FakeServices : public ApplicationServices {
         return {};
     }
     std::vector<database::AssetFile> unknown_assets(const database::Session&, const std::string&, DeviceClass,
-                                                    const std::string&) override {
+                                                    const std::string& variant) override {
+        if (!unknown_variant.empty() && variant != unknown_variant) return {};
         return unknown;
     }
     std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
@@ -158,6 +159,7 @@ class FakeServices : public ApplicationServices {
     std::vector<std::string> prepared;    ///< people for whom prepare_replays() was called
     int stopped_preparing = 0;
     std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
+    std::string unknown_variant;               ///< for this variant only; empty: for all
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;
     std::shared_ptr<Rig> device_rig;  ///< moves the hands; null: mouse and keyboard

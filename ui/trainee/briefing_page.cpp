@@ -177,8 +177,6 @@ void BriefingPage::fill_variants(const TaskDefinition& task) {
     variant_words_->setVisible(several);
     variants_->setVisible(several);
     variant_note_->setVisible(several);
-    variant_note_->setText(asked >= 0 ? tr("The variant practised least comes next unless you choose one.")
-                                      : tr("Chosen because you have practised it least."));
 }
 
 /// Where practice begins, and with a ghost or without.
@@ -285,26 +283,19 @@ QString BriefingPage::why_files() {
 void BriefingPage::fill() {
     clear_layout(steps_);
     title_->setText(context().task_title(task_id_));
-    const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
-    const DeviceInUse device = this->device();
-    device_class_ = device.device_class;
-    const bool assessable = task != nullptr && can_be_assessed(*task, device.device_class) &&
-                            device.practice_only == PracticeOnly::no;
     variants_->clear();
-    if (task != nullptr) fill_variants(*task);
-    const QString locked = why_locked();
-    const QString own_files = assessable ? why_files() : QString();
-    assessed_->setEnabled(!demo && assessable && locked.isEmpty() && own_files.isEmpty());
-    if (!assessed_->isEnabled()) practice_->setChecked(true);
     start_->setEnabled(task != nullptr);
     watch_->setEnabled(task != nullptr);
     const QString start = tr("Start as %1").arg(text(context().session().display_name()));
     start_->setText(start);
     start_->setAccessibleName(start);
-    begin_at_->setEnabled(practice_->isChecked());
-    ghost_->setEnabled(practice_->isChecked());
-    if (task == nullptr) return;
+    if (task == nullptr) {
+        assessed_->setEnabled(false);
+        practice_->setChecked(true);
+        return;
+    }
+    fill_variants(*task);
     fill_beginnings(*task);
     briefing_->setText(asset_text(task->briefing));
     steps_->addWidget(make_label(tr("What to do"), "heading"));
@@ -317,8 +308,23 @@ void BriefingPage::fill() {
         "muted"));
     steps_->addStretch();
     show_variant(*task);
+    show_fidelity_note();
+}
+
+void BriefingPage::show_modes(const TaskDefinition& task) {
+    const bool demo = context().store().is_demo();
+    const DeviceInUse device = this->device();
+    device_class_ = device.device_class;
+    const bool assessable =
+        can_be_assessed(task, device.device_class) && device.practice_only == PracticeOnly::no;
+    const QString locked = why_locked();
+    const QString own_files = assessable ? why_files() : QString();
+    assessed_->setEnabled(!demo && assessable && locked.isEmpty() && own_files.isEmpty());
+    if (!assessed_->isEnabled()) practice_->setChecked(true);
+    begin_at_->setEnabled(practice_->isChecked());
+    ghost_->setEnabled(practice_->isChecked());
     const bool scope_alone =
-        !task->goals.empty() && type_of(task->goals.front().kind).site == GoalSite::camera_targets;
+        !task.goals.empty() && type_of(task.goals.front().kind).site == GoalSite::camera_targets;
     const QString hands =
         scope_alone
             ? tr("You hold the scope with mouse and keyboard. F1 shows the keys.")
@@ -327,14 +333,17 @@ void BriefingPage::fill() {
     mode_note_->setText(demo ? tr("The demonstration accepts practice attempts only.")
                         : device.practice_only != PracticeOnly::no ? with_device
                         : !assessable
-                            ? with_device + QStringLiteral(" ") + practice_only(*task, device.device_class)
+                            ? with_device + QStringLiteral(" ") + practice_only(task, device.device_class)
                         : !own_files.isEmpty() ? with_device + QStringLiteral(" ") + own_files
                         : !locked.isEmpty()    ? with_device + QStringLiteral(" ") + locked
                                                : with_device);
-    show_fidelity_note();
 }
 
 void BriefingPage::show_variant(const TaskDefinition& task) {
+    variant_note_->setText(variant() == wanted_variant_
+                               ? tr("The variant practised least comes next unless you choose one.")
+                               : tr("Chosen because you have practised it least."));
+    show_modes(task);
     picture_->show_task(task, variant());
     judged_->open(task, limits(), own_values());
     show_notes();

@@ -32,14 +32,16 @@ class BriefingPage : public Page {
     QLayout* make_variants();
     void fill();
     void fill_variants(const TaskDefinition& task);
-    /// What depends on the variant: picture, limits, notes.
+    /// What depends on the variant: whether it can count, picture, limits, notes.
     void show_variant(const TaskDefinition& task);
+    /// Whether an attempt can count, and why it cannot; sets device_class_.
+    void show_modes(const TaskDefinition& task);
     std::string variant() const;
     /// Why the task does not count yet for who is signed in; empty where it does.
     QString why_locked();
     /// Why the installed files make it practice only; empty where they do not.
     QString why_files();
-    /// What an attempt at this task would be made with.
+    /// What an attempt at this task and variant would be made with.
     DeviceInUse device();
     std::vector<JudgedLimit> limits();
     /// Of the last attempt of who is signed in.
@@ -49,7 +51,7 @@ class BriefingPage : public Page {
     void fill_beginnings(const TaskDefinition& task);
     std::string task_id_, wanted_variant_;
     int wanted_goal_ = 0;
-    DeviceClass device_class_ = window_device;  ///< of device(), when the page was filled
+    DeviceClass device_class_ = window_device;  ///< of device(), for the variant that is shown
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
     QVBoxLayout* steps_;
     ScenePicture* picture_;

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QRadioButton>
 #include <QScrollBar>
 
 #include "database/records/attempts.h"
@@ -173,6 +174,46 @@ TEST_F(Briefing, ChoosesTheVariantPractisedLeastAndAnotherIsAChoiceAway) {
     ASSERT_EQ(practised.count("trocars_right"), 1U);
     EXPECT_EQ(practised.at("trocars_right").attempts, 1);
     EXPECT_EQ(practised.count("deep"), 0U);
+}
+
+TEST_F(Briefing, AsksTheDeviceForTheVariantOfThisTask) {
+    services.in_use.kind = "touch";
+    services.in_use.title = "3D Systems Touch";
+    services.in_use.device_class = DeviceClass::haptic;
+    services.in_use.drives[0] = services.in_use.drives[1] = true;
+    record(75, 3.1);
+    open("A2");
+    ASSERT_EQ(find<QComboBox>(*window, "variants")->currentData().toString(), "deep");
+    EXPECT_TRUE(find<QLabel>(*window, "mode_note")->text().contains("3D Systems Touch"));
+    // A1 has no variant of this name, and only a scope, which this device does not move.
+    click(*window, "rail_home");
+    open("A1");
+    EXPECT_FALSE(sees(*window, "message_text"));
+    const QString note = find<QLabel>(*window, "mode_note")->text();
+    EXPECT_TRUE(note.contains("You hold the scope with mouse and keyboard")) << note.toStdString();
+}
+
+TEST_F(Briefing, AVariantWithAcceptedFilesCountsWhereThePreselectedOneDoesNot) {
+    services.unknown.push_back({"scenes/a2_targets_deep.json", std::string(64, '0')});
+    services.unknown_variant = "deep";
+    record(75, 3.1);
+    open("A2");
+    auto* variants = find<QComboBox>(*window, "variants");
+    ASSERT_EQ(variants->currentData().toString(), "deep");
+    auto* assessed = find<QRadioButton>(*window, "mode_assessed");
+    EXPECT_FALSE(assessed->isEnabled());
+    EXPECT_TRUE(find<QLabel>(*window, "mode_note")->text().contains("a2_targets_deep.json"));
+    variants->setFocus();
+    QTest::keyClick(variants, Qt::Key_Up);
+    ASSERT_EQ(variants->currentData().toString(), "standard");
+    EXPECT_TRUE(assessed->isEnabled());
+    EXPECT_FALSE(find<QLabel>(*window, "mode_note")->text().contains("a2_targets_deep.json"));
+    EXPECT_FALSE(find<QLabel>(*window, "variant_note")->text().contains("Chosen because"));
+    assessed->click();
+    QTest::keyClick(variants, Qt::Key_Down);
+    ASSERT_EQ(variants->currentData().toString(), "deep");
+    EXPECT_FALSE(assessed->isEnabled());
+    EXPECT_TRUE(find<QRadioButton>(*window, "mode_practice")->isChecked());
 }
 
 TEST_F(Briefing, AnotherTaskWhileThePictureIsDrawnShowsTheOtherTask) {
