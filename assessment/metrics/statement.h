@@ -77,6 +77,7 @@ enum class StatementId : std::uint8_t {
     fidelity_differs,
     variant_differs,
     limits_replaced,
+    limits_outdated,
 
     // Why an attempt has no score.
     simulator_failed,

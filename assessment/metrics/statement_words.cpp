@@ -137,6 +137,10 @@ constexpr StatementRow statements[] = {
     {StatementId::limits_replaced, "gate.limits_replaced",
      QT_TRANSLATE_NOOP("fulcrum::statements",
                        "not comparable: the limits in force when the attempt began have been replaced")},
+    {StatementId::limits_outdated, "gate.limits_outdated",
+     QT_TRANSLATE_NOOP("fulcrum::statements",
+                       "not comparable: the limits in force were made with another version of the metric "
+                       "'{metric}'; they have to be built again")},
     {StatementId::simulator_failed, "score.simulator_failed",
      QT_TRANSLATE_NOOP("fulcrum::statements", "the simulator failed during the attempt")},
     {StatementId::attempt_interrupted, "score.attempt_interrupted",

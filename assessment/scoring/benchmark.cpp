@@ -70,6 +70,15 @@ BenchmarkLevel level_from_json(const json& row) {
     return level;
 }
 
+[[noreturn]] void fail_outdated(const JsonDocument& document, const std::string& metric,
+                                const std::string& pointer, const Sentence& wrong) {
+    try {
+        document.fail(pointer, wrong, QT_TRANSLATE_NOOP("errors", "build the set again"));
+    } catch (const InputError& error) {
+        throw OutdatedSet(error, metric);
+    }
+}
+
 /// What the schema cannot say: the level fits the program's metric, and can be held against an attempt.
 void check_level(const JsonDocument& document, const BenchmarkLevel& level, const std::string& place) {
     const MetricDescriptor* descriptor = find_metric(level.metric);
@@ -77,18 +86,16 @@ void check_level(const JsonDocument& document, const BenchmarkLevel& level, cons
         document.fail(place + "/metric", {QT_TRANSLATE_NOOP("errors", "unknown metric '%1'"), level.metric},
                       QT_TRANSLATE_NOOP("errors", "give the id of a metric"));
     if (descriptor->unit != level.unit)
-        document.fail(
-            place + "/unit",
-            {QT_TRANSLATE_NOOP("errors", "unit '%1' of a metric in '%2'"), level.unit, descriptor->unit},
-            QT_TRANSLATE_NOOP("errors", "build the set again"));
+        fail_outdated(
+            document, level.metric, place + "/unit",
+            {QT_TRANSLATE_NOOP("errors", "unit '%1' of a metric in '%2'"), level.unit, descriptor->unit});
     if (descriptor->version != level.metric_version)
-        document.fail(place + "/metric_version",
+        fail_outdated(document, level.metric, place + "/metric_version",
                       {QT_TRANSLATE_NOOP("errors", "version %1 where the program computes version %2"),
-                       level.metric_version, descriptor->version},
-                      QT_TRANSLATE_NOOP("errors", "build the set again"));
+                       level.metric_version, descriptor->version});
     if (descriptor->scale != level.scale)
-        document.fail(place + "/scale", QT_TRANSLATE_NOOP("errors", "not the scale of the metric"),
-                      QT_TRANSLATE_NOOP("errors", "build the set again"));
+        fail_outdated(document, level.metric, place + "/scale",
+                      QT_TRANSLATE_NOOP("errors", "not the scale of the metric"));
     if (!level.absolute_limit && !(level.deviation > 0))
         document.fail(
             place + "/deviation",

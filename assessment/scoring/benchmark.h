@@ -7,10 +7,12 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "assessment/metrics/metric.h"
 #include "assessment/task/attempt_words.h"
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/cutting_values.h"
 
 namespace fulcrum {
@@ -75,8 +77,21 @@ struct BenchmarkSet {
     double k_of(const BenchmarkLevel& level) const { return level.k.value_or(k); }
 };
 
+/// A set that was sound for another version of the program: the definition of one of its metrics is another
+/// one here. Building the set again helps, nothing else.
+class OutdatedSet : public InputError {
+  public:
+    OutdatedSet(const InputError& error, std::string metric)
+        : InputError(error), metric_(std::move(metric)) {}
+    const std::string& metric() const noexcept { return metric_; }
+
+  private:
+    std::string metric_;
+};
+
 nlohmann::json benchmark_to_json(const BenchmarkSet& set);
-/// Checked against the schema; throws InputError with file, JSON pointer and hint.
+/// Checked against the schema; throws InputError with file, JSON pointer and hint, OutdatedSet for one that
+/// this program cannot use any more.
 BenchmarkSet parse_benchmark(const std::string& text, const std::string& file);
 BenchmarkSet load_benchmark(const std::string& path);
 

@@ -60,8 +60,12 @@ std::vector<BenchmarkSet> sets_in_force(const std::string& task_id) {
     }
     std::sort(files.begin(), files.end());
     for (const std::string& file : files) {
-        BenchmarkSet set = load_benchmark(file);
-        if (set.task == task_id) sets.push_back(std::move(set));
+        try {
+            BenchmarkSet set = load_benchmark(file);
+            if (set.task == task_id) sets.push_back(std::move(set));
+        } catch (const OutdatedSet&) {
+            continue;  // nothing can be judged by it
+        }
     }
     return sets;
 }

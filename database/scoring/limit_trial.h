@@ -27,8 +27,8 @@ struct TriedAttempt {
     std::optional<bool> passed;                  ///< in force
 };
 
-/// The sets of the program's assets for this task, by name; files of other tasks are not read. Throws
-/// InputError for one that cannot be read.
+/// The sets of the program's assets for this task, by name, without those that have to be built again
+/// (OutdatedSet); files of other tasks are not read. Throws InputError for one that cannot be read.
 std::vector<BenchmarkSet> sets_in_force(const std::string& task_id);
 
 /// Counting attempts of real people (in a demonstration programme: of its people) with this key and the

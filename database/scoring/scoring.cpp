@@ -69,7 +69,14 @@ Limits benchmark_in_force(const BenchmarkKey& key) {
     const std::string path = file_of(key);
     if (!std::filesystem::exists(path)) return {};
     const std::string text = read_text_file(path, JsonLimits().bytes);
-    BenchmarkSet set = parse_benchmark(text, path);
+    BenchmarkSet set;
+    try {
+        set = parse_benchmark(text, path);
+    } catch (const OutdatedSet& outdated) {
+        Limits none;
+        none.not_comparable = Statement(StatementId::limits_outdated, {{"metric", outdated.metric()}});
+        return none;
+    }
     if (benchmark_name(set.key()) != benchmark_name(key))
         throw InputError(
             path, "/",
@@ -87,8 +94,11 @@ Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass de
     const BenchmarkKey key{task.id, variant_family(task, scene.variant), limits_class(device_class),
                            scene.fidelity.id};
     Limits limits = benchmark_in_force(key);
-    limits.not_comparable = limits.set ? why_other_tissue(*limits.set, scene, scene_file(task, scene))
-                                       : why_none(key, device_class);
+    if (limits.set) {
+        limits.not_comparable = why_other_tissue(*limits.set, scene, scene_file(task, scene));
+    } else if (limits.not_comparable.empty()) {
+        limits.not_comparable = why_none(key, device_class);
+    }
     return limits;
 }
 
@@ -100,7 +110,8 @@ Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceCla
     });
     const bool same = assets.empty() || limits.file.name.empty() ||
                       (then != assets.end() && then->digest == limits.file.digest);
-    if (limits.name() == name && same) return limits;
+    const bool outdated = limits.not_comparable.id() == StatementId::limits_outdated;
+    if (outdated || (limits.name() == name && same)) return limits;
     limits.set.reset();
     limits.file = {};
     limits.not_comparable = StatementId::limits_replaced;

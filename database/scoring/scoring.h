@@ -35,7 +35,8 @@ struct Limits {
     std::optional<BenchmarkSet> set;  ///< of the attempt's key
     database::AssetFile file;         ///< what `set` was read from; no name without a set
     /// Why gates based on the experts' range are not judged: the task has limits, but not for this device
-    /// class, fidelity, variant or tissue. Without a set and without this the task has none at all.
+    /// class, fidelity, variant or tissue, or they have to be built again. Without a set and without this the
+    /// task has none at all.
     Statement not_comparable;
 
     /// Name of the set with its version, as stored with an attempt; empty without a set.
@@ -43,8 +44,9 @@ struct Limits {
     /// The set where attempts are compared with it, else null.
     const BenchmarkSet* comparable() const { return set && not_comparable.empty() ? &*set : nullptr; }
 };
-/// The set of this key in assets/benchmarks (benchmark_name()); without a set where there is none. Throws
-/// InputError where the file holds another one.
+/// The set of this key in assets/benchmarks (benchmark_name()); without a set where there is none, or where
+/// it has to be built again (OutdatedSet), which `not_comparable` then says: attempts go without these limits
+/// until then. Throws InputError where the file holds another one.
 Limits benchmark_in_force(const BenchmarkKey& key);
 /// The limits in force for attempts at this task in this scene with this device. `scene`: with the fidelity
 /// and the tissue values of the attempt.

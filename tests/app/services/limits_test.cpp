@@ -16,6 +16,7 @@
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/statement_words.h"
 #include "database/records/attempts.h"
+#include "database/scoring/limit_trial.h"
 #include "database/scoring/loaded_task.h"
 #include "database/scoring/rescoring.h"
 #include "database/scoring/scoring.h"
@@ -228,6 +229,37 @@ TEST_F(OwnLimits, StayThoseOfTheStartWhenTheSetIsReplaced) {
     const Limits replaced = limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, old_name);
     EXPECT_EQ(replaced.comparable(), nullptr);
     EXPECT_EQ(replaced.not_comparable, Statement(StatementId::limits_replaced));
+}
+
+TEST_F(OwnLimits, ThatHaveToBeBuiltAgainJudgeNothingAndStopNothing) {
+    const json first = perform({"A2"});
+    ASSERT_EQ(first["passed"], true) << first["advice"];
+    const LoadedTask a2 = load_task_and_scene("A2");
+    const std::string old_name = limits_for(a2.task, a2.scene, DeviceClass::synthetic).name();
+    const std::size_t sets = sets_in_force("A2").size();
+    std::string metric;
+    change_set("A2", [&](json& set) {  // as after an update that changes one of its metrics
+        json& level = set["levels"][0];
+        metric = level["metric"].get<std::string>();
+        level["metric_version"] = level["metric_version"].get<int>() + 1;
+    });
+    const Limits limits = limits_for(a2.task, a2.scene, DeviceClass::synthetic);
+    EXPECT_EQ(limits.comparable(), nullptr);
+    EXPECT_EQ(limits.name(), "");
+    EXPECT_EQ(limits.not_comparable, Statement(StatementId::limits_outdated, {{"metric", metric}}));
+    EXPECT_EQ(limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, old_name).not_comparable,
+              limits.not_comparable);
+    EXPECT_EQ(sets_in_force("A2").size(), sets - 1) << "the others are listed";
+    EXPECT_THROW(load_benchmark((assets_ / "benchmarks/A2.json").string()), OutdatedSet);
+
+    const json second = perform({"A2"});
+    EXPECT_TRUE(second["passed"].is_null());
+    EXPECT_EQ(second["not_scored_because"], words_of(limits.not_comparable));
+    const database::Store store = database::Store::open(store_);
+    const std::vector<database::StaleScore> stale =
+        database::Attempts(store).stale_scores(store.station_session(), scoring_in_force());
+    ASSERT_EQ(stale.size(), 1U);
+    EXPECT_EQ(stale.front().attempt_id, first["attempt"].get<std::string>());
 }
 
 TEST_F(OwnLimits, OfTheNamedDeviceAndFidelityJudgeATraceFile) {

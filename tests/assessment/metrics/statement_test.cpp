@@ -42,6 +42,7 @@ std::vector<Statement> samples() {
         {Id::device_class_differs, {{"device", std::string("mouse-keyboard")}}},
         {Id::fidelity_differs, {{"limits", std::string("standard")}, {"used", std::string("fast")}}},
         {Id::variant_differs, {{"limits", std::string("standard")}, {"used", std::string("narrow")}}},
+        {Id::limits_outdated, {{"metric", metric}}},
         {Id::gate_not_judged, {{"metric", metric}, {"hand", hand}, {"because", because}}},
         {Id::critical_error,
          {{"event", std::string("perforation")},

@@ -226,6 +226,27 @@ TEST_F(BuildingLimits, ASetIsBuiltReadAndPutInForce) {
     EXPECT_EQ(benchmark_to_json(*same.set), benchmark_to_json(made));
 }
 
+TEST_F(BuildingLimits, ASetThatAnUpdateMadeUselessIsBuiltAgain) {
+    nlohmann::json outdated = benchmark_to_json(set);
+    outdated["levels"][0]["metric_version"] = set.levels[0].metric_version + 1;
+    std::ofstream(file()) << outdated.dump(1);
+    choose_experts(expert_people);
+    build();
+    EXPECT_FALSE(sees(*window, "message_text"));
+    EXPECT_TRUE(label("benchmark_verdict").startsWith("✓ Usable"))
+        << label("benchmark_verdict").toStdString();
+    auto* passes = find<QTableWidget>(*window, "benchmark_passes");
+    ASSERT_EQ(passes->rowCount(), 1) << "nothing can be judged by the set in force";
+    EXPECT_TRUE(passes->item(0, 0)->text().startsWith("A · the new set"));
+    auto* note = find<QLineEdit>(*window, "benchmark_note");
+    bring(*note);
+    note->setFocus();
+    QTest::keyClicks(note, "After the update");
+    click(*window, "benchmark_put");
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    EXPECT_EQ(load_benchmark(file().string()).version, set.version + 1);
+}
+
 TEST_F(BuildingLimits, TooFewAreRefusedWithTheReasonAndNothingIsSaved) {
     choose_experts(2);
     EXPECT_TRUE(label("benchmark_count").contains("Chosen: 2, of them with at least 3 counted attempts: 2"));

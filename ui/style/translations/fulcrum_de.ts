@@ -10923,6 +10923,10 @@
         <source>The attempt was abandoned before the last step was completed. Carry the next one through to the end.</source>
         <translation>Der Versuch wurde abgebrochen, bevor der letzte Schritt abgeschlossen war. Führen Sie den nächsten bis zum Ende durch.</translation>
     </message>
+    <message>
+        <source>not comparable: the limits in force were made with another version of the metric &apos;{metric}&apos;; they have to be built again</source>
+        <translation>nicht vergleichbar: die geltenden Grenzwerte wurden mit einer anderen Version der Metrik „{metric}“ erstellt; sie müssen neu erstellt werden</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::taught_lines</name>
