@@ -51,7 +51,8 @@ nlohmann::json json_of(const std::string& task, const SiteTissues& site,
             {"comparable", site.limits_note.empty()},
             {"why_not_comparable", or_null(words_of(site.limits_note))},
             {"values", values},
-            {"history", versions}};
+            {"history", versions},
+            {"unusable", or_null(site.unusable.words())}};
 }
 
 int run_tissues(const Arguments& arguments) {
@@ -79,6 +80,9 @@ int run_tissues(const Arguments& arguments) {
     for (const SiteTissueValue& one : site.values)
         std::cout << one.tissue << '.' << one.key << " = " << one.value << ' ' << one.unit << "  (scene "
                   << one.scene << ", " << one.range << ")  " << one.words << '\n';
+    if (!site.unusable.empty())
+        std::cout << "no attempt can begin with these values: " << site.unusable.words()
+                  << " (--scene-values resets them)\n";
     if (site.values.empty()) std::cout << task << " has no tissue with cutting parameters\n";
     std::cout << "version " << site.version << (site.differ ? "" : ", equal to the scene file") << '\n';
     if (!site.limits_note.empty()) std::cout << "not scored: " << words_of(site.limits_note) << '\n';

@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/scoring/site_tissues.h"
 
+#include <optional>
+
 #include "database/records/tissues.h"
 #include "database/scoring/loaded_task.h"
 #include "database/scoring/scoring.h"
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/cutting_values.h"
 
 namespace fulcrum {
+namespace {
+
+/// The site's values in place of the scene's, whether they fit it or not; those of tissues that the scene
+/// does not have are left out.
+CuttingValues put_over(CuttingValues scene, const database::TissueValues& site) {
+    for (auto& [tissue, values] : scene) {
+        const auto own = site.find(tissue);
+        if (own == site.end()) continue;
+        for (auto& [key, value] : values) {
+            const auto found = own->second.find(key);
+            if (found != own->second.end()) value = found->second;
+        }
+    }
+    return scene;
+}
+
+}  // namespace
 
 SiteTissues site_tissues(const database::Store& store, const database::Session& session,
                          const std::string& task_id) {
     const CuttingValues scene = cutting_values(load_task_and_scene(task_id).scene);
-    const LoadedTask here = load_site_task(store, session, {task_id, {}, {}});
-    const CuttingValues in_force = cutting_values(here.scene);
+    const database::TissueSetting set = database::Tissues(store).in_force(session, task_id);
     SiteTissues site;
-    site.version = database::Tissues(store).in_force(session, task_id).version;
-    site.differ = !cutting_difference(in_force, scene).empty();
+    site.version = set.version;
+    std::optional<LoadedTask> here;
+    try {
+        here = load_site_task(store, session, {task_id, {}, {}});
+    } catch (const InputError& error) {
+        site.unusable = error.sentence();
+    }
+    const CuttingValues in_force = here ? cutting_values(here->scene) : put_over(scene, set.values);
+    site.differ = !here || !cutting_difference(in_force, scene).empty();
     for (const auto& [tissue, values] : scene) {
         for (const CuttingKey& key : cutting_keys) {
             const CuttingRange range = cutting_range(key.key);
@@ -24,7 +50,7 @@ SiteTissues site_tissues(const database::Store& store, const database::Session& 
                                    range.above});
         }
     }
-    site.limits_note = limits_for(here.task, here.scene, DeviceClass::haptic).not_comparable;
+    if (here) site.limits_note = limits_for(here->task, here->scene, DeviceClass::haptic).not_comparable;
     return site;
 }
 

@@ -9,6 +9,7 @@
 #include "assessment/metrics/statement.h"
 #include "database/records/tissues.h"
 #include "database/store/store.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum {
 
@@ -27,10 +28,13 @@ struct SiteTissues {
     std::vector<SiteTissueValue> values;  ///< empty: the task cuts nothing by force
     int version = 0;                      ///< of the site's values in force; 0: never set
     bool differ = false;                  ///< from the scene file's
+    /// Why no attempt can begin with the site's values: the scene file is another one since they were set.
+    /// Empty where they fit it.
+    Sentence unusable;
     Statement limits_note;  ///< why attempts are not compared with the task's limits; empty if they are
 };
 
-/// Throws InputError (task unknown, the site's values no longer fit its scene), AccessDenied.
+/// Throws InputError (task unknown), AccessDenied.
 SiteTissues site_tissues(const database::Store& store, const database::Session& session,
                          const std::string& task_id);
 

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 
 #include "ui/language/language.h"
+#include "ui/language/words.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -74,6 +75,10 @@ QWidget* TissuesPage::build_editor() {
     state_ = make_label({}, "heading");
     state_->setObjectName(QStringLiteral("tissue_state"));
     card_layout(card)->addWidget(state_);
+    trouble_ = make_label({});
+    trouble_->setObjectName(QStringLiteral("tissue_trouble"));
+    set_tint(trouble_, Tint::bad);
+    card_layout(card)->addWidget(trouble_);
     table_ =
         make_table({tr("Tissue"), tr("Parameter"), tr("In the scene"), tr("At this site"), tr("Allowed")},
                    "tissue_table");
@@ -197,6 +202,11 @@ void TissuesPage::show_values() {
                  (text_percent() > 100 ? table_->horizontalScrollBar()->sizeHint().height() : 0);
     for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
     table_->setFixedHeight(height);
+    trouble_->setVisible(!site_.unusable.empty());
+    trouble_->setText(
+        tr("No attempt at this task can begin with these values: %1. Correct them, or reset them "
+           "to the scene's values.")
+            .arg(sentence_text(site_.unusable)));
 }
 
 void TissuesPage::show_history() {

@@ -38,6 +38,7 @@ class TissuesPage : public Page {
     QListWidget* list_;
     QTableWidget *table_, *history_;
     QLabel* no_history_;
+    QLabel* trouble_;                ///< why no attempt can begin
     QLabel *state_, *note_, *none_;  ///< none_: shown where no task has such tissue
     QWidget* editor_;
     QLineEdit* reason_;

@@ -18498,6 +18498,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>No values have been set at this site yet: those of the scene apply.</source>
         <translation>An diesem Standort sind noch keine Werte festgelegt: Es gelten die der Szene.</translation>
     </message>
+    <message>
+        <source>No attempt at this task can begin with these values: %1. Correct them, or reset them to the scene&apos;s values.</source>
+        <translation>Mit diesen Werten kann kein Versuch an dieser Aufgabe beginnen: %1. Korrigieren Sie sie, oder setzen Sie sie auf die Werte der Szene zurück.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ToRatePage</name>
