@@ -388,7 +388,8 @@ WorldSnapshot FakeServices::world_at_start(const TaskDefinition& task, const std
 }
 
 std::vector<JudgedLimit> FakeServices::judged_limits(const database::Session&, const std::string& task_id,
-                                                     DeviceClass, const std::string&) {
+                                                     DeviceClass, const std::string& variant) {
+    judged_variant = variant;
     for (const TaskDefinition& task : tasks_) {
         if (task.id != task_id) continue;
         const std::string path = fulcrum::test::source_path("assets/benchmarks/" + task_id + ".json");

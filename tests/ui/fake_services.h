@@ -158,8 +158,9 @@ class FakeServices : public ApplicationServices {
     bool expert_waits = false;            ///< it works until it is stopped
     std::vector<std::string> prepared;    ///< people for whom prepare_replays() was called
     int stopped_preparing = 0;
-    std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
-    std::string unknown_variant;               ///< for this variant only; empty: for all
+    std::vector<database::AssetFile> unknown;   ///< what unknown_assets() answers
+    std::string unknown_variant;                ///< for this variant only; empty: for all
+    std::optional<std::string> judged_variant;  ///< of the last call of judged_limits()
     std::vector<ListedDevice> devices;
     DeviceInUse in_use;
     std::shared_ptr<Rig> device_rig;  ///< moves the hands; null: mouse and keyboard

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <algorithm>
 #include <set>
 
 #include "assessment/metrics/registry.h"
@@ -296,11 +297,21 @@ void ProgressPage::draw() {
 }
 
 void ProgressPage::add_experts(AttemptChartData& drawn, const QString& key) {
-    if (!progress_ || progress_->series.size() != 1 || context().task(task_id_) == nullptr) return;
+    const TaskDefinition* task = context().task(task_id_);
+    if (!progress_ || progress_->series.size() != 1 || task == nullptr) return;
+    const database::ProgressSeries& series = progress_->series.front();
+    // Those of the variant family that the curve is of. A variant that the task no longer has has none.
+    std::string variant;
+    if (task->variants.size() > 1 && !series.points.empty()) {
+        variant = series.points.back().variant;
+        if (std::none_of(task->variants.begin(), task->variants.end(),
+                         [&](const TaskVariant& one) { return one.id == variant; }))
+            return;
+    }
     std::vector<JudgedLimit> limits;
     context().guarded([&] {
-        limits = context().services().judged_limits(context().session(), task_id_,
-                                                    progress_->series.front().device_class);
+        limits =
+            context().services().judged_limits(context().session(), task_id_, series.device_class, variant);
     });
     for (const JudgedLimit& one : limits) {
         if (text(one.metric + "/" + one.hand + "/" + one.tissue) != key) continue;

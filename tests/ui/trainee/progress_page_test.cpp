@@ -38,16 +38,17 @@ class ProgressWithHistory : public ::testing::Test {
     }
     ~ProgressWithHistory() override { apply_theme(*qApp, Theme::light); }
 
-    /// A completed attempt at A2 whose left path is `path` mm long, with a limit of 900 mm.
-    void record(double path) {
+    /// A completed attempt whose left path is `path` mm long, with a limit of 900 mm.
+    void record(double path, const std::string& task = "A2", const std::string& variant = "standard") {
         const database::Session& tara = sessions.at(Role::trainee);
         database::AttemptMeta meta;
         meta.person_id = tara.person_id();
-        meta.task_id = "A2";
+        meta.task_id = task;
         meta.mode = AttemptMode::assessed;
         meta.device_class = DeviceClass::mouse_keyboard;
         meta.device = "mouse and keyboard";
-        meta.variant = meta.fidelity = "standard";
+        meta.variant = variant;
+        meta.fidelity = "standard";
         meta.scene = "a2_targets.json";
         meta.limits = "A2-operators@1";
         meta.program_version = "test";
@@ -110,6 +111,31 @@ TEST_F(ProgressWithHistory, ShowsTheCurveItsPlateauAndTheLimit) {
     keep("progress-curve");
     window->set_theme(Theme::dark);
     keep("progress-curve-dark");
+}
+
+TEST_F(ProgressWithHistory, TheExpertsAreThoseOfTheVariantThatTheCurveIsOf) {
+    record(1200, "B1");
+    record(850, "B1", "long_jaws");
+    open(Role::trainee);
+    ASSERT_EQ(find<QComboBox>(*window, "progress_task")->currentData().toString(), "B1");
+    EXPECT_EQ(services.judged_variant, "long_jaws");
+    auto* metric = find<QComboBox>(*window, "progress_metric");
+    const auto choose = [&] {
+        const int index = metric->findData("path_len/left/");
+        ASSERT_GE(index, 0);
+        metric->setCurrentIndex(index);
+        emit metric->activated(index);
+    };
+    choose();
+    EXPECT_TRUE(find<AttemptChart>(*window, "attempt_chart")->shown().band_low);
+    // A variant that the task no longer has.
+    record(830, "B1", "retired");
+    services.judged_variant.reset();
+    open(Role::trainee);
+    metric = find<QComboBox>(*window, "progress_metric");
+    choose();
+    EXPECT_FALSE(services.judged_variant);
+    EXPECT_FALSE(find<AttemptChart>(*window, "attempt_chart")->shown().band_low);
 }
 
 TEST_F(ProgressWithHistory, IsThePageOfTheTask) {
