@@ -157,7 +157,8 @@ void LiveAttempt::State::run_haptic() noexcept {
         const std::int64_t late = begin - deadline;
         const ThreadUse at_begin = use_of_this_thread();
         counters.tick_begins(late, account.begin(late, last_duration, last_use));
-        const std::int64_t gap = late + sleeps.slept(begin, boot_ns());
+        const std::int64_t gap =
+            sleeps.stood_still(late, begin, boot_ns(), paused.load(std::memory_order_relaxed));
         if (gap > longest_gap_ns && gap > gap_ns.load(std::memory_order_relaxed))
             gap_ns.store(gap, std::memory_order_relaxed);
         if (late >= catch_up_ticks * period) {

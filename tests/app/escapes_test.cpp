@@ -132,6 +132,10 @@ struct Attempt {
             return live->display().moving_seen;
         });
     }
+    bool ticks_pass(std::uint32_t count) {
+        const std::uint32_t before = live->health().ticks;
+        return wait_until_true([&] { return live->health().ticks >= before + count; });
+    }
     bool loses_the_device() {
         hands->resting = true;
         hands->unplugged = true;
@@ -421,6 +425,26 @@ TEST_F(Escapes, ASleepOfTheMachineMakesPracticeOfItAndIsInTheAuditLog) {
         attempt.live->rethrow();
     }
     expect_stood_still(store_path, 59);
+}
+
+TEST_F(Escapes, ASleepOfTheMachineInAPauseTakesNothingAway) {
+    if (!fulcrum::test::clocks_can_be_set) GTEST_SKIP() << "a sanitizer owns the clocks";
+    {
+        Attempt attempt(store_path, false);
+        ASSERT_TRUE(attempt.moves());
+        attempt.live->pause();
+        ASSERT_TRUE(attempt.ticks_pass(5)) << "the pause has begun";
+        const fulcrum::test::ClockAhead slept(CLOCK_BOOTTIME, 60);
+        ASSERT_TRUE(attempt.ticks_pass(5));
+        attempt.live->resume();
+        ASSERT_TRUE(attempt.ticks_pass(100));
+        EXPECT_EQ(attempt.live->phase(), ui::AttemptPhase::running);
+        attempt.live->abandon();
+        attempt.live->wait();
+        attempt.live->rethrow();
+        EXPECT_FALSE(attempt.live->became_practice());
+    }
+    expect_failed(only_attempt(store_path));
 }
 
 TEST_F(Escapes, StoppingTheProgramAfterALimitWasBrokenDoesNotTakeItBack) {

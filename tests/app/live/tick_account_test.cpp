@@ -117,6 +117,25 @@ TEST(TickAccount, SleepIsWhatTheClockThatCountsItGains) {
     EXPECT_EQ(sleeps.slept(11 * period, 11 * period + 3 * hour), -5 * us);
 }
 
+TEST(TickAccount, ASleepThatBeganInAPauseDoesNotCount) {
+    constexpr std::int64_t second = 1'000'000 * us, minute = 60 * second;
+    SleepAccount sleeps;
+    std::int64_t now = 0, asleep = 0;
+    const auto tick = [&](std::int64_t late, std::int64_t slept, bool paused) {
+        now += period + late;
+        asleep += slept;
+        return sleeps.stood_still(late, now, now + asleep, paused);
+    };
+    EXPECT_EQ(tick(0, 0, false), 0);
+    EXPECT_EQ(tick(3 * us, minute, true), minute + 3 * us) << "paused after it: by the lock of the screen";
+    EXPECT_EQ(tick(0, minute, true), 0);
+    EXPECT_EQ(tick(2 * second, minute, true), 0) << "programs started again some time after it";
+    EXPECT_EQ(tick(2 * second, 0, true), 2 * second) << "stopped, and no machine slept";
+    EXPECT_EQ(tick(2 * second, 5 * us, true), 2 * second + 5 * us) << "preempted between the clocks";
+    EXPECT_EQ(tick(0, minute, false), 0) << "resumed after it, before this tick";
+    EXPECT_EQ(tick(0, minute, false), minute);
+}
+
 TEST(ThreadUse, ProcessorTimeGrowsWithWorkAndWaitsWithSleep) {
     const ThreadUse before = use_of_this_thread();
     ThreadUse after = before;
