@@ -81,9 +81,12 @@ void FieldDrawing::add(const FieldView& view, SceneFrame& frame) {
         nerve.cord(seen.line, view.nerve_radius);
         frame.sheets.push_back(nerve.drawn(0, QVector3D(0.92F, 0.78F, 0.22F), 0.9F));
     }
-    for (const OutletView& outlet : view.outlets) {
+    for (std::size_t i = 0; i < view.outlets.size(); ++i) {
+        const OutletView& outlet = view.outlets[i];
+        const bool trunk = outlet.band >= 0 && i % 2 == 0;
         if (outlet.clipped) {
-            ball(frame, outlet.position, drawn_clip_radius, TargetLook::clip);
+            // What closes a trunk sits on its band, which is drawn with all its clips.
+            if (!trunk) ball(frame, outlet.position, drawn_clip_radius, TargetLook::clip);
         } else if (outlet.flow > 0) {
             ball(frame, outlet.position, outlet_radius, TargetLook::bleeding);
         }

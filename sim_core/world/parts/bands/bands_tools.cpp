@@ -110,7 +110,14 @@ void BandsPart::take_band(int number, const ToolKinematics& tool) noexcept {
 void BandsPart::fire_clip(int number, const ToolKinematics& tool) noexcept {
     FieldHand& hand = field_.hand(number);
     double least = 0;
-    if (!field_.clips_left() || field_.fire_clip(hand, tool, least)) return;
+    if (!field_.clips_left()) return;
+    if (field_.fire_clip(hand, tool, least)) {
+        // The open end of a band is the node of its cut.
+        const auto outlet = static_cast<std::size_t>(hand.last_clip_outlet);
+        const std::size_t end = outlet_band(outlet);
+        if (is_trunk(outlet)) clips_[end] |= 1U << static_cast<unsigned>(parted_at_[end]);
+        return;
+    }
     const Vector3 jaws = tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis;
     std::size_t band = 0;
     int place = -1;

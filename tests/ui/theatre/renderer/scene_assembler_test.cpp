@@ -5,6 +5,8 @@
 
 #include <QColor>
 #include <QImage>
+#include <algorithm>
+#include <vector>
 
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/haptics/loop.h"
@@ -198,6 +200,34 @@ TEST(SceneAssembler, DrawsASheetAsInTheWorldBetweenItsTools) {
     const QImage gone = render_offscreen(renderer, assembler.assemble(snapshot), QSize(320, 320));
     const QColor behind = gone.pixelColor(110, 130);
     EXPECT_LT(behind.red(), behind.blue() + 5);
+}
+
+TEST(SceneAssembler, DrawsEachClipOfABandOnce) {
+    const Scene scene = load_scene(scenes + "b3_bands.json");
+    WorldSnapshot snapshot = World(scene, 5).snapshot();
+    std::vector<OutletView>& outlets = snapshot.field.at(0).outlets;
+    OutletView &trunk = outlets.at(0), &branch = outlets.at(1);
+    BandView& band = snapshot.bands.bands.at(static_cast<std::size_t>(trunk.band));
+    SceneAssembler assembler(scene, snapshot);
+    const auto drawn = [&](TargetLook look) {
+        const std::vector<DrawnTarget>& all = assembler.assemble(snapshot).targets;
+        return std::count_if(all.begin(), all.end(),
+                             [&](const DrawnTarget& one) { return one.look == look; });
+    };
+    EXPECT_EQ(drawn(TargetLook::clip), 0);
+    band.parted = 1U << 8U;
+    trunk.opened = true;
+    trunk.flow = 1e-7;
+    EXPECT_EQ(drawn(TargetLook::bleeding), 1);
+    band.clips = 1U << 2U;  // on the stump
+    trunk.flow = 0;
+    trunk.clipped = true;
+    EXPECT_EQ(drawn(TargetLook::clip), 1);
+    EXPECT_EQ(drawn(TargetLook::bleeding), 0);
+    band.clips |= 1U << 8U;  // on its end too
+    EXPECT_EQ(drawn(TargetLook::clip), 2);
+    branch.clipped = true;
+    EXPECT_EQ(drawn(TargetLook::clip), 3);
 }
 
 TEST(SceneAssembler, EachKindOfInstrumentHasItsOwnTip) {

@@ -147,6 +147,7 @@ TEST(BandsDividedAgain, BleedWhereTheyWereDividedNearestToTheRoot) {
     fire_at(stage, Vector3(trunk.position));
     EXPECT_EQ(stage.field().tools[1].last_clip_outlet, 0);
     EXPECT_EQ(trunk.flow, 0.0) << "a clip reaches it";
+    EXPECT_EQ(stage.bands()[band].clips, 1U << static_cast<unsigned>(second)) << "drawn at the end";
 }
 
 TEST(BandsDividedAgain, BleedThoughAClipCameOffWithTheEnd) {
