@@ -132,14 +132,10 @@ class Replay : public ui::ReplaySource {
 
     void run() {
         try {
-            if (!request_.start_is_readable) {
-                AttemptEngine poses_only(request_.start.loaded.scene, request_.start.loaded.task,
-                                         request_.start.seed);
-                publish(poses_only.initial_snapshot(), 0);
+            if (!request_.start_is_readable)
                 throw StateArchiveError(QT_TRANSLATE_NOOP(
                     "errors",
                     "the stored state was written by another version of the program, or for another scene"));
-            }
             viewer_.emplace(request_.start, *record_);
             publish(viewer_->engine.initial_snapshot(), viewer_->cursor.tick());
             simulated_.store(viewer_->cursor.tick());
@@ -153,7 +149,19 @@ class Replay : public ui::ReplaySource {
         } catch (const std::exception&) {
             // The tissue cannot be simulated here: only the recorded poses are shown.
             differs_from_.store(begin_s());
+            if (made_ == 0) show_poses_only();
             finished_.store(true);
+        }
+    }
+
+    /// The recorded poses before the tissue of the beginning, which needs no stored state.
+    void show_poses_only() {
+        try {
+            AttemptEngine engine(request_.start.loaded.scene, request_.start.loaded.task,
+                                 request_.start.seed);
+            publish(engine.initial_snapshot(), 0);
+        } catch (const std::exception&) {
+            // There is no picture of this scene.
         }
     }
 

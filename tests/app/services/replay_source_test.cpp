@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/live/frame_store.h"
+#include "assessment/attempt/engine_state.h"
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/operators/operator.h"
 #include "database/rows/packed_ticks.h"
@@ -194,6 +195,31 @@ TEST_F(KeptReplay, FramesThatLeadAwayFromTheRecordAreMadeAgain) {
         write(frames.frames(), record.inputs.back().tick);
     }
     expect_made_again();
+}
+
+TEST_F(KeptReplay, OfAStateThatCannotBeReadShowsTheRecordedPoses) {
+    AttemptEngine engine(request.start.loaded.scene, request.start.loaded.task, request.start.seed);
+    request.start.state = engine_state(engine);
+    request.start.state.push_back(0);
+    for (const bool said_to_be_readable : {true, false}) {
+        request.start_is_readable = said_to_be_readable;
+        const auto replay = make_replay_source(request);
+        ASSERT_TRUE(wait_until([&] { return replay->update(); }));
+        EXPECT_TRUE(replay->differs_from_s());
+        for (const std::uint32_t second : {1U, 2U}) {
+            replay->seek(second);
+            ASSERT_TRUE(replay->update());
+            EXPECT_EQ(replay->shown_s(), second);
+            const TickSample& sample = trace->samples.at(1000 * second - 1);
+            ASSERT_EQ(sample.tick, 1000 * second);
+            for (int hand = 0; hand < hand_count; ++hand) {
+                for (int i = 0; i < 3; ++i)
+                    EXPECT_EQ(replay->snapshot().tools[hand].tip[i],
+                              sample.hand[hand].tip[i] * sample_length_unit);
+            }
+        }
+        EXPECT_EQ(replay->moment(1), nullptr);
+    }
 }
 
 TEST_F(KeptReplay, OfAPassThatDiffersFromTheRecordNothingIsKept) {
