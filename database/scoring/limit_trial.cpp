@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "database/scoring/loaded_task.h"
+#include "database/scoring/scoring.h"
 
 namespace fulcrum {
 namespace {
@@ -31,10 +34,11 @@ std::optional<bool> judge(const GateSpec& spec, const database::GateRow& gate, c
 
 /// The stored value of a gate against a level of the set, as scoring judges it. A set that narrowed an
 /// absolute limit when the attempt was stored does not count: the value is judged by the task's limit and
-/// this set.
+/// this set. A set from other tissue has no level for the attempt.
 std::optional<bool> judge_again(const GateSpec& spec, const database::GateRow& gate,
                                 const TriedAttempt& attempt, const BenchmarkSet& set) {
-    const BenchmarkLevel* level = set.find(spec.metric, spec.hand, spec.tissue);
+    const BenchmarkLevel* level =
+        in_tissue_of(set, attempt) ? set.find(spec.metric, spec.hand, spec.tissue) : nullptr;
     if (spec.kind == GateKind::absolute) {
         if (!gate.value) return gate.passed;
         const std::optional<bool> met = judge(spec, gate, nullptr);
@@ -47,6 +51,36 @@ std::optional<bool> judge_again(const GateSpec& spec, const database::GateRow& g
     if (!gate.value) return gate.passed;  // not done is failed, not measured is not judged: under any limits
     return judge(spec, gate, &set);
 }
+
+/// The tissues of attempts and of their scene files; of equal scenes one is read.
+class TissueReader {
+  public:
+    TissueReader(const database::Attempts& attempts, const database::Session& session,
+                 const TaskDefinition& task)
+        : attempts_(attempts), session_(session), task_(task) {}
+
+    void read(const database::AttemptSummary& summary, TriedAttempt& one) {
+        const std::string& variant = summary.meta.variant;
+        const auto [file, is_new_file] = files_.try_emplace(variant);
+        if (is_new_file) file->second = cutting_of_file(task_, variant);
+        one.scene_cutting = file->second;
+        if (one.scene_cutting.empty()) return;  // nothing is cut by force here
+        const std::string text = attempts_.scene_text(session_, summary.meta.id);
+        const auto [record, is_new_record] = records_.try_emplace(std::pair(variant, text));
+        // An older program kept no scene: it had no values of a site either.
+        if (is_new_record)
+            record->second =
+                text.empty() ? one.scene_cutting : cutting_values(load_recorded(text, summary).scene);
+        one.cutting = record->second;
+    }
+
+  private:
+    const database::Attempts& attempts_;
+    const database::Session& session_;
+    const TaskDefinition& task_;
+    std::map<std::string, CuttingValues> files_;                            ///< by variant
+    std::map<std::pair<std::string, std::string>, CuttingValues> records_;  ///< by variant and scene
+};
 
 }  // namespace
 
@@ -78,6 +112,7 @@ std::vector<TriedAttempt> tried_attempts(const database::Store& store, const dat
     filter.task_id = task.id;
     filter.include_voided = false;
     filter.limit = 4 * most_tried_attempts;  // practice and other devices are among them
+    TissueReader tissue(attempts, session, task);
     std::vector<TriedAttempt> tried;
     for (const database::AttemptSummary& summary : attempts.list(session, filter)) {
         if (static_cast<int>(tried.size()) == most_tried_attempts) break;
@@ -97,9 +132,15 @@ std::vector<TriedAttempt> tried_attempts(const database::Store& store, const dat
         one.critical = !score->critical_errors.empty();
         one.completed = summary.recorded_state == AttemptState::completed;
         one.passed = score->passed;
+        tissue.read(summary, one);
         tried.push_back(std::move(one));
     }
     return tried;
+}
+
+bool in_tissue_of(const BenchmarkSet& set, const TriedAttempt& attempt) {
+    return cutting_difference(attempt.cutting, set.cutting.empty() ? attempt.scene_cutting : set.cutting)
+        .empty();
 }
 
 std::optional<bool> passes_under(const TaskDefinition& task, const TriedAttempt& attempt,

@@ -11,6 +11,7 @@
 #include "assessment/scoring/benchmark.h"
 #include "assessment/task/task.h"
 #include "database/records/attempts.h"
+#include "sim_core/scene/cutting_values.h"
 
 namespace fulcrum {
 
@@ -25,6 +26,8 @@ struct TriedAttempt {
     bool critical = false;                       ///< a critical error: failed under any limits
     bool completed = true;                       ///< false: abandoned, out of time; failed under any limits
     std::optional<bool> passed;                  ///< in force
+    CuttingValues cutting;                       ///< of the tissues in which it was performed
+    CuttingValues scene_cutting;  ///< of its scene file: those that a set without any of its own was made in
 };
 
 /// The sets of the program's assets for this task, by name, without those that have to be built again
@@ -36,8 +39,12 @@ std::vector<BenchmarkSet> sets_in_force(const std::string& task_id);
 std::vector<TriedAttempt> tried_attempts(const database::Store& store, const database::Session& session,
                                          const TaskDefinition& task, const BenchmarkKey& key);
 
+/// Pure. Whether the set was made in the tissue in which the attempt was performed.
+bool in_tissue_of(const BenchmarkSet& set, const TriedAttempt& attempt);
+
 /// Pure. Whether the attempt passes with the set's limits in place of those in force; nothing where a gate
-/// cannot be judged: the set has no level for it, or its metric was measured by another version.
+/// cannot be judged: the set has no level for it or was made in other tissue, or its metric was measured by
+/// another version.
 std::optional<bool> passes_under(const TaskDefinition& task, const TriedAttempt& attempt,
                                  const BenchmarkSet& set);
 

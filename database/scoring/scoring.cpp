@@ -38,20 +38,12 @@ Statement why_none(const BenchmarkKey& key, DeviceClass used) {
     return {};
 }
 
-/// Of the variant that the attempt used; the task's own where it no longer has this variant.
-std::string scene_file(const TaskDefinition& task, const Scene& scene) {
-    for (const TaskVariant& variant : task.variants)
-        if (variant.id == scene.variant) return variant.scene;
-    return task.scene;
-}
-
 /// Why an attempt in this scene is not compared with the set: the cutting parameters differ from those of the
 /// scene that the set was made in; a set without any means those of the scene file.
-Statement why_other_tissue(const BenchmarkSet& set, const Scene& scene, const std::string& scene_file) {
+Statement why_other_tissue(const BenchmarkSet& set, const Scene& scene, const TaskDefinition& task) {
     const CuttingValues used = cutting_values(scene);
     if (used.empty() && set.cutting.empty()) return {};
-    const CuttingValues made_with =
-        set.cutting.empty() ? cutting_values(load_scene(asset_path("scenes/" + scene_file))) : set.cutting;
+    const CuttingValues made_with = set.cutting.empty() ? cutting_of_file(task, scene.variant) : set.cutting;
     const std::string difference = cutting_difference(used, made_with);
     if (difference.empty()) return {};
     return {StatementId::cutting_differs, {{"difference", difference}}};
@@ -87,6 +79,13 @@ Limits benchmark_in_force(const BenchmarkKey& key) {
                   {"benchmarks/" + benchmark_name(key) + ".json", database::sha256_hex(text)});
 }
 
+CuttingValues cutting_of_file(const TaskDefinition& task, const std::string& variant) {
+    std::string file = task.scene;
+    for (const TaskVariant& one : task.variants)
+        if (one.id == variant) file = one.scene;
+    return cutting_values(load_scene(asset_path("scenes/" + file)));
+}
+
 Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass device_class) {
     const bool needed = std::any_of(task.gates.begin(), task.gates.end(),
                                     [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; });
@@ -95,7 +94,7 @@ Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass de
                            scene.fidelity.id};
     Limits limits = benchmark_in_force(key);
     if (limits.set) {
-        limits.not_comparable = why_other_tissue(*limits.set, scene, scene_file(task, scene));
+        limits.not_comparable = why_other_tissue(*limits.set, scene, task);
     } else if (limits.not_comparable.empty()) {
         limits.not_comparable = why_none(key, device_class);
     }

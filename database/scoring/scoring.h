@@ -48,6 +48,8 @@ struct Limits {
 /// it has to be built again (OutdatedSet), which `not_comparable` then says: attempts go without these limits
 /// until then. Throws InputError where the file holds another one.
 Limits benchmark_in_force(const BenchmarkKey& key);
+/// Of the scene file of this variant; of the task's own where it no longer has the variant.
+CuttingValues cutting_of_file(const TaskDefinition& task, const std::string& variant);
 /// The limits in force for attempts at this task in this scene with this device. `scene`: with the fidelity
 /// and the tissue values of the attempt.
 Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass device_class);

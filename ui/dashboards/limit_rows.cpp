@@ -39,12 +39,17 @@ std::optional<double> limit_in(const BenchmarkSet& set, const GateSpec& gate) {
     return judge_gate(gate, {}, &set).limit;
 }
 
-std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate) {
+std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate,
+                              const std::vector<const BenchmarkSet*>& sets) {
     std::vector<double> values;
-    for (const TriedAttempt& attempt : attempts)
+    for (const TriedAttempt& attempt : attempts) {
+        if (std::none_of(sets.begin(), sets.end(),
+                         [&](const BenchmarkSet* set) { return in_tissue_of(*set, attempt); }))
+            continue;
         for (const database::GateRow& row : attempt.gates)
             if (row.metric == gate.metric && row.hand == gate.hand && row.tissue == gate.tissue && row.value)
                 values.push_back(gated_value(*find_metric(gate.metric), *row.value));
+    }
     return values;
 }
 
@@ -61,7 +66,7 @@ std::vector<GateLimits> gate_limits(const TaskDefinition& task, const std::vecto
                            .arg(row.name, figure_with_unit(gate.limit, row.unit.toStdString()));
         row.higher_is_better = find_metric(gate.metric)->direction == Direction::higher;
         for (const BenchmarkSet* set : sets) row.limits.push_back(limit_in(*set, gate));
-        row.values = values_of(attempts, gate);
+        row.values = values_of(attempts, gate, sets);
         gates.push_back(std::move(row));
     }
     return gates;

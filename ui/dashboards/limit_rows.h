@@ -18,8 +18,9 @@ QString gate_name(const GateSpec& gate);
 QString gate_name(const std::string& metric, const std::string& hand, const std::string& tissue);
 /// What attempts are held against with this set: where it narrows an absolute limit, the narrower one.
 std::optional<double> limit_in(const BenchmarkSet& set, const GateSpec& gate);
-/// Of the attempts, in the metric's unit.
-std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate);
+/// Of the attempts that were performed in the tissue of one of the sets, in the metric's unit.
+std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const GateSpec& gate,
+                              const std::vector<const BenchmarkSet*>& sets);
 /// Gates on the experts' range, and absolute ones that one of the sets narrows.
 std::vector<GateLimits> gate_limits(const TaskDefinition& task, const std::vector<const BenchmarkSet*>& sets,
                                     const std::vector<TriedAttempt>& attempts);

@@ -251,7 +251,7 @@ void LimitsPage::show_group() {
     const MetricDescriptor& metric = *find_metric(gate.metric);
     const BenchmarkLevel& level = *sets_.front().set.find(gate.metric, gate.hand, gate.tissue);
     std::vector<double> scaled;
-    for (const double value : values_of(attempts_, gate))
+    for (const double value : values_of(attempts_, gate, {&sets_.front().set}))
         if (const std::optional<double> x = on_scale(metric, value)) scaled.push_back(*x);
     if (scaled.size() < least_values) {
         mark_->setText(tr("A pass mark needs at least %1 attempts with this value; there are %2.")

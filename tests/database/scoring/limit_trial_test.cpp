@@ -6,22 +6,28 @@
 
 #include <cmath>
 
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "database/scoring/scoring.h"
+#include "sim_core/scene/json_document.h"
+#include "sim_core/scene/standard_names.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
 namespace {
 
-/// An attempt at A2 whose benchmark gates are all `z` expert deviations worse than the experts' mean, and
-/// whose other gates are met.
+/// An attempt in the scene's tissue whose benchmark gates are all `z` expert deviations worse than the
+/// experts' mean, and whose other gates are met.
 struct Trial {
-    TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
-    BenchmarkSet set = load_benchmark(test::source_path("assets/benchmarks/A2.json"));
+    std::string name = "A2";
+    TaskDefinition task = load_task(test::source_path("assets/tasks/" + name + ".json"));
+    BenchmarkSet set = load_benchmark(test::source_path("assets/benchmarks/" + name + ".json"));
     TriedAttempt attempt(double z) const {
         TriedAttempt made;
         made.person_id = "p" + std::to_string(z);
+        made.cutting = made.scene_cutting = cutting_of_file(task, std::string(standard_variant));
         for (const GateSpec& spec : task.gates) {
             database::GateRow gate;
             gate.metric = spec.metric;
@@ -37,6 +43,34 @@ struct Trial {
             made.gates.push_back(gate);
         }
         return made;
+    }
+    /// One of Ann's with all gates met. `scene`: as it was used; empty: kept by no record.
+    void record(const database::test::Programme& programme, AttemptState state,
+                const std::string& scene = "") const {
+        database::AttemptMeta meta = database::test::example_meta(programme.id("ann"), name);
+        meta.task_version = task.version;
+        meta.device_class = set.device_class;
+        meta.scene = task.scene;
+        meta.scene_text = scene;
+        database::Recorder recorder(programme.path, programme.session("ann"), meta,
+                                    programme.clock.options());
+        database::test::Programme::append_second(recorder);
+        database::AttemptResult result = database::test::example_result(false, 0);
+        result.state = state;
+        result.score->gates = attempt(0).gates;
+        result.score->metrics.clear();
+        for (const database::GateRow& gate : result.score->gates) {
+            if (!gate.value) continue;
+            database::MetricRow row;
+            row.id = gate.metric;
+            row.version = find_metric(gate.metric)->version;
+            row.hand = gate.hand;
+            row.tissue = gate.tissue;
+            row.value = gate.value;
+            row.unit = find_metric(gate.metric)->unit;
+            result.score->metrics.push_back(row);
+        }
+        recorder.finish(result);
     }
 };
 
@@ -92,30 +126,8 @@ TEST(LimitTrial, WhatWasAbandonedOrRanOutOfTimePassesUnderNoLimits) {
 
     const database::test::Programme programme;
     for (const AttemptState state :
-         {AttemptState::completed, AttemptState::abandoned, AttemptState::timed_out}) {
-        database::AttemptMeta meta = database::test::example_meta(programme.id("ann"));
-        meta.task_version = trial.task.version;
-        meta.device_class = trial.set.device_class;
-        database::Recorder recorder(programme.path, programme.session("ann"), meta,
-                                    programme.clock.options());
-        database::test::Programme::append_second(recorder);
-        database::AttemptResult result = database::test::example_result(false, 0);
-        result.state = state;
-        result.score->gates = trial.attempt(0).gates;  // all of them met
-        result.score->metrics.clear();
-        for (const database::GateRow& gate : result.score->gates) {
-            if (!gate.value) continue;
-            database::MetricRow row;
-            row.id = gate.metric;
-            row.version = find_metric(gate.metric)->version;
-            row.hand = gate.hand;
-            row.tissue = gate.tissue;
-            row.value = gate.value;
-            row.unit = find_metric(gate.metric)->unit;
-            result.score->metrics.push_back(row);
-        }
-        recorder.finish(result);
-    }
+         {AttemptState::completed, AttemptState::abandoned, AttemptState::timed_out})
+        trial.record(programme, state);
     const std::vector<TriedAttempt> tried =
         tried_attempts(*programme.store, programme.session("director"), trial.task, trial.set.key());
     ASSERT_EQ(tried.size(), 3U);
@@ -170,6 +182,46 @@ TEST(LimitTrial, WhatCannotBeJudgedIsNotAPass) {
     attempt.gates.clear();
     EXPECT_FALSE(passes_under(trial.task, attempt, trial.set).has_value());
     EXPECT_EQ(count_passes(trial.task, {attempt}, trial.set).not_judged, 1);
+}
+
+TEST(LimitTrial, AnAttemptInOtherTissueIsNotJudged) {
+    const Trial trial{"B2"};
+    ASSERT_FALSE(trial.set.cutting.empty());
+    TriedAttempt attempt = trial.attempt(0);
+    EXPECT_EQ(passes_under(trial.task, attempt, trial.set), true);
+    attempt.cutting["areolar"]["penetrate_n"] = 0.11;
+    EXPECT_EQ(passes_under(trial.task, attempt, trial.set), std::nullopt);
+    EXPECT_EQ(count_passes(trial.task, {attempt}, trial.set).not_judged, 1);
+    BenchmarkSet of_scene = trial.set, of_site = trial.set;
+    of_scene.cutting.clear();
+    of_site.cutting = attempt.cutting;
+    EXPECT_EQ(passes_under(trial.task, attempt, of_scene), std::nullopt);
+    EXPECT_EQ(passes_under(trial.task, trial.attempt(0), of_scene), true);
+    EXPECT_EQ(passes_under(trial.task, attempt, of_site), true);
+    EXPECT_EQ(passes_under(trial.task, trial.attempt(0), of_site), std::nullopt);
+    // What fails by a limit of the task itself fails in any tissue.
+    for (database::GateRow& gate : attempt.gates)
+        if (gate.kind == GateKind::absolute) gate.passed = false;
+    EXPECT_EQ(passes_under(trial.task, attempt, trial.set), false);
+}
+
+TEST(LimitTrial, TheTissueOfAnAttemptIsThatOfItsRecord) {
+    const Trial trial{"B2"};
+    const std::string file = asset_path("scenes/" + trial.task.scene);
+    const std::string text = read_text_file(file, JsonLimits().bytes);
+    const std::string tough = with_cutting_values(text, file, {{"areolar", {{"penetrate_n", 0.11}}}});
+    const database::test::Programme programme;
+    for (const std::string& scene : {std::string(), text, tough, tough})
+        trial.record(programme, AttemptState::completed, scene);
+    const std::vector<TriedAttempt> tried =
+        tried_attempts(*programme.store, programme.session("director"), trial.task, trial.set.key());
+    ASSERT_EQ(tried.size(), 4U);
+    const TrialCount count = count_passes(trial.task, tried, trial.set);
+    EXPECT_EQ(count.passed, 2);
+    EXPECT_EQ(count.not_judged, 2);
+    BenchmarkSet built_here = trial.set;
+    built_here.cutting["areolar"]["penetrate_n"] = 0.11;
+    EXPECT_EQ(count_passes(trial.task, tried, built_here).passed, 2);
 }
 
 TEST(LimitTrial, FindsTheSetsOfATaskAndNoOthers) {
