@@ -32,7 +32,8 @@ database::TissueValues parse_values(const std::string& list, const SiteTissues& 
 
 nlohmann::json json_of(const std::string& task, const SiteTissues& site,
                        const std::vector<database::TissueSetting>& history) {
-    nlohmann::json values = nlohmann::json::array(), versions = nlohmann::json::array();
+    nlohmann::json values = nlohmann::json::array(), versions = nlohmann::json::array(),
+                   notes = nlohmann::json::array();
     for (const SiteTissueValue& one : site.values)
         values.push_back({{"tissue", one.tissue},
                           {"key", one.key},
@@ -46,10 +47,13 @@ nlohmann::json json_of(const std::string& task, const SiteTissues& site,
                             {"by", one.author_name},
                             {"reason", one.reason},
                             {"values", one.values}});
+    for (const LimitsNote& one : site.limits_notes)
+        notes.push_back({{"device_class", row_of(device_classes, one.device_class).name},
+                         {"why_not_comparable", words_of(one.why)}});
     return {{"task", task},
             {"version", site.version},
-            {"comparable", site.limits_note.empty()},
-            {"why_not_comparable", or_null(words_of(site.limits_note))},
+            {"comparable", site.limits_notes.empty()},
+            {"not_comparable_classes", notes},
             {"values", values},
             {"history", versions},
             {"unusable", or_null(site.unusable.words())}};
@@ -85,7 +89,9 @@ int run_tissues(const Arguments& arguments) {
                   << " (--scene-values resets them)\n";
     if (site.values.empty()) std::cout << task << " has no tissue with cutting parameters\n";
     std::cout << "version " << site.version << (site.differ ? "" : ", equal to the scene file") << '\n';
-    if (!site.limits_note.empty()) std::cout << "not scored: " << words_of(site.limits_note) << '\n';
+    for (const LimitsNote& one : site.limits_notes)
+        std::cout << "not scored (" << row_of(device_classes, one.device_class).name
+                  << "): " << words_of(one.why) << '\n';
     return 0;
 }
 

@@ -50,7 +50,13 @@ SiteTissues site_tissues(const database::Store& store, const database::Session& 
                                    range.above});
         }
     }
-    if (here) site.limits_note = limits_for(here->task, here->scene, DeviceClass::haptic).not_comparable;
+    if (!here) return site;
+    for (const DeviceClass one : here->task.device_classes) {
+        const Limits limits = limits_for(here->task, here->scene, one);
+        const Statement& why = limits.not_comparable;
+        if (why.id() == StatementId::limits_outdated || (limits.set && !why.empty()))
+            site.limits_notes.push_back({one, why});
+    }
     return site;
 }
 

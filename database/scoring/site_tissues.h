@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/metrics/statement.h"
+#include "assessment/task/attempt_words.h"
 #include "database/records/tissues.h"
 #include "database/store/store.h"
 #include "sim_core/numerics/sentence.h"
@@ -23,6 +24,12 @@ struct SiteTissueValue {
     bool above = false;  ///< the minimum itself is excluded
 };
 
+/// Why attempts with this class of devices are not compared with the set that is there for them.
+struct LimitsNote {
+    DeviceClass device_class = DeviceClass::haptic;
+    Statement why;
+};
+
 /// The tissues of a task that blades cut.
 struct SiteTissues {
     std::vector<SiteTissueValue> values;  ///< empty: the task cuts nothing by force
@@ -31,7 +38,7 @@ struct SiteTissues {
     /// Why no attempt can begin with the site's values: the scene file is another one since they were set.
     /// Empty where they fit it.
     Sentence unusable;
-    Statement limits_note;  ///< why attempts are not compared with the task's limits; empty if they are
+    std::vector<LimitsNote> limits_notes;  ///< of the classes with which the task is assessed
 };
 
 /// Throws InputError (task unknown), AccessDenied.

@@ -167,11 +167,16 @@ void TissuesPage::show_values() {
     const bool may_set = context().allowed(database::Operation::set_tissues);
     state_->setText(site_.differ ? tr("This site's values, version %1").arg(site_.version)
                                  : tr("The scene's values"));
-    note_->setVisible(!site_.limits_note.empty());
-    note_->setText(
-        tr("Attempts are not compared with the task's limits, and gates based on them are not scored: %1. "
-           "Build a benchmark set in this tissue: fulcrum benchmark build %2 --operators --db %3")
-            .arg(statement_text(site_.limits_note), text(task_id()), text(context().store().path())));
+    QStringList notes;
+    for (const LimitsNote& one : site_.limits_notes)
+        notes << tr("%1: attempts are not compared with the task's limits, and gates based on them are not "
+                    "scored: %2. Build a benchmark set in this tissue: fulcrum benchmark build %3 "
+                    "--operators --device-class %4 --db %5")
+                     .arg(capital(device_class_text(one.device_class)), statement_text(one.why),
+                          text(task_id()), text(row_of(device_classes, one.device_class).name),
+                          text(context().store().path()));
+    note_->setVisible(!notes.isEmpty());
+    note_->setText(notes.join(QLatin1Char('\n')));
     edits_.clear();
     table_->setRowCount(0);
     for (const SiteTissueValue& one : site_.values) {

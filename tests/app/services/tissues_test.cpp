@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTableWidget>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -16,12 +18,16 @@
 #include "app/live/performance.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/statement_words.h"
+#include "assessment/scoring/benchmark.h"
 #include "database/records/tissues.h"
 #include "database/scoring/site_tissues.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access_programme.h"
 #include "tests/support/german_locale.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/support.h"
 #include "tests/ui/hands.h"
 #include "ui/shell/main_window.h"
 
@@ -92,7 +98,7 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     const Limits shipped = limits_for(own.task, own.scene, DeviceClass::haptic);
     ASSERT_TRUE(shipped.set);
     EXPECT_EQ(shipped.comparable(), &*shipped.set);
-    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, Statement());
+    EXPECT_TRUE(site_tissues(store, *programme.educator, "B2").limits_notes.empty());
     set(tough, "as in our patients");
     const LoadedTask here = load_site_task(store, *programme.educator, {"B2"});
     const Limits other = limits_for(here.task, here.scene, DeviceClass::haptic);
@@ -101,7 +107,7 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     EXPECT_EQ(other.name(), shipped.name());
     EXPECT_NE(words_of(why).find("areolar: penetrate_n 0.11, there 0.04"), std::string::npos)
         << words_of(why);
-    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, why);
+    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_notes.at(0).why, why);
     BenchmarkSet built_here = *shipped.set;
     built_here.cutting = cutting_values(here.scene);
     EXPECT_EQ(parse_benchmark(benchmark_to_json(built_here).dump(), "set").cutting, built_here.cutting);
@@ -115,6 +121,51 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     EXPECT_FALSE(score.passed);
     EXPECT_NE(words_of(score.not_scored_because).find("cutting parameters differ"), std::string::npos)
         << words_of(score.not_scored_because);
+}
+
+/// A copy of the assets that a test may change, as long as it lives.
+class OwnAssets {
+  public:
+    OwnAssets() {
+        std::filesystem::copy(fulcrum::test::source_path("assets"), folder_.path(),
+                              std::filesystem::copy_options::recursive);
+        qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(folder_.path().string()));
+    }
+    ~OwnAssets() { before_.isNull() ? qunsetenv("FULCRUM_ASSETS") : qputenv("FULCRUM_ASSETS", before_); }
+    OwnAssets(const OwnAssets&) = delete;
+    OwnAssets& operator=(const OwnAssets&) = delete;
+
+  private:
+    QByteArray before_ = qgetenv("FULCRUM_ASSETS");
+    fulcrum::test::OwnFolder folder_;
+};
+
+TEST_F(SiteTissue, TheClassesOfDevicesWhoseLimitsAreFromOtherTissueAreNamed) {
+    const OwnAssets assets;
+    set(tough, "as in our patients");
+    const CuttingValues here = cutting_values(load_site_task(store, *programme.educator, {"B2"}).scene);
+    const auto make_in = [](const char* name, const CuttingValues& tissue) {
+        const std::string file = asset_path("benchmarks/" + std::string(name) + ".json");
+        BenchmarkSet made = load_benchmark(file);
+        made.cutting = tissue;
+        std::ofstream(file) << benchmark_to_json(made).dump(2);
+    };
+    const auto named = [&] {
+        std::vector<DeviceClass> classes;
+        const SiteTissues site = site_tissues(store, *programme.educator, "B2");
+        for (const LimitsNote& one : site.limits_notes) classes.push_back(one.device_class);
+        return classes;
+    };
+    EXPECT_EQ(named(), (std::vector<DeviceClass>{DeviceClass::haptic, DeviceClass::tracked}));
+    make_in("B2-tracked", here);
+    EXPECT_EQ(named(), std::vector<DeviceClass>{DeviceClass::haptic});
+    make_in("B2-tracked", {});
+    make_in("B2", here);
+    EXPECT_EQ(named(), std::vector<DeviceClass>{DeviceClass::tracked});
+    make_in("B2-tracked", here);
+    EXPECT_TRUE(named().empty());
+    std::filesystem::remove(asset_path("benchmarks/B2-tracked.json"));
+    EXPECT_TRUE(named().empty()) << "a set that is not there fits no other tissue either";
 }
 
 TEST_F(SiteTissue, EducatorsSetValuesOnTheirPageAndTheBriefingStatesIt) {
@@ -154,7 +205,10 @@ TEST_F(SiteTissue, EducatorsSetValuesOnTheirPageAndTheBriefingStatesIt) {
     type(window, "tissue_reason", "as in our patients");
     QTest::keyClick(find<QLineEdit>(window, "tissue_reason"), Qt::Key_Return);
     EXPECT_TRUE(state->text().contains("version 1")) << state->text().toStdString();
-    EXPECT_TRUE(find<QLabel>(window, "tissue_limits")->text().contains("there 0.04"));
+    const QString limits = find<QLabel>(window, "tissue_limits")->text();
+    EXPECT_TRUE(limits.contains("there 0.04") && limits.contains("--device-class haptic") &&
+                limits.contains("--device-class tracked"))
+        << limits.toStdString();
     EXPECT_EQ(find<QTableWidget>(window, "tissue_versions")->rowCount(), 1);
     EXPECT_TRUE(shown_whole(*find<QTableWidget>(window, "tissue_versions")));
     keep_picture(window, "tissues");
@@ -258,6 +312,7 @@ TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
         const nlohmann::json document = nlohmann::json::parse(after);
         EXPECT_EQ(document["version"], 1);
         EXPECT_EQ(document["comparable"], false);
+        EXPECT_EQ(document["not_comparable_classes"][1]["device_class"], "tracked");
         EXPECT_EQ(document["history"][0]["reason"], "as in our patients");
         EXPECT_EQ(document["values"][0]["value"], 0.11);
     }

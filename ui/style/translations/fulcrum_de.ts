@@ -18463,10 +18463,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Werte der Szene</translation>
     </message>
     <message>
-        <source>Attempts are not compared with the task&apos;s limits, and gates based on them are not scored: %1. Build a benchmark set in this tissue: fulcrum benchmark build %2 --operators --db %3</source>
-        <translation>Versuche werden nicht mit den Grenzwerten der Aufgabe verglichen, und darauf beruhende Kriterien werden nicht bewertet: %1. Erstellen Sie einen Richtwertsatz mit diesem Gewebe: fulcrum benchmark build %2 --operators --db %3</translation>
-    </message>
-    <message>
         <source>%1, %2: &quot;%3&quot; is not a number. Enter a number %4 %5</source>
         <translation>%1, %2: „%3“ ist keine Zahl. Geben Sie eine Zahl ein: %4 %5</translation>
     </message>
@@ -18501,6 +18497,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>No attempt at this task can begin with these values: %1. Correct them, or reset them to the scene&apos;s values.</source>
         <translation>Mit diesen Werten kann kein Versuch an dieser Aufgabe beginnen: %1. Korrigieren Sie sie, oder setzen Sie sie auf die Werte der Szene zurück.</translation>
+    </message>
+    <message>
+        <source>%1: attempts are not compared with the task&apos;s limits, and gates based on them are not scored: %2. Build a benchmark set in this tissue: fulcrum benchmark build %3 --operators --device-class %4 --db %5</source>
+        <translation>%1: Versuche werden nicht mit den Grenzwerten der Aufgabe verglichen, und darauf beruhende Kriterien werden nicht bewertet: %2. Erstellen Sie einen Richtwertsatz mit diesem Gewebe: fulcrum benchmark build %3 --operators --device-class %4 --db %5</translation>
     </message>
 </context>
 <context>
