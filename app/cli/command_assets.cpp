@@ -23,9 +23,19 @@ using database::AssetFile;
 std::string text_at(const files::path& path) {
     return read_text_file(path.string(), JsonLimits().bytes);
 }
+/// With its folder.
+std::string name_at(const files::path& path) {
+    return path.parent_path().filename().string() + "/" + path.filename().string();
+}
 AssetFile asset_at(const files::path& path) {
-    return {path.parent_path().filename().string() + "/" + path.filename().string(),
-            database::sha256_hex(text_at(path))};
+    return {name_at(path), database::sha256_hex(text_at(path))};
+}
+/// A set or a curriculum that is accepted before it is in the assets folder has the name that it will have
+/// there: by its name the stations pass it on.
+std::string accepted_name(const files::path& path, const std::string& text) {
+    const bool is_in_curricula = path.parent_path().filename() == "curricula";  // the newest may be ID.json
+    const std::string name = is_in_curricula ? std::string() : database::passed_on_name(text);
+    return name.empty() ? name_at(path) : name;
 }
 
 /// The files of the assets folder that decide a result, by name.
@@ -84,8 +94,9 @@ int accept(const Arguments& arguments) {
     const database::Session session = person_session(arguments, store);
     store.require(session, database::Operation::accept_assets);
     const files::path path = files::absolute(arguments.words()[0]);
-    const AssetFile file = asset_at(path);
-    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""), text_at(path));
+    const std::string text = text_at(path);
+    const AssetFile file{accepted_name(path, text), database::sha256_hex(text)};
+    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""), text);
     if (arguments.has("--json")) {
         print_json({{"file", file.name}, {"sha256", file.digest}});
     } else {

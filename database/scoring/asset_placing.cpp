@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/curriculum/rating_rule.h"
@@ -31,8 +32,14 @@ class Placing {
         for (const InstalledTask& task : place.tasks) tasks_.push_back(task.id);
     }
     std::vector<PlacedAsset> run() {
-        const std::vector<AcceptedText> texts = accepted_.texts();  // oldest first
-        std::map<std::string, Wanted> wanted;                       // by name
+        std::vector<AcceptedText> texts = accepted_.texts();  // oldest first
+        for (AcceptedText& one : texts) {
+            // Accepted from another folder, and its contents were added later.
+            if (is_passed_on(one.file)) continue;
+            const std::string name = passed_on_name(one.text);
+            if (!name.empty()) one.file.name = name;
+        }
+        std::map<std::string, Wanted> wanted;  // by name
         for (const AcceptedText& one : texts) {
             const std::optional<int> version = version_of(one);
             if (!version) continue;
@@ -146,6 +153,29 @@ class Placing {
 };
 
 }  // namespace
+
+std::string passed_on_name(const std::string& text) {
+    nlohmann::json root;
+    try {
+        root = JsonDocument::parse(text, "").root();
+    } catch (const InputError&) {
+        return {};
+    }
+    // By what each of the two has to have, so that one of another version of the program has its name too.
+    const auto word = [&](const char* key) {
+        return root.is_object() && root.contains(key) && root[key].is_string() ? root[key].get<std::string>()
+                                                                               : std::string();
+    };
+    const auto* device_class = find_row(device_classes, word("device_class"));
+    if (device_class != nullptr && root.contains("levels") && !word("task").empty())
+        return "benchmarks/" +
+               benchmark_name({word("task"), word("variant_family"), device_class->kind, word("fidelity")}) +
+               ".json";
+    const int version = root.is_object() && root.contains("stages") ? version_in_text(text, "") : 0;
+    return version == 0 || word("id").empty()
+               ? std::string()
+               : "curricula/" + word("id") + "-" + std::to_string(version) + ".json";
+}
 
 std::vector<PlacedAsset> place_accepted_assets(const Store& store, const AssetPlace& place) {
     return Placing(store, place).run();

@@ -27,6 +27,10 @@ struct PlacedAsset {
     std::optional<Sentence> refused;  ///< why it was not put there; empty: it is there now
 };
 
+/// The name that the stations give a file with these contents: "benchmarks/A2.json",
+/// "curricula/rectal-1001.json". Empty: it is neither a benchmark set nor a curriculum.
+std::string passed_on_name(const std::string& text);
+
 /// A version of a curriculum is put there where the folder has no file of its name; a benchmark set takes the
 /// place of one with a lower version, which is kept in the folder "superseded". Of several of one version the
 /// one that was accepted first counts; a curriculum that is in place already stays, and is named. A file that

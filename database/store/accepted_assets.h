@@ -21,6 +21,9 @@ struct AcceptedAsset {
     UtcMilliseconds time = 0;
 };
 
+/// By its name: a curriculum or a benchmark set, whose contents the programme's other stations get.
+bool is_passed_on(const AssetFile& file);
+
 /// What an accepted file says.
 struct AcceptedText {
     AssetFile file;
@@ -39,7 +42,7 @@ class AcceptedAssets {
     std::vector<AcceptedAsset> list() const;
     /// From now on attempts with this file can be assessed. `text`: what it says, kept of curricula and
     /// benchmark sets, so that the programme's other stations get it (database/scoring/asset_placing.h).
-    /// Where such a file is accepted and its text is not kept, the text is added.
+    /// Where such a file is accepted, under whichever name, and its text is not kept, the text is added.
     /// Throws StoreError bad_value without a reason, conflict where there is nothing to add.
     /// Operation::accept_assets.
     void accept(const Session& educator, const AssetFile& file, const std::string& reason,

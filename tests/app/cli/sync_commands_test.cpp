@@ -16,6 +16,7 @@
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/scoring/benchmark.h"
 #include "database/rows/connection.h"
+#include "database/store/accepted_assets.h"
 #include "tests/app/access_programme.h"
 #include "tests/database/postgresql_server.h"
 #include "tests/database/station_keys.h"
@@ -210,6 +211,25 @@ TEST_F(SyncCommands, WhatIsAcceptedAtOneStationIsInForceAtTheOtherAndInItsWindow
     late->open_store(false);
     EXPECT_EQ(late->curriculum().version, 1001);
     EXPECT_EQ(window->curriculum().version, 1001);
+}
+
+TEST_F(SyncCommands, ASetThatIsAcceptedFromAnyFolderHasTheNameThatItWillHave) {
+    const AssetsOfAStation here;
+    nlohmann::json set = nlohmann::json::parse(std::ifstream(here / "benchmarks/A2.json"));
+    set["version"] = 90;
+    std::ofstream(here / "ours.json") << set.dump(2);
+    const nlohmann::json accepted =
+        run({"assets", "accept", (here / "ours.json").string(), "--reason", "ours", "--db", programme.path,
+             "--as", "educator", "--role", "educator", "--password-file", password_file},
+            0);
+    EXPECT_EQ(accepted["file"], "benchmarks/A2.json");
+    {
+        const database::Store store = database::Store::open(programme.path);
+        EXPECT_EQ(database::AcceptedAssets(store).texts().size(), 1U) << "it is passed on";
+    }
+    const nlohmann::json placed = run({"assets", "place", "--db", programme.path}, 0)["placed"];
+    ASSERT_EQ(placed.size(), 1U);
+    EXPECT_EQ(load_benchmark((here / "benchmarks/A2.json").string()).version, 90);
 }
 
 TEST_F(SyncCommands, WithoutASignInOrAServerItSaysWhatToDo) {

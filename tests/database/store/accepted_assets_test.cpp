@@ -103,12 +103,20 @@ TEST(AcceptedAssetsText, IsAddedToAFileThatWasAcceptedWithoutIt) {
     EXPECT_EQ(assets.list()[0].reason, "before texts were kept");
     EXPECT_FALSE(assets.is_to_accept(set));
     EXPECT_EQ(error_kind([&] { assets.accept(educator, set, "again", text); }), StoreErrorKind::conflict);
+    // Accepted under the name of another folder: its text can be added under the other name.
+    const std::string other = "other limits";
+    assets.accept(educator, {"ann/A3.json", sha256_hex(other)}, "from a folder of hers", other);
+    EXPECT_EQ(assets.texts().size(), 1U);
+    EXPECT_TRUE(assets.is_to_accept({"benchmarks/A3.json", sha256_hex(other)}));
+    assets.accept(educator, {"benchmarks/A3.json", sha256_hex(other)}, "for all stations", other);
+    EXPECT_EQ(assets.texts().size(), 2U);
+    EXPECT_FALSE(assets.is_to_accept({"benchmarks/A3.json", sha256_hex(other)}));
     // Of other files no text is kept.
     assets.accept(educator, scene, "our scene", "scene");
     EXPECT_FALSE(assets.is_to_accept(scene));
     EXPECT_EQ(error_kind([&] { assets.accept(educator, scene, "again", "scene"); }),
               StoreErrorKind::conflict);
-    EXPECT_EQ(assets.texts().size(), 1U);
+    EXPECT_EQ(assets.texts().size(), 2U);
     EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
 }
 

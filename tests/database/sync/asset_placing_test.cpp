@@ -219,6 +219,41 @@ TEST_F(AssetPlacing, ANewerSetOfTheProgramStaysAndAFolderThatCannotBeWrittenIsNa
     EXPECT_TRUE(none.take(*a.store)[0].refused);
 }
 
+TEST_F(AssetPlacing, ASetThatWasAcceptedUnderTheNameOfAnotherFolderIsPutUnderItsOwn) {
+    BenchmarkSet next = at_a.set();
+    ++next.version;
+    next.source = "ward 3";
+    const std::string text = benchmark_text(next), digest = sha256_hex(text);
+    const AcceptedAssets accepted(*a.store);
+    accepted.accept(a.session("educator"), {"ann/A2.json", digest}, "ours", text);
+    EXPECT_TRUE(accepted.texts().empty());
+    EXPECT_TRUE(at_b.take(*a.store).empty());
+    accepted.accept(a.session("educator"), {"benchmarks/A2.json", digest}, "for all stations", text);
+    join();
+    const std::vector<PlacedAsset> placed = at_b.take(*b.store);
+    expect_placed(placed, 1);
+    ASSERT_EQ(placed.size(), 1U);
+    EXPECT_EQ(placed[0].file.name, "benchmarks/A2.json");
+    EXPECT_EQ(at_b.set().source, "ward 3");
+    EXPECT_TRUE(at_b.take(*b.store).empty());
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
+TEST(PassedOnName, FollowsFromTheContents) {
+    const AssetFolder folder;
+    EXPECT_EQ(passed_on_name(benchmark_text(folder.set())), "benchmarks/A2.json");
+    const auto named = [](const char* file) {
+        return passed_on_name(read_text_file(asset_path(file), JsonLimits().bytes));
+    };
+    EXPECT_EQ(named("benchmarks/B1-long_jaws-tracked.json"), "benchmarks/B1-long_jaws-tracked.json");
+    EXPECT_EQ(passed_on_name(folder.next_curriculum("Next")), "curricula/rectal-1001.json");
+    EXPECT_EQ(named("tasks/A2.json"), "");
+    EXPECT_EQ(named("scenes/a2_targets.json"), "");
+    for (const char* text : {"", "[]", "{}", "{\"levels\": 1}", "{\"stages\": [], \"id\": 3}"})
+        EXPECT_EQ(passed_on_name(text), "") << text;
+}
+
 TEST_F(AssetPlacing, AStationOfSomeCohortsReceivesButSendsNone) {
     const KeysOfOneTest keys;
     enrol_station(*a.store, a.session("administrator"), server,
