@@ -111,7 +111,7 @@ int place(const Arguments& arguments) {
     if (arguments.has("--json")) {
         print_json({{"folder", assets_folder()}, {"placed", placed_json(placed)}});
     } else if (placed.empty()) {
-        std::cout << "every accepted curriculum and benchmark set is in place already\n";
+        std::cout << "every accepted curriculum and benchmark set, or a newer one, is in place already\n";
     } else {
         print_placed(placed);
     }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/curriculum/rating_rule.h"
@@ -52,7 +53,7 @@ class Placing {
         for (const auto& [name, one] : wanted) list.push_back(one);
         std::stable_sort(list.begin(), list.end(),
                          [](const Wanted& a, const Wanted& b) { return a.version < b.version; });
-        for (const Wanted& one : list) place_one(one, texts);
+        for (const Wanted& one : list) place_one(one);
         return std::move(placed_);
     }
 
@@ -103,17 +104,15 @@ class Placing {
         return std::nullopt;
     }
 
-    bool is_accepted_later(const std::string& digest, const AcceptedText& than,
-                           const std::vector<AcceptedText>& texts) const {
-        bool passed = false;
-        for (const AcceptedText& one : texts) {
-            if (passed && one.file.digest == digest) return true;
-            passed = passed || &one == &than;
-        }
-        return false;
+    /// Of a file in place; nothing: nobody accepted it, it came with the program for instance.
+    std::optional<bool> is_accepted_before(const std::string& digest, const AcceptedText& than) const {
+        for (const AcceptedAsset& one : accepted_.list())
+            if (one.file.digest == digest)
+                return std::tie(one.time, digest) < std::tie(than.time, than.file.digest);
+        return std::nullopt;
     }
 
-    void place_one(const Wanted& wanted, const std::vector<AcceptedText>& texts) {
+    void place_one(const Wanted& wanted) {
         const AcceptedText& one = *wanted.accepted;
         const fs::path path = path_of(one.file);
         const bool is_set = one.file.name.rfind("benchmarks/", 0) == 0;
@@ -124,13 +123,14 @@ class Placing {
                 const std::string digest = sha256_hex(text);
                 if (digest == one.file.digest) return;
                 before = version_in_text(text, path.string());
-                const bool later = is_accepted_later(digest, one, texts);
-                if (before == wanted.version && later && !is_set)
+                const std::optional<bool> earlier = is_accepted_before(digest, one);
+                if (before == wanted.version && earlier == false && !is_set)
                     refuse(one.file, {QT_TRANSLATE_NOOP(
                                          "errors",
                                          "another curriculum of this version is in force here, which was "
                                          "accepted later; an educator publishes the next version")});
-                if (!is_set || before > wanted.version || (before == wanted.version && !later)) return;
+                if (!is_set || before > wanted.version || (before == wanted.version && earlier == true))
+                    return;
                 keep_superseded(path.string(), before);
             }
             write_output_file(path.string(), one.text,

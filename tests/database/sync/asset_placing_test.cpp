@@ -219,6 +219,35 @@ TEST_F(AssetPlacing, ANewerSetOfTheProgramStaysAndAFolderThatCannotBeWrittenIsNa
     EXPECT_TRUE(none.take(*a.store)[0].refused);
 }
 
+TEST_F(AssetPlacing, OfOneVersionAnAcceptedSetCountsBeforeThatOfANewerProgram) {
+    const fs::path path = at_b.folder / "benchmarks" / "A2.json";
+    const auto put = [&](const BenchmarkSet& set) { std::ofstream(path) << benchmark_text(set); };
+    BenchmarkSet of_program = at_b.set();
+    ++of_program.version;
+    BenchmarkSet earlier = of_program;
+    earlier.source = "ward 1";
+    // Its contents are not kept.
+    AcceptedAssets(*a.store).accept(a.session("educator"),
+                                    {"benchmarks/A2.json", sha256_hex(benchmark_text(earlier))}, "ours");
+    a.clock.pass_s(60);
+    at_a.publish_set(*a.store, a.session("educator"), "ward 3");
+    ASSERT_EQ(at_a.set().version, of_program.version);
+
+    put(of_program);
+    expect_placed(at_b.take(*a.store), 1);
+    EXPECT_EQ(at_b.set().source, "ward 3");
+    const std::string kept = "A2@" + std::to_string(of_program.version) + ".json";
+    EXPECT_EQ(load_benchmark((path.parent_path() / "superseded" / kept).string()).source, of_program.source);
+    EXPECT_TRUE(at_b.take(*a.store).empty());
+    // An update writes its own there again.
+    put(of_program);
+    expect_placed(at_b.take(*a.store), 1);
+    EXPECT_EQ(at_b.set().source, "ward 3");
+    put(earlier);
+    EXPECT_TRUE(at_b.take(*a.store).empty());
+    EXPECT_EQ(at_b.set().source, "ward 1") << "it was accepted first";
+}
+
 TEST_F(AssetPlacing, ASetThatWasAcceptedUnderTheNameOfAnotherFolderIsPutUnderItsOwn) {
     BenchmarkSet next = at_a.set();
     ++next.version;
