@@ -52,7 +52,7 @@ nlohmann::json json_of(const std::string& task, const SiteTissues& site,
                          {"why_not_comparable", words_of(one.why)}});
     return {{"task", task},
             {"version", site.version},
-            {"comparable", site.limits_notes.empty()},
+            {"comparable", site.unusable.empty() && site.limits_notes.empty()},
             {"not_comparable_classes", notes},
             {"values", values},
             {"history", versions},

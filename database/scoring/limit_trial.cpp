@@ -11,6 +11,7 @@
 #include "assessment/scoring/gate_rules.h"
 #include "database/scoring/loaded_task.h"
 #include "database/scoring/scoring.h"
+#include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
 namespace {
@@ -59,22 +60,39 @@ class TissueReader {
                  const TaskDefinition& task)
         : attempts_(attempts), session_(session), task_(task) {}
 
-    void read(const database::AttemptSummary& summary, TriedAttempt& one) {
-        const std::string& variant = summary.meta.variant;
-        const auto [file, is_new_file] = files_.try_emplace(variant);
-        if (is_new_file) file->second = cutting_of_file(task_, variant);
-        one.scene_cutting = file->second;
-        if (one.scene_cutting.empty()) return;  // nothing is cut by force here
-        const std::string text = attempts_.scene_text(session_, summary.meta.id);
-        const auto [record, is_new_record] = records_.try_emplace(std::pair(variant, text));
-        // An older program kept no scene: it had no values of a site either.
-        if (is_new_record)
-            record->second =
-                text.empty() ? one.scene_cutting : cutting_values(load_recorded(text, summary).scene);
-        one.cutting = record->second;
+    /// False where its scene is damaged or one that this program cannot read: in which tissue it was
+    /// performed is not known.
+    bool read(const database::AttemptSummary& summary, TriedAttempt& one) {
+        try {
+            read_scene(summary, one);
+        } catch (const InputError&) {
+            return false;
+        } catch (const database::StoreError& error) {
+            if (error.kind() != database::StoreErrorKind::corrupt) throw;
+            return false;
+        }
+        return true;
     }
 
   private:
+    void read_scene(const database::AttemptSummary& summary, TriedAttempt& one) {
+        const std::string& variant = summary.meta.variant;
+        auto file = files_.find(variant);
+        if (file == files_.end()) file = files_.emplace(variant, cutting_of_file(task_, variant)).first;
+        one.scene_cutting = file->second;
+        if (one.scene_cutting.empty()) return;  // nothing is cut by force here
+        const std::string text = attempts_.scene_text(session_, summary.meta.id);
+        const std::pair key(variant, text);
+        auto record = records_.find(key);
+        // An older program kept no scene: it had no values of a site either.
+        if (record == records_.end())
+            record = records_
+                         .emplace(key, text.empty() ? one.scene_cutting
+                                                    : cutting_values(load_recorded(text, summary).scene))
+                         .first;
+        one.cutting = record->second;
+    }
+
     const database::Attempts& attempts_;
     const database::Session& session_;
     const TaskDefinition& task_;
@@ -132,8 +150,7 @@ std::vector<TriedAttempt> tried_attempts(const database::Store& store, const dat
         one.critical = !score->critical_errors.empty();
         one.completed = summary.recorded_state == AttemptState::completed;
         one.passed = score->passed;
-        tissue.read(summary, one);
-        tried.push_back(std::move(one));
+        if (tissue.read(summary, one)) tried.push_back(std::move(one));
     }
     return tried;
 }

@@ -224,6 +224,19 @@ TEST(LimitTrial, TheTissueOfAnAttemptIsThatOfItsRecord) {
     EXPECT_EQ(count_passes(trial.task, tried, built_here).passed, 2);
 }
 
+TEST(LimitTrial, AnAttemptWhoseSceneCannotBeReadIsLeftOut) {
+    const Trial trial{"B2"};
+    const std::string text = read_text_file(asset_path("scenes/" + trial.task.scene), JsonLimits().bytes);
+    const std::string older = "{\"id\": \"older\"}";
+    const database::test::Programme programme;
+    for (const std::string& scene : {text, older, older})
+        trial.record(programme, AttemptState::completed, scene);
+    const std::vector<TriedAttempt> tried =
+        tried_attempts(*programme.store, programme.session("director"), trial.task, trial.set.key());
+    ASSERT_EQ(tried.size(), 1U);
+    EXPECT_EQ(count_passes(trial.task, tried, trial.set).passed, 1);
+}
+
 TEST(LimitTrial, FindsTheSetsOfATaskAndNoOthers) {
     const std::vector<BenchmarkSet> sets = sets_in_force("A2");
     ASSERT_GE(sets.size(), 2U);

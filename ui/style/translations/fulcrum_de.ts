@@ -10925,7 +10925,7 @@
     </message>
     <message>
         <source>not comparable: the limits in force were made with another version of the metric &apos;{metric}&apos;; they have to be built again</source>
-        <translation>nicht vergleichbar: die geltenden Grenzwerte wurden mit einer anderen Version der Metrik „{metric}“ erstellt; sie müssen neu erstellt werden</translation>
+        <translation>nicht vergleichbar: die geltenden Grenzwerte wurden mit einer anderen Version der Kennzahl „{metric}“ erstellt; sie müssen neu erstellt werden</translation>
     </message>
 </context>
 <context>
