@@ -385,10 +385,11 @@ TEST_F(Comparing, AnAttemptThatARaterSawNextToAnotherIsNotRatedBlindAfterwards) 
     const std::string seen = record("tara", {1, 1, "standard", true, 60});
     const std::string own = record("tara", {});
     const Session& ed = sessions.at("ed");
-    const database::Ratings ratings(*services.store());
-    ratings.begin(ed, begun, load_form(asset_path("forms/goals.json")));
+    // The window opens the store once more.
+    const auto ratings = [&] { return database::Ratings(*services.store()); };
+    ratings().begin(ed, begun, load_form(asset_path("forms/goals.json")));
     const auto would_be_blind = [&](const std::string& id) {
-        for (const database::RatableAttempt& one : ratings.to_rate(ed))
+        for (const database::RatableAttempt& one : ratings().to_rate(ed))
             if (one.attempt_id == id) return one.blind;
         ADD_FAILURE() << "not in the list of raters";
         return false;
@@ -400,7 +401,7 @@ TEST_F(Comparing, AnAttemptThatARaterSawNextToAnotherIsNotRatedBlindAfterwards) 
     EXPECT_FALSE(would_be_blind(seen)) << "its name and points were next to its replay";
     for (const ComparisonChoice& one : page.choices())
         EXPECT_NE(one.id, begun) << "that would lift the blinding of the form";
-    EXPECT_TRUE(ratings.is_blind(ed, begun));
+    EXPECT_TRUE(ratings().is_blind(ed, begun));
 }
 
 TEST_F(Comparing, ValuesOfTwoVersionsOfAMetricAreNotHeldAgainstEachOther) {

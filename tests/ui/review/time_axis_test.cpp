@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "assessment/metrics/registry.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "database/scoring/range_metrics.h"
@@ -126,6 +127,7 @@ class OneTimeAxis : public ::testing::Test {
         score.program_version = "0.1.0-test";
         database::MetricRow time;
         time.id = "time";
+        time.version = find_metric("time")->version;
         time.value = 6;
         time.unit = "s";
         time.direction = Direction::lower;
