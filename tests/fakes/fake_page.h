@@ -67,4 +67,13 @@ bool until(Condition&& holds) {
     return true;
 }
 
+/// Whether a DaemonClient says these words before long: a fault is written apart from what is present.
+template <typename Client>
+bool says(Client& client, const std::string& words) {
+    return until([&] {
+        client.poll();
+        return client.message().words() == words;
+    });
+}
+
 }  // namespace fulcrum::test

@@ -20,6 +20,7 @@
 namespace fulcrum {
 namespace {
 
+using test::says;
 using test::until;
 
 constexpr std::int64_t limit = 50'000'000;  // ns
@@ -142,8 +143,7 @@ TEST_F(ForceDimensionThroughTheDaemon, AFaultStopsForceAndHandAndSaysWhatToDo) {
         EXPECT_LE(monotonic_ns() - begin, limit);
         ASSERT_TRUE(push_until(client, gentle, [&] { return force(0) == 0; }));
         EXPECT_LE(monotonic_ns() - begin, limit);
-        client.poll();
-        EXPECT_EQ(client.message().words(), words_of(fault));
+        EXPECT_TRUE(says(client, words_of(fault))) << client.message().words();
     };
     stops_with(DeviceFault::switched_off, [&] {
         device.status[force_off_cause] = 1;
@@ -175,8 +175,7 @@ TEST_F(ForceDimensionThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
         set(1);
         ASSERT_TRUE(until([&] { return !is_present(client, 1); }));
         EXPECT_LE(monotonic_ns() - begin, limit);
-        client.poll();
-        EXPECT_EQ(client.message().words(), words_of(fault));
+        EXPECT_TRUE(says(client, words_of(fault))) << client.message().words();
         ASSERT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
         set(0);
         device.open = 0;  // the system closes what a process that was killed had open

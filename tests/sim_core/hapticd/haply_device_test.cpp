@@ -24,6 +24,7 @@ namespace {
 
 using hapticd::haply_specification;
 using test::FakeHaply;
+using test::says;
 using test::until;
 using Mode = FakeHaply::Mode;
 using Form = FakeHaply::Form;
@@ -215,9 +216,8 @@ TEST(HaplyThroughTheDaemon, EachReasonOfASafetyEventAndADisconnectionStopForceAn
             return haply.force(0) == Vector3::Zero() && !haply_present(client, 1);
         })) << reason;
         EXPECT_LE(monotonic_ns() - begin, haply_limit) << reason;
-        client.poll();
-        EXPECT_EQ(client.message().words(),
-                  words_of(gone ? DeviceFault::no_answer : DeviceFault::safety_brake));
+        EXPECT_TRUE(says(client, words_of(gone ? DeviceFault::no_answer : DeviceFault::safety_brake)))
+            << client.message().words();
         if (!gone) continue;
         const auto process = client.device_process();
         EXPECT_TRUE(push.until_holds(client, wanted, [&] {

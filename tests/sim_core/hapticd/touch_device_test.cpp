@@ -19,6 +19,7 @@
 namespace fulcrum {
 namespace {
 
+using test::says;
 using test::until;
 
 constexpr std::int64_t limit = 50'000'000;  // ns
@@ -179,12 +180,10 @@ TEST_F(TouchThroughTheDaemon, AFaultThatPassesStopsForceAndHandAndSaysWhatToDo) 
         EXPECT_LE(monotonic_ns() - begin, limit) << one.code;
         ASSERT_TRUE(push_until(client, gentle, [&] { return !is_present(client, 1); }));
         EXPECT_TRUE(is_present(client, 0)) << "the other device has no fault";
-        client.poll();
-        EXPECT_EQ(client.message().words(), words_of(one.fault));
+        EXPECT_TRUE(says(client, words_of(one.fault))) << client.message().words();
         page->device[1].tick_error = 0;
         EXPECT_TRUE(push_until(client, gentle, [&] { return is_present(client, 1); }));
-        client.poll();
-        EXPECT_EQ(client.message().words(), "");
+        EXPECT_TRUE(says(client, "")) << client.message().words();
     }
     EXPECT_EQ(page->inits, 2U) << "opened once each";
     EXPECT_EQ(page->misuse, 0U);
@@ -201,9 +200,8 @@ TEST_F(TouchThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
         ASSERT_TRUE(push_until(client, gentle, [&] { return force(1) == 0; }));
         EXPECT_LE(monotonic_ns() - begin, limit);
         ASSERT_TRUE(push_until(client, gentle, [&] { return !is_present(client, 1); }));
-        client.poll();
-        EXPECT_EQ(client.message().words(),
-                  words_of(code == 0x0103U ? DeviceFault::driver : DeviceFault::no_answer));
+        EXPECT_TRUE(says(client, words_of(code == 0x0103U ? DeviceFault::driver : DeviceFault::no_answer)))
+            << client.message().words();
         ASSERT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
         EXPECT_NE(client.message().words().find("lost the device"), std::string::npos)
             << client.message().words();
@@ -239,8 +237,7 @@ TEST_F(TouchThroughTheDaemon, AServoLoopThatStopsIsNoticed) {
     const std::int64_t begin = monotonic_ns();
     ASSERT_TRUE(until([&] { return !is_present(client, 1); }));
     EXPECT_LE(monotonic_ns() - begin, limit);
-    client.poll();
-    EXPECT_EQ(client.message().words(), words_of(DeviceFault::servo_stopped));
+    EXPECT_TRUE(says(client, words_of(DeviceFault::servo_stopped))) << client.message().words();
     EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::restarting; }));
     page->hang = 0;
     EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::good && is_present(client, 1); }));
@@ -254,8 +251,7 @@ TEST_F(TouchThroughTheDaemon, NoForceBeforeTheDeviceIsCalibrated) {
     EXPECT_TRUE(push_until(client, gentle, [&] { return page->device[1].frames > begin + 800; }));
     EXPECT_EQ(force(1), 0);
     EXPECT_FALSE(is_present(client, 1));
-    client.poll();
-    EXPECT_EQ(client.message().words(), words_of(DeviceFault::needs_calibration));
+    EXPECT_TRUE(says(client, words_of(DeviceFault::needs_calibration))) << client.message().words();
     page->device[1].calibration = 0x5001;  // the stylus is in the inkwell
     EXPECT_TRUE(push_until(client, gentle, [&] { return force(1) == 0.5; }));
     EXPECT_TRUE(is_present(client, 1));
