@@ -17,6 +17,7 @@
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_texts.h"
 #include "ui/reports/specimen_map.h"
+#include "ui/reports/void_words.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -45,6 +46,7 @@ class Columns {
 
 void head(Sheet& sheet, const AttemptPaper& paper) {
     const database::AttemptSummary& attempt = paper.report.attempt;
+    const bool voided = attempt.state == AttemptState::voided;
     sheet.new_page();
     if (paper.provenance.demo) sheet.watermark(ReportTexts::tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
@@ -53,9 +55,10 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.font(17, true);
     sheet.paragraph(join_with_dots({text(attempt.meta.task_id), asset_text(paper.task.title)}));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(join_with_dots(
-        {text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
-         device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
+    sheet.paragraph(
+        join_with_dots({text(attempt.person_name), local_time(attempt.meta.started),
+                        mode_text(attempt.meta.mode), device_class_text(attempt.meta.device_class),
+                        attempt_state(voided ? attempt.recorded_state : attempt.state)}));
     if (attempt.meta.rig_use) sheet.paragraph(rig_text(attempt.meta.device, *attempt.meta.rig_use));
     const bool operated = attempt.meta.device_class == DeviceClass::synthetic;
     if (operated || attempt.synthetic || paper.provenance.demo) {
@@ -71,11 +74,14 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
             "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
             "proficiency or a certificate."));
     }
-    sheet.font(11, true);
-    sheet.paragraph(
-        join_with_dots({capital(verdict(attempt.passed, attempt.provisional)),
-                        attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
+    // A voided attempt has no result: it may be that of another person.
+    sheet.font(11, true, voided ? paper_palette().muted : paper_palette().text);
+    sheet.paragraph(voided ? capital(attempt_state(attempt.state))
+                           : join_with_dots({capital(verdict(attempt.passed, attempt.provisional)),
+                                             attempt.points && attempt.passed ? points_text(*attempt.points)
+                                                                              : QString()}));
     sheet.font(9);
+    for (const QString& note : void_notes(attempt)) sheet.paragraph(note);
     const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
     const QString reason = statement_text(attempt.not_scored_because);
     // Where nothing was scored the advice says why.
@@ -83,7 +89,7 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
         sheet.paragraph(ReportTexts::tr(
             "Practice from a moment of another attempt or of a demonstration: a part of the task, never "
             "scored."));
-    else if (!attempt.passed && !advice.contains(reason))
+    else if (!voided && !attempt.passed && !advice.contains(reason))
         sheet.paragraph(ReportTexts::tr("Not scored: %1").arg(reason));
     if (!advice.isEmpty()) sheet.paragraph(advice);
     sheet.skip(2);
@@ -362,6 +368,9 @@ std::string attempt_json(const AttemptPaper& paper) {
     Json continues = nullptr;
     if (const auto& origin = attempt.meta.origin)
         continues = {{"attempt", words(origin->source_id)}, {"tick", origin->tick}, {"goal", origin->goal}};
+    Json voided = nullptr;
+    if (attempt.state == AttemptState::voided)
+        voided = {{"time", database::iso_utc(attempt.voided_at)}, {"reason", attempt.void_reason}};
     const Json document = {
         {"report", "attempt"},
         {"attempt", attempt.meta.id},
@@ -374,6 +383,7 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"device", Json::parse(database::device_json(attempt.meta.device, attempt.meta.rig_use))},
         {"mode", row_of(attempt_modes, attempt.meta.mode).name},
         {"state", row_of(attempt_states, attempt.state).name},
+        {"voided", std::move(voided)},
         {"duration_s", attempt.duration_s},
         {"passed", attempt.passed ? Json(*attempt.passed) : Json(nullptr)},
         {"provisional", attempt.provisional},

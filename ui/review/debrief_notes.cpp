@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "database/records/error_reviews.h"
+#include "ui/reports/void_words.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/trace_panel.h"
 #include "ui/style/text.h"
@@ -15,12 +16,7 @@ QStringList DebriefPage::notes() const {
     const database::AttemptSummary& attempt = model_->summary;
     const bool voided = attempt.state == AttemptState::voided;
     const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
-    QStringList notes;
-    if (voided) {
-        notes << tr("Voided by %1 on %2: %3. It does not count.")
-                     .arg(text(attempt.voided_by), local_time(attempt.voided_at), text(attempt.void_reason));
-        if (!attempt.reassigned_to.empty()) notes << tr("A copy was stored for the person who performed it.");
-    }
+    QStringList notes = void_notes(attempt);
     if (!attempt.reassigned_from.empty()) {
         notes << tr("Reassigned: recorded under another name and copied to the person who performed it.");
     }

@@ -216,6 +216,38 @@ TEST(AttemptReport, InGermanIsAGermanPageWhileTheTablesKeepEveryByte) {
     if (!kept.isEmpty()) QFile::copy(path, QString::fromLocal8Bit(kept + "-de.pdf"));
 }
 
+TEST(AttemptReport, AVoidedAttemptIsVoidedOnPaperTooAndHasNoResult) {
+    const QTemporaryDir folder;
+    const std::string path = plain(folder.filePath("voided.pdf"));
+    AttemptPaper one = paper();
+    one.report.pathology.reset();
+    database::AttemptSummary& attempt = one.report.attempt;
+    attempt.passed = true;
+    attempt.points = 85;
+    write_attempt_pdf(one, path);
+    EXPECT_TRUE(pages_of(path).value(0).contains("Passed")) << pages_of(path).value(0).toStdString();
+    EXPECT_TRUE(nlohmann::json::parse(attempt_json(one))["voided"].is_null());
+    attempt.state = AttemptState::voided;
+    attempt.recorded_state = AttemptState::completed;
+    attempt.voided_by = "Eve Educator";
+    attempt.voided_at = 1'763'650'000'000;
+    attempt.void_reason = "wrong person";
+    attempt.reassigned_to = "a2";
+    write_attempt_pdf(one, path);
+    const QList<QByteArray> pages = pages_of(path);
+    ASSERT_EQ(pages.size(), 1);
+    for (const char* words : {"Voided", "Voided by Eve Educator", "wrong person", "It does not count.",
+                              "A copy was stored", "completed"})
+        EXPECT_TRUE(pages[0].contains(words)) << words << " in " << pages[0].toStdString();
+    for (const char* words : {"Passed", "85 of 100"})
+        EXPECT_FALSE(pages[0].contains(words)) << words << " in " << pages[0].toStdString();
+    const nlohmann::json json = nlohmann::json::parse(attempt_json(one));
+    EXPECT_EQ(json["state"], "voided");
+    EXPECT_EQ(json["voided"]["time"], database::iso_utc(attempt.voided_at));
+    EXPECT_EQ(json["voided"]["reason"], "wrong person");
+    EXPECT_EQ(json["passed"], true) << "what the score has";
+}
+
 TEST(AttemptReport, UsesThePathologistsTerms) {
     const auto words = [](const PathologyReport& report, const char* title) {
         QString all;

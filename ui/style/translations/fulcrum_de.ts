@@ -13475,14 +13475,6 @@ Kennzahlen: %2</translation>
         <translation>ungültig</translation>
     </message>
     <message>
-        <source>Voided by %1 on %2: %3. It does not count.</source>
-        <translation>Für ungültig erklärt von %1 am %2: %3. Er zählt nicht.</translation>
-    </message>
-    <message>
-        <source>A copy was stored for the person who performed it.</source>
-        <translation>Für die Person, die ihn durchgeführt hat, wurde eine Kopie gespeichert.</translation>
-    </message>
-    <message>
         <source>Reassigned: recorded under another name and copied to the person who performed it.</source>
         <translation>Neu zugeordnet: unter einem anderen Namen aufgezeichnet und für die Person kopiert, die ihn durchgeführt hat.</translation>
     </message>
@@ -17258,6 +17250,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>not tamper-evident (manual: Who can change the store)</source>
         <translation>Eingriffe nicht erkennbar (Handbuch: Who can change the store)</translation>
+    </message>
+    <message>
+        <source>Voided by %1 on %2: %3. It does not count.</source>
+        <translation>Für ungültig erklärt von %1 am %2: %3. Er zählt nicht.</translation>
+    </message>
+    <message>
+        <source>A copy was stored for the person who performed it.</source>
+        <translation>Für die Person, die ihn durchgeführt hat, wurde eine Kopie gespeichert.</translation>
     </message>
 </context>
 <context>
