@@ -278,17 +278,21 @@ QString product_text(const AttemptModel& model, const TaskDefinition& task) {
     if (task.goals.empty()) return {};
     // Without the events it is known only that all were done.
     if (!model.summary.meta.keep_trace && model.summary.recorded_state != AttemptState::completed) return {};
+    const int goals = static_cast<int>(task.goals.size());
+    // The steps before the one that practice from a moment begins in were done in what it began with.
+    const std::optional<database::AttemptOrigin>& origin = model.summary.meta.origin;
+    const int first = origin ? std::clamp(origin->goal, 0, goals - 1) : 0;
     QStringList left;
-    for (std::size_t i = 0; i < task.goals.size(); ++i) {
+    for (int i = first; i < goals; ++i) {
         const auto& done = model.goals_done;
-        if (std::find(done.begin(), done.end(), static_cast<int>(i)) == done.end())
-            left << asset_text(task.goals[i].text);
+        if (std::find(done.begin(), done.end(), i) == done.end())
+            left << asset_text(task.goals[static_cast<std::size_t>(i)].text);
     }
     if (left.isEmpty() || model.summary.state == AttemptState::completed)
-        return HeadlineTexts::tr("All %1 steps done.").arg(task.goals.size());
+        return HeadlineTexts::tr("All %1 steps done.").arg(goals);
     return HeadlineTexts::tr("%1 of %2 steps done. Left: %3.")
-        .arg(static_cast<int>(task.goals.size()) - left.size())
-        .arg(task.goals.size())
+        .arg(goals - first - left.size())
+        .arg(goals - first)
         .arg(left.join(QStringLiteral("; ")));
 }
 

@@ -79,7 +79,8 @@ QString trace_not_kept_text();
 /// The same of an attempt that was recorded elsewhere.
 QString external_trace_text(const std::string& source);
 
-/// What the attempt produced, in a sentence: the steps done, and those left. Empty for a task without steps.
+/// What the attempt produced, in a sentence: the steps done, and those left; of practice from a moment those
+/// from the step on that it begins in. Empty for a task without steps.
 QString product_text(const AttemptModel& model, const TaskDefinition& task);
 
 /// The speed of a tip that was sampled at `time` (s, rising); where it was not inside the body, or samples

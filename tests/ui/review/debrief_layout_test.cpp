@@ -20,6 +20,7 @@
 #include "tests/ui/specimens.h"
 #include "ui/charts/time_chart.h"
 #include "ui/language/language.h"
+#include "ui/review/attempt_model.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
@@ -191,6 +192,30 @@ TEST_F(DebriefLayout, VerdictAdviceAndProductComeFirstThenTheReplayThenTabs) {
     choose_tab(*window, "debrief_tabs", "All metrics");
     EXPECT_TRUE(sees(*window, "metrics_table"));
     EXPECT_FALSE(sees(*window, "gates_table"));
+}
+
+TEST(DebriefProduct, OfPracticeFromALaterStepIsThatOfTheStepsFromThereOn) {
+    TaskDefinition task;
+    for (const char* words : {"first", "second", "third", "fourth"}) {
+        task.goals.emplace_back();
+        task.goals.back().text = words;
+    }
+    AttemptModel model;
+    model.summary.state = model.summary.recorded_state = AttemptState::abandoned;
+    EXPECT_EQ(product_text(model, task), "0 of 4 steps done. Left: first; second; third; fourth.");
+    model.summary.meta.origin.emplace();
+    model.summary.meta.origin->goal = 2;
+    EXPECT_EQ(product_text(model, task), "0 of 2 steps done. Left: third; fourth.");
+    model.goals_done = {2};
+    EXPECT_EQ(product_text(model, task), "1 of 2 steps done. Left: fourth.");
+    model.goals_done = {2, 3};
+    model.summary.state = model.summary.recorded_state = AttemptState::completed;
+    EXPECT_EQ(product_text(model, task), "All 4 steps done.");
+    // A goal that the task no longer has.
+    model.goals_done.clear();
+    model.summary.state = model.summary.recorded_state = AttemptState::abandoned;
+    model.summary.meta.origin->goal = 9;
+    EXPECT_EQ(product_text(model, task), "0 of 1 steps done. Left: fourth.");
 }
 
 TEST_F(DebriefLayout, ReplayTracesAndEventsFitOneScreenAtEverySize) {
