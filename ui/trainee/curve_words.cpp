@@ -28,6 +28,14 @@ int attempt_number(const std::vector<CurveValue>& values, int n) {
     return n <= known ? values[static_cast<std::size_t>(n - 1)].number : values.back().number + n - known;
 }
 
+/// The first of n attempts from `met` on, where the fit meets the limit, at which it does not meet it: of a
+/// curve that gets worse. 0: none.
+int first_missed(const CurveFit& fit, double limit, bool lower_is_better, int met, int n) {
+    for (int x = met; x <= n; ++x)
+        if (lower_is_better ? fit.at(x) > limit : fit.at(x) < limit) return x;
+    return 0;
+}
+
 QString limit_words(const std::vector<CurveValue>& values, const std::vector<double>& measured,
                     const CurveFit& fit, double limit, bool lower_is_better, const std::string& unit) {
     const QString shown = figure_with_unit(limit, unit);
@@ -37,8 +45,13 @@ QString limit_words(const std::vector<CurveValue>& values, const std::vector<dou
                                      "At this level it does not meet the limit of %1. Discuss with your "
                                      "educator what to change."))
             .arg(shown);
-    const int attempt = attempt_number(values, *met.attempts);
-    if (*met.attempts <= static_cast<int>(values.size()))
+    const int attempt = attempt_number(values, *met.attempts), n = static_cast<int>(values.size());
+    if (const int missed = first_missed(fit, limit, lower_is_better, *met.attempts, n))
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
+                                     "Since attempt %2 it no longer meets the limit of %1."))
+            .arg(shown)
+            .arg(attempt_number(values, missed));
+    if (*met.attempts <= n)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
                                      "It has met the limit of %1 since attempt %2."))
             .arg(shown)

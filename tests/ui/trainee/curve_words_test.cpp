@@ -42,6 +42,24 @@ TEST(LearningCurveWords, SaysWhereItLevelsOffAndWhetherTheLimitIsMet) {
     EXPECT_FALSE(learning_curve(improving(30, 30), {}, true, "mm").words.contains("limit"));
 }
 
+TEST(LearningCurveWords, ACurveThatGotWorseNoLongerMeetsTheLimit) {
+    std::vector<CurveValue> rising, falling;  // from 2 N towards 4.5 N, and its mirror image
+    for (int i = 0; i < 20; ++i) {
+        const double value = 4.5 - 2.5 * std::exp(-0.4 * i) + (i % 2 == 0 ? 0.05 : -0.05);
+        rising.push_back({2 * i + 1, value});
+        falling.push_back({2 * i + 1, 5 - value});
+    }
+    for (const LearningCurve& curve :
+         {learning_curve(rising, 3.0, true, "N"), learning_curve(falling, 2.0, false, "N")}) {
+        EXPECT_FALSE(words_of(curve).contains("has met the limit")) << curve.words.toStdString();
+        EXPECT_TRUE(words_of(curve).contains("Since attempt 5 it no longer meets the limit of"))
+            << "the third of those that were completed: " << curve.words.toStdString();
+    }
+    EXPECT_TRUE(words_of(learning_curve(rising, 3.0, true, "N")).contains("the limit of 3"));
+    // One that got worse and still meets the limit has met it all along.
+    EXPECT_TRUE(words_of(learning_curve(rising, 6.0, true, "N")).contains("has met the limit of 6"));
+}
+
 TEST(LearningCurveWords, SaysWhenTheLimitWouldBeMet) {
     std::vector<CurveValue> slow;
     for (int i = 0; i < 12; ++i) slow.push_back({i + 1, 100.0 - 2.5 * i + (i % 2 == 0 ? 0.4 : -0.4)});

@@ -19668,6 +19668,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Damit erfüllt sie den Grenzwert %1 nicht. Besprechen Sie mit Ihrem Ausbilder, was Sie ändern sollten.</translation>
     </message>
     <message>
+        <source>Since attempt %2 it no longer meets the limit of %1.</source>
+        <translation>Seit Versuch %2 erfüllt sie den Grenzwert %1 nicht mehr.</translation>
+    </message>
+    <message>
         <source>It has met the limit of %1 since attempt %2.</source>
         <translation>Sie erfüllt den Grenzwert %1 seit Versuch %2.</translation>
     </message>
