@@ -119,11 +119,12 @@ void end_goal(const Store& store, const Session& trainee, const std::string& goa
 }
 
 /// Attempts that have ended and are not voided; with the metric, those that were completed have its worst
-/// row as their value, as a gate would judge it: of some metrics with a sign the size.
+/// row as their value, as a gate would judge it: of some metrics with a sign the size. Values of two versions
+/// of a metric are not of one measure: those of the newest one that occurs by the day of the goal count.
 std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal& goal, bool higher) {
     Query rows(
         connection,
-        "SELECT a.id, a.started, a.utc_offset_min, m.value FROM attempt a LEFT JOIN score s ON "
+        "SELECT a.id, a.started, a.utc_offset_min, m.value, m.version FROM attempt a LEFT JOIN score s ON "
         "s.attempt_id = a.id AND s.in_force = 1 AND a.state = 'completed' LEFT JOIN metric m ON "
         "m.score_id = s.id AND m.id = ? WHERE " +
             belongs_to("a.person_id") +
@@ -134,6 +135,7 @@ std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal
     const MetricDescriptor* metric = find_metric(goal.wish.metric);
     std::vector<GoalAttempt> attempts;
     std::string last;
+    std::int64_t newest = 0;
     while (rows.next()) {
         if (attempts.empty() || rows.text(0) != last) {
             last = rows.text(0);
@@ -141,7 +143,11 @@ std::vector<GoalAttempt> attempts_for(Connection& connection, const PersonalGoal
                 {rows.integer(1), day_at(rows.integer(1), static_cast<int>(rows.integer(2))), {}});
         }
         std::optional<double>& value = attempts.back().value;
-        if (rows.is_null(3)) continue;
+        const bool in_time = goal.wish.due_day == 0 || attempts.back().day <= goal.wish.due_day;
+        if (rows.is_null(3) || !in_time || rows.integer(4) < newest) continue;
+        if (rows.integer(4) > newest)
+            for (GoalAttempt& older : attempts) older.value.reset();
+        newest = rows.integer(4);
         const double one = metric == nullptr ? rows.real(3) : gated_value(*metric, rows.real(3));
         value = !value ? one : higher ? std::min(*value, one) : std::max(*value, one);
     }

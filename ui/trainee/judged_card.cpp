@@ -2,11 +2,12 @@
 #include "ui/trainee/judged_card.h"
 
 #include <algorithm>
+#include <iterator>
 
-#include "assessment/metrics/registry.h"
 #include "ui/charts/limit_bar.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/trainee/metric_versions.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -36,8 +37,13 @@ std::vector<database::MetricRow> last_values(const database::PersonProgress& pro
                                              DeviceClass device_class) {
     for (const database::ProgressSeries& series : progress.series) {
         if (series.device_class != device_class) continue;
-        for (auto point = series.points.rbegin(); point != series.points.rend(); ++point)
-            if (!point->metrics.empty()) return point->metrics;
+        for (auto point = series.points.rbegin(); point != series.points.rend(); ++point) {
+            if (point->metrics.empty()) continue;
+            std::vector<database::MetricRow> values;
+            std::copy_if(point->metrics.begin(), point->metrics.end(), std::back_inserter(values),
+                         is_of_present_version);
+            return values;
+        }
     }
     return {};
 }

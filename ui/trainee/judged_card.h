@@ -40,7 +40,8 @@ class JudgedCard : public QFrame {
     QPushButton* toggle_;
 };
 
-/// The metrics of the newest scored attempt with this device class; empty without one.
+/// The metrics of the newest scored attempt with this device class, as they are defined now: those that an
+/// older version measured are left out. Empty without one.
 std::vector<database::MetricRow> last_values(const database::PersonProgress& progress,
                                              DeviceClass device_class);
 

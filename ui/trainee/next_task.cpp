@@ -10,6 +10,7 @@
 #include "ui/style/remedy_words.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
+#include "ui/trainee/metric_versions.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -43,11 +44,11 @@ const database::ProgressSeries* counting_series(const database::PersonProgress& 
     return newest;
 }
 
-/// Of both hands the worse value, by metric.
+/// Of both hands the worse value, by metric, as the metrics are defined now.
 std::map<std::string, double> worse_values(const std::vector<database::MetricRow>& rows) {
     std::map<std::string, double> values;
     for (const database::MetricRow& row : rows) {
-        if (!row.value || !row.tissue.empty()) continue;
+        if (!row.value || !row.tissue.empty() || !is_of_present_version(row)) continue;
         const MetricDescriptor* metric = find_metric(row.id);
         const double value = metric != nullptr && metric->absolute_value ? std::fabs(*row.value) : *row.value;
         const auto [known, is_new] = values.emplace(row.id, value);

@@ -29,11 +29,20 @@
 namespace fulcrum::ui {
 namespace {
 
-const database::MetricRow* find_row(const database::ProgressPoint& point, const QString& key) {
-    for (const database::MetricRow& metric : point.metrics) {
-        if (text(metric.id + "/" + metric.hand + "/" + metric.tissue) == key) return &metric;
-    }
-    return nullptr;
+QString plain_key(const database::MetricRow& metric) {
+    return text(metric.id + "/" + metric.hand + "/" + metric.tissue);
+}
+
+/// By plain key, of the versions that occur.
+std::map<QString, int> newest_versions(const database::PersonProgress& progress) {
+    std::map<QString, int> newest;
+    for (const database::ProgressSeries& series : progress.series)
+        for (const database::ProgressPoint& point : series.points)
+            for (const database::MetricRow& metric : point.metrics) {
+                int& known = newest[plain_key(metric)];
+                known = std::max(known, metric.version);
+            }
+    return newest;
 }
 
 /// What the chart draws of it, as limits and experts are given: the size where only that counts.
@@ -199,6 +208,18 @@ std::string ProgressPage::newest_task() const {
     return attempts.empty() ? std::string() : attempts.front().meta.task_id;
 }
 
+QString ProgressPage::key_of(const database::MetricRow& metric) const {
+    const QString key = plain_key(metric);
+    return metric.version == newest_.at(key) ? key : key + QStringLiteral("@%1").arg(metric.version);
+}
+
+const database::MetricRow* ProgressPage::find_row(const database::ProgressPoint& point,
+                                                  const QString& key) const {
+    for (const database::MetricRow& metric : point.metrics)
+        if (key_of(metric) == key) return &metric;
+    return nullptr;
+}
+
 void ProgressPage::load() {
     person_id_ = plain(person_->currentData().toString());
     task_id_ = plain(task_->currentData().toString());
@@ -226,16 +247,20 @@ void ProgressPage::load() {
     metric_->clear();
     metric_->addItem(tr("Points"), QStringLiteral("points"));
     std::set<QString> seen;
+    newest_ = progress_ ? newest_versions(*progress_) : std::map<QString, int>();
     if (progress_) {
         for (const database::ProgressSeries& series : progress_->series) {
-            for (const database::ProgressPoint& point : series.points) {
-                for (const database::MetricRow& metric : point.metrics) {
-                    const QString key = text(metric.id + "/" + metric.hand + "/" + metric.tissue);
+            // Older versions of metrics come last.
+            for (auto point = series.points.rbegin(); point != series.points.rend(); ++point) {
+                for (const database::MetricRow& metric : point->metrics) {
+                    const QString key = key_of(metric);
                     if (!metric.value || !seen.insert(key).second) continue;
                     const MetricDescriptor* descriptor = find_metric(metric.id);
                     QString shown = descriptor == nullptr ? text(metric.id) : text(descriptor->name);
                     if (!metric.hand.empty()) shown += QStringLiteral(", ") + hand_text(metric.hand);
                     if (!metric.tissue.empty()) shown += QStringLiteral(", ") + asset_text(metric.tissue);
+                    if (metric.version != newest_.at(plain_key(metric)))
+                        shown = tr("%1, version %2").arg(shown, QString::number(metric.version));
                     metric_->addItem(shown, key);
                 }
             }
@@ -315,6 +340,10 @@ void ProgressPage::add_experts(AttemptChartData& drawn, const QString& key) {
     });
     for (const JudgedLimit& one : limits) {
         if (text(one.metric + "/" + one.hand + "/" + one.tissue) != key) continue;
+        // They are of the metric as it is defined now.
+        const MetricDescriptor* known = find_metric(one.metric);
+        const auto newest = newest_.find(key);
+        if (known == nullptr || newest == newest_.end() || newest->second != known->version) continue;
         drawn.band_low = one.experts_low;
         drawn.band_high = one.experts_high;
         drawn.band_name = tr("experts (mean ± one standard deviation)");
@@ -377,8 +406,11 @@ void ProgressPage::fill_table() {
             table_->setItem(row, 2, make_cell(device_class_text(series.device_class)));
             table_->setItem(row, 3, make_cell(mode_text(point.mode)));
             table_->setItem(row, 4, make_cell(attempt_state(point.state)));
-            const database::MetricRow* time = find_row(point, QStringLiteral("time//"));
-            const bool measured = time != nullptr && time->value;
+            const auto time = std::find_if(point.metrics.begin(), point.metrics.end(),
+                                           [](const database::MetricRow& metric) {
+                                               return plain_key(metric) == QLatin1String("time//");
+                                           });
+            const bool measured = time != point.metrics.end() && time->value;
             table_->setItem(row, 5,
                             make_cell(measured ? clock_text(*time->value) : QStringLiteral("–"),
                                       Qt::AlignRight | Qt::AlignVCenter));

@@ -4,6 +4,7 @@
 // Trainees see their own; educators and directors choose the person.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "database/records/report_data.h"
@@ -47,6 +48,10 @@ class ProgressPage : public Page {
     /// Of the person's newest attempt; "": none, or the session may not read attempts.
     std::string newest_task() const;
     void load();
+    /// Id, hand and tissue; a version that is not the newest of those that occur follows them. Values of two
+    /// versions are never in one curve.
+    QString key_of(const database::MetricRow& metric) const;
+    const database::MetricRow* find_row(const database::ProgressPoint& point, const QString& key) const;
     void draw();
     void fill_table();
     /// The experts' range of the shown metric, where the chart shows one device class.
@@ -57,6 +62,7 @@ class ProgressPage : public Page {
 
     std::string person_id_, task_id_;
     std::optional<database::PersonProgress> progress_;
+    std::map<QString, int> newest_;  ///< version of each metric, by id, hand and tissue
     QLabel *title_, *summary_, *curve_;
     QComboBox *person_, *task_, *metric_;
     ExportRow* export_;

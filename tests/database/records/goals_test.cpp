@@ -146,6 +146,45 @@ TEST(PersonalGoals, OfAMetricWithASignAreReachedByItsSize) {
     EXPECT_EQ(goals.latest_value(ann, programme.id("ann"), "A2", "plane_dev_median"), 0.9);
 }
 
+TEST(PersonalGoals, OfAMetricCountItsNewestVersionByTheDay) {
+    const Programme programme;
+    const Goals goals(*programme.store);
+    const Session& ann = programme.session("ann");
+    const std::int64_t today = day_at(programme.store->now(), 0);
+    const auto perform = [&](int version, double value) {
+        programme.clock.pass_s(60);
+        AttemptResult result = test::example_result(true, 70);
+        ScoreRow score = test::example_score(true, 70);
+        for (MetricRow& row : score.metrics)
+            if (row.id == "path_len") {
+                row.version = version;
+                row.value = value;
+            }
+        result.score = score;
+        Recorder recorder(programme.path, ann, test::example_meta(programme.id("ann")),
+                          programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(result);
+        return goals.progress(ann, programme.id("ann"), today).at(0);
+    };
+    goals.set(ann, path_below(800, today + 1), today);
+    const GoalProgress older = perform(1, 700);
+    EXPECT_EQ(older.best, 700);
+    EXPECT_TRUE(older.reached);
+    const GoalProgress newer = perform(2, 900);
+    EXPECT_EQ(newer.best, 900) << "700 was not the same measure";
+    EXPECT_FALSE(newer.reached);
+    EXPECT_EQ(perform(1, 650).best, 900) << "of a station whose program is older";
+    EXPECT_EQ(goals.latest_value(ann, programme.id("ann"), "A2", "path_len"), 900);
+    EXPECT_TRUE(perform(2, 790).reached);
+    // What a still newer version measures after the day of the goal changes nothing.
+    programme.clock.pass_s(5 * 86'400);
+    const GoalProgress later = perform(3, 2000);
+    EXPECT_EQ(later.best, 790);
+    EXPECT_TRUE(later.reached);
+    EXPECT_EQ(goals.latest_value(ann, programme.id("ann"), "A2", "path_len"), 2000);
+}
+
 TEST(PersonalGoals, AreAuditedWithoutWhatTheySay) {
     const Programme programme;
     const Goals goals(*programme.store);

@@ -10,6 +10,7 @@
 #include <QRadioButton>
 #include <QScrollBar>
 
+#include "assessment/metrics/registry.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
@@ -21,6 +22,7 @@
 #include "ui/style/text.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/scene_picture.h"
+#include "ui/trainee/judged_card.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -95,10 +97,12 @@ class Briefing : public ::testing::Test {
         score.limits = "A2-operators@1";
         database::MetricRow row;
         row.id = "time";
+        row.version = find_metric(row.id)->version;
         row.value = time_s;
         row.unit = "s";
         score.metrics.push_back(row);
         row.id = "f_max";
+        row.version = find_metric(row.id)->version;
         row.hand = "left";
         row.value = force;
         row.unit = "N";
@@ -223,6 +227,28 @@ TEST_F(Briefing, AnotherTaskWhileThePictureIsDrawnShowsTheOtherTask) {
     EXPECT_TRUE(picture().accessibleName().contains("A2"));
     EXPECT_TRUE(QFileInfo::exists(ScenePicture::file_of(services, task("A2"))));
     EXPECT_FALSE(QFileInfo::exists(ScenePicture::file_of(services, task("B2"))));
+}
+
+TEST(LastValues, OfAnOlderVersionOfAMetricAreLeftOut) {
+    database::PersonProgress progress;
+    database::ProgressSeries series;
+    series.device_class = DeviceClass::haptic;
+    database::ProgressPoint point;
+    for (const char* id : {"time", "f_max"}) {
+        database::MetricRow row;
+        row.id = id;
+        row.version = find_metric(id)->version;
+        row.value = 1;
+        point.metrics.push_back(row);
+    }
+    series.points.push_back(point);
+    progress.series.push_back(series);
+    EXPECT_EQ(last_values(progress, DeviceClass::haptic).size(), 2U);
+    EXPECT_TRUE(last_values(progress, DeviceClass::controller).empty());
+    progress.series[0].points[0].metrics[0].version -= 1;
+    const std::vector<database::MetricRow> left = last_values(progress, DeviceClass::haptic);
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0].id, "f_max");
 }
 
 TEST_F(Briefing, LimitsAreBarsWithTheExpertsRangeAndTheTraineesLastValue) {

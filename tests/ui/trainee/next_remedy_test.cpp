@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <cmath>
 
+#include "assessment/metrics/registry.h"
 #include "database/records/recorder.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/four_people.h"
@@ -55,7 +56,8 @@ class OnAPlateau : public ::testing::Test {
         score.passed = false;
         score.points = points;
         const auto metric = [&](const char* id, const char* hand, double value, const char* unit) {
-            score.metrics.push_back({id, 1, hand, "", value, {}, unit, Direction::lower, {}});
+            const int version = find_metric(id)->version - (id == older_version ? 1 : 0);
+            score.metrics.push_back({id, version, hand, "", value, {}, unit, Direction::lower, {}});
         };
         metric("path_len", "left", 905, "mm");
         metric("path_len", "right", 700, "mm");
@@ -96,6 +98,7 @@ class OnAPlateau : public ::testing::Test {
     FakeServices services;
     std::map<Role, database::Session> sessions;
     std::unique_ptr<MainWindow> window;
+    std::string older_version;  ///< metric that is recorded as an older program measured it
 };
 
 TEST_F(OnAPlateau, TheRemedyOfTheWorstMetricIsNextAndLeadsToWhatItAsksFor) {
@@ -112,6 +115,14 @@ TEST_F(OnAPlateau, TheRemedyOfTheWorstMetricIsNextAndLeadsToWhatItAsksFor) {
     window->set_theme(Theme::light);
     click(*window, "next_remedy");
     EXPECT_EQ(window->current_page()->objectName(), "debrief_page");
+}
+
+TEST_F(OnAPlateau, ValuesOfAnOlderVersionOfAMetricNameNoRemedy) {
+    older_version = "f_max";
+    level_off();
+    open();
+    EXPECT_TRUE(reason().contains("Path length is above")) << reason().toStdString();
+    EXPECT_FALSE(reason().contains("Largest force")) << reason().toStdString();
 }
 
 TEST_F(OnAPlateau, APartIsPractisedFromItsGoalOnAndThenTheTaskIsNextAgain) {

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QTableWidget>
 #include <cmath>
 
 #include "assessment/scoring/benchmark.h"
@@ -38,8 +39,10 @@ class ProgressWithHistory : public ::testing::Test {
     }
     ~ProgressWithHistory() override { apply_theme(*qApp, Theme::light); }
 
-    /// A completed attempt whose left path is `path` mm long, with a limit of 900 mm.
-    void record(double path, const std::string& task = "A2", const std::string& variant = "standard") {
+    /// A completed attempt whose left path is `path` mm long, with a limit of 900 mm. `version`: of the
+    /// metric.
+    void record(double path, const std::string& task = "A2", const std::string& variant = "standard",
+                int version = 1) {
         const database::Session& tara = sessions.at(Role::trainee);
         database::AttemptMeta meta;
         meta.person_id = tara.person_id();
@@ -59,7 +62,7 @@ class ProgressWithHistory : public ::testing::Test {
         database::ScoreRow score;
         score.passed = path <= 900;
         score.points = path <= 900 ? 80 : 40;
-        score.metrics.push_back({"path_len", 1, "left", "", path, {}, "mm", Direction::lower, {}});
+        score.metrics.push_back({"path_len", version, "left", "", path, {}, "mm", Direction::lower, {}});
         score.gates.push_back({"path_len",
                                "left",
                                "",
@@ -111,6 +114,35 @@ TEST_F(ProgressWithHistory, ShowsTheCurveItsPlateauAndTheLimit) {
     keep("progress-curve");
     window->set_theme(Theme::dark);
     keep("progress-curve-dark");
+}
+
+TEST_F(ProgressWithHistory, VersionsOfAMetricAreNeverInOneCurve) {
+    for (int i = 0; i < 8; ++i) record(1500 + 10 * (i % 3), "A2", "standard", 1);
+    for (int i = 0; i < 8; ++i) record(700 + 10 * (i % 3), "A2", "standard", 2);
+    open(Role::trainee);
+    auto* metric = find<QComboBox>(*window, "progress_metric");
+    const int newest = metric->findData("path_len/left/"), older = metric->findData("path_len/left/@1");
+    ASSERT_GE(newest, 0);
+    ASSERT_GT(older, newest) << "older versions come last";
+    EXPECT_EQ(metric->itemText(older), metric->itemText(newest) + ", version 1");
+    EXPECT_EQ(metric->count(), 3) << "points, and the two versions";
+    for (const bool is_newest : {true, false}) {
+        const int index = is_newest ? newest : older;
+        metric->setCurrentIndex(index);
+        emit metric->activated(index);
+        const AttemptChartData& chart = find<AttemptChart>(*window, "attempt_chart")->shown();
+        ASSERT_EQ(chart.series.size(), 1U);
+        int values = 0;
+        for (const AttemptPoint& point : chart.series[0].points) {
+            if (!point.value) continue;
+            ++values;
+            EXPECT_EQ(*point.value < 900, is_newest) << *point.value;
+        }
+        EXPECT_EQ(values, 8);
+        EXPECT_EQ(chart.series[0].curve.size(), 8U);
+        EXPECT_FALSE(chart.band_low) << "the experts are measured by the metric as it is defined now";
+    }
+    EXPECT_EQ(find<QTableWidget>(*window, "progress_table")->rowCount(), 16);
 }
 
 TEST_F(ProgressWithHistory, TheExpertsAreThoseOfTheVariantThatTheCurveIsOf) {
