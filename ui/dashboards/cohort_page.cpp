@@ -7,6 +7,8 @@
 #include <QTableWidget>
 #include <QTimer>
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "database/records/people.h"
 #include "ui/dashboards/cohort_grid.h"
@@ -25,12 +27,22 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr int attention_tab = 3;
+constexpr int more_classes_role = Qt::UserRole + 1;
 
-}  // namespace
+/// A cell has room for one of the device classes: the one used last, of those with attempts that count where
+/// there are any.
+bool is_shown_rather(const database::CohortRow& row, const database::CohortRow& than) {
+    const auto rank = [](const database::CohortRow& one) {
+        return std::make_pair(one.state != database::TaskState::open, one.last_attempt);
+    };
+    return rank(row) > rank(than);
+}
 
-namespace {
-
-constexpr int last_attempt_role = Qt::UserRole + 1, more_classes_role = Qt::UserRole + 2;
+Tint tint_of(database::TaskState state) {
+    return state == database::TaskState::passed ? Tint::good
+           : state == database::TaskState::open ? Tint::muted
+                                                : Tint::none;
+}
 
 }  // namespace
 
@@ -54,7 +66,8 @@ QString cohort_cell_text(const database::CohortRow& row) {
 }
 
 QString cohort_cell_mark(const database::CohortRow& row) {
-    if (!row.device_class) return QStringLiteral("–");
+    // Practice alone does not count.
+    if (row.state == database::TaskState::open) return QStringLiteral("–");
     const QString state = row.state != database::TaskState::passed ? QStringLiteral("○")
                           : row.provisional                        ? QStringLiteral("(✓)")
                                                                    : QStringLiteral("✓");
@@ -88,8 +101,8 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     layout->addWidget(make_views(), 1);
     foot_ = make_label(
         tr("✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points "
-           "and the number of attempts that count, with the type of device used last; +1: with "
-           "one type of device more. The tool tip shows all."),
+           "and the number of attempts that count, with the type of device used last of those that have any; "
+           "+1: with one type of device more. The tool tip shows all."),
         "muted");
     layout->addWidget(foot_);
     show_versions_ = make_button(tr("Show versions of limits and metrics"), "show_versions", "link");
@@ -239,6 +252,7 @@ void CohortPage::show_rows() {
     table_->setHorizontalHeaderLabels(titles);
     std::string person;
     int line = -1;
+    std::map<QTableWidgetItem*, const database::CohortRow*> shown;
     for (const database::CohortRow& row : data_->rows) {
         if (row.person_id != person || line < 0) {
             person = row.person_id;
@@ -253,22 +267,20 @@ void CohortPage::show_rows() {
             const int column = static_cast<int>(t) + 1;
             QTableWidgetItem* cell = table_->item(line, column);
             if (cell == nullptr) {
-                cell = make_cell(cohort_cell_mark(row));
+                cell = make_cell({});
                 cell->setData(Qt::UserRole, text(row.task_id));
                 cell->setToolTip(cohort_cell_text(row));
                 table_->setItem(line, column, cell);
             } else {
-                // One line a person: the class used last, and that there are more.
-                if (row.last_attempt > cell->data(last_attempt_role).toLongLong())
-                    cell->setText(cohort_cell_mark(row));
                 cell->setToolTip(cell->toolTip() + QStringLiteral("\n") + cohort_cell_text(row));
                 cell->setData(more_classes_role, cell->data(more_classes_role).toInt() + 1);
             }
-            cell->setData(last_attempt_role,
-                          std::max<qlonglong>(cell->data(last_attempt_role).toLongLong(), row.last_attempt));
             cell->setData(Qt::AccessibleTextRole, cell->toolTip());
-            if (row.state == database::TaskState::passed) set_tint(cell, Tint::good);
-            if (row.state == database::TaskState::open) set_tint(cell, Tint::muted);
+            const database::CohortRow*& in_cell = shown[cell];
+            if (in_cell != nullptr && !is_shown_rather(row, *in_cell)) continue;
+            in_cell = &row;
+            cell->setText(cohort_cell_mark(row));
+            set_tint(cell, tint_of(row.state));
         }
     }
     for (int line_of = 0; line_of < table_->rowCount(); ++line_of)

@@ -215,6 +215,56 @@ TEST_F(CohortViews, AReportIsWrittenAlsoWhereThePagesAreMadeAgainAndEndsWithTheS
     EXPECT_FALSE(sees(*window, "message_text")) << "nothing is said to the next person";
 }
 
+TEST_F(CohortViews, TheTableShowsPracticeAloneAsNotAttempted) {
+    const auto practise = [&](const char* person, const char* task) {
+        database::Query(
+            services.store()->connection(),
+            "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, "
+            "device_class, device, operator_name, variant, seed, fidelity, scene, scene_digest, "
+            "curriculum, limits, program_version, cpu_features, started, utc_offset_min, state, "
+            "duration_s) VALUES (?, ?, ?, ?, 1, 'practice', 'mouse-keyboard', 'mouse', '', "
+            "'standard', 1, 'standard', 'scene', '', '', '', '0.1.0', '', ?, 60, 'completed', 30)")
+            .bind(std::string(person) + "-practice")
+            .bind(person)
+            .bind(services.store()->station_id())
+            .bind(task)
+            .bind(services.store()->now() - 60'000)
+            .run();
+    };
+    practise("trainee-1000", "A2");
+    practise("trainee-1001", "A1");
+    open();
+    auto* table = find<QTableWidget>(*window, "cohort_table");
+    const auto cell_of = [&](int row, const char* task) -> const QTableWidgetItem* {
+        for (int column = 1; column < table->columnCount(); ++column)
+            if (const QTableWidgetItem* item = table->item(row, column))
+                if (item->data(Qt::UserRole).toString() == task) return item;
+        return nullptr;
+    };
+    const QTableWidgetItem* practised = cell_of(1, "A1");
+    ASSERT_NE(practised, nullptr);
+    EXPECT_EQ(practised->text().toStdString(), "–");
+    EXPECT_TRUE(practised->toolTip().startsWith("not attempted · attempts 0"))
+        << practised->toolTip().toStdString();
+    // Practice with another type of device does not hide what counts, nor its colour.
+    const QTableWidgetItem *both = cell_of(0, "A2"), *other = cell_of(1, "A2");
+    ASSERT_TRUE(both != nullptr && other != nullptr);
+    EXPECT_TRUE(both->text().endsWith(" · 9 +1")) << both->text().toStdString();
+    EXPECT_TRUE(other->text().endsWith(" · 9")) << other->text().toStdString();
+    EXPECT_EQ(both->text().at(0), other->text().at(0)) << "passed, both";
+}
+
+TEST(CohortCells, ATraineeWhoHasOnlyPractisedHasNotAttemptedTheTask) {
+    database::CohortRow row;
+    EXPECT_EQ(cohort_cell_mark(row).toStdString(), "–");
+    row.device_class = DeviceClass::mouse_keyboard;
+    row.not_counting = 3;
+    EXPECT_EQ(cohort_cell_mark(row).toStdString(), "–");
+    row.state = database::TaskState::attempted;
+    row.attempts = 2;
+    EXPECT_EQ(cohort_cell_mark(row).toStdString(), "○ 2");
+}
+
 TEST(OverviewWords, NameTheShareAndTheDaysWithTheirIntervals) {
     database::TaskOverview task;
     EXPECT_EQ(share_text(task), "–");
