@@ -45,6 +45,7 @@ std::vector<Concern> concerns_of(const std::vector<TaskStanding>& standings, con
         if (!is_left(one) || found == points.end()) continue;
         if (const auto plateau = plateau_below(found->second, pass_mark)) {
             add(ConcernKind::plateau, one, one.last_attempt);
+            concerns.back().attempts = static_cast<int>(found->second.size());
             concerns.back().plateau = plateau->level;
             concerns.back().low = plateau->low;
             concerns.back().high = plateau->high;

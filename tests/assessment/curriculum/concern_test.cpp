@@ -49,6 +49,11 @@ TEST(Concern, ACurveThatLevelsOffBelowThePassMarkIsOneWithItsInterval) {
     EXPECT_LT(found[0].low, found[0].plateau);
     EXPECT_GT(found[0].high, found[0].plateau);
     EXPECT_LT(found[0].high, mark);
+    // The curve is through those with one class of devices that have points.
+    const std::vector<Concern> of_two =
+        concerns_of({stands("B1", Standing::attempted, 30)}, {{"B1", rising_to(48, 16)}}, today, mark, today);
+    ASSERT_EQ(of_two.size(), 1U);
+    EXPECT_EQ(of_two[0].attempts, 16);
     // Above the mark, too few attempts to tell, or proficient already: none.
     EXPECT_TRUE(concerns_of(standings, {{"B1", rising_to(75, 16)}}, today, mark, today).empty());
     EXPECT_TRUE(concerns_of(standings, {{"B1", rising_to(48, 7)}}, today, mark, today).empty());
