@@ -2,6 +2,7 @@
 #include "ui/trainee/home_page.h"
 
 #include <QGridLayout>
+#include <algorithm>
 
 #include "assessment/scoring/score.h"
 #include "database/records/report_data.h"
@@ -81,12 +82,15 @@ Recommendation HomePage::next_of(const Summaries& summaries, std::string& latest
     const CurriculumTask* task = followed_->find(next.task);
     if (next.reason != RecommendationReason::longest_ago || task == nullptr || task->remedies.empty())
         return next;
+    const auto standing = std::find_if(standings_.begin(), standings_.end(),
+                                       [&](const TaskStanding& one) { return one.task == next.task; });
+    const std::int64_t first = standing == standings_.end() ? 0 : standing->first_attempt;
     context().guarded([&] {
         const database::Session& session = context().session();
         const database::PersonProgress progress =
             database::Reports(context().store()).person_progress(session, session.person_id(), next.task);
-        next = with_remedy(next, *followed_, history_of(progress, *task), last, pass_mark);
-        latest_attempt = latest_counting(progress, *task);
+        next = with_remedy(next, *followed_, history_of(progress, *task, first), last, pass_mark);
+        latest_attempt = latest_counting(progress, *task, first);
     });
     return next;
 }

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assessment/metrics/registry.h"
 #include "ui/style/remedy_words.h"
@@ -28,18 +29,18 @@ QString ago_text(std::int64_t last, std::int64_t now_ms) {
                        : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
 }
 
-/// Null: no attempt counts.
-const database::ProgressSeries* counting_series(const database::PersonProgress& progress,
-                                                const CurriculumTask& task) {
-    const database::ProgressSeries* newest = nullptr;
-    std::int64_t last = 0;
+/// Those that count since `first`, of the device class used last; empty: none.
+std::vector<const database::ProgressPoint*> counting_points(const database::PersonProgress& progress,
+                                                            const CurriculumTask& task, std::int64_t first) {
+    std::vector<const database::ProgressPoint*> newest;
+    if (first == 0) return newest;
     for (const database::ProgressSeries& series : progress.series) {
         if (!counts(task, series.device_class)) continue;
-        for (const database::ProgressPoint& point : series.points) {
-            if (!point.counting || point.started < last) continue;
-            last = point.started;
-            newest = &series;
-        }
+        std::vector<const database::ProgressPoint*> found;
+        for (const database::ProgressPoint& point : series.points)
+            if (point.counting && point.started >= first) found.push_back(&point);
+        if (found.empty()) continue;
+        if (newest.empty() || found.back()->started >= newest.back()->started) newest = std::move(found);
     }
     return newest;
 }
@@ -61,26 +62,22 @@ std::map<std::string, double> worse_values(const std::vector<database::MetricRow
 
 }  // namespace
 
-TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task) {
+TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task,
+                       std::int64_t first) {
     TaskHistory history;
-    const database::ProgressSeries* series = counting_series(progress, task);
-    if (series == nullptr) return history;
-    for (const database::ProgressPoint& point : series->points) {
-        if (!point.counting) continue;
-        if (point.points) history.points.push_back(*point.points);
-        history.values.push_back(worse_values(point.metrics));
-        history.last_variant = point.variant;
-        history.last = point.started;
+    for (const database::ProgressPoint* point : counting_points(progress, task, first)) {
+        if (point->points) history.points.push_back(*point->points);
+        history.values.push_back(worse_values(point->metrics));
+        history.last_variant = point->variant;
+        history.last = point->started;
     }
     return history;
 }
 
-std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task) {
-    std::string latest;
-    if (const database::ProgressSeries* series = counting_series(progress, task))
-        for (const database::ProgressPoint& point : series->points)
-            if (point.counting) latest = point.attempt_id;
-    return latest;
+std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task,
+                            std::int64_t first) {
+    const auto points = counting_points(progress, task, first);
+    return points.empty() ? std::string() : points.back()->attempt_id;
 }
 
 QString remedy_reason_text(const Recommendation& next, const QString& task_title,

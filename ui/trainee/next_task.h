@@ -23,10 +23,13 @@ struct TaskSummary {
 std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortRow>& rows);
 
 /// What the curriculum's remedies go by: the series of a device class that counts whose latest attempt is the
-/// newest.
-TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task);
+/// newest. `first`: UTC ms, TaskStanding::first_attempt; what began before was performed while the task was
+/// locked; 0: nothing counts.
+TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task,
+                       std::int64_t first);
 /// The latest attempt of such a history; empty without one.
-std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task);
+std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task,
+                            std::int64_t first);
 /// Why a remedy is recommended, and what to do: one sentence.
 QString remedy_reason_text(const Recommendation& next, const QString& task_title,
                            const std::vector<TaskDefinition>& tasks);

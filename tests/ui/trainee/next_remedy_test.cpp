@@ -7,6 +7,7 @@
 #include <QDateTime>
 #include <QLabel>
 #include <cmath>
+#include <string>
 
 #include "assessment/metrics/registry.h"
 #include "database/records/recorder.h"
@@ -164,6 +165,39 @@ TEST_F(OnAPlateau, WhatCannotAssessTheTasksThatAreLeftIsTheDeviceInUse) {
     open();
     EXPECT_EQ(reason().toStdString(),
               "The remaining tasks cannot be assessed with game controller, but you can practise this one.");
+}
+
+TEST(RemedyHistory, IsOfTheAttemptsSinceTheTaskIsUnlocked) {
+    CurriculumTask task;
+    task.task = "B1";
+    task.device_classes = {DeviceClass::haptic, DeviceClass::tracked};
+    const auto attempt = [](std::int64_t started, bool counting) {
+        database::ProgressPoint point;
+        point.attempt_id = "attempt " + std::to_string(started);
+        point.started = started;
+        point.counting = counting;
+        point.points = 48;
+        return point;
+    };
+    database::ProgressSeries haptic, tracked;
+    haptic.device_class = DeviceClass::haptic;
+    for (int i = 1; i <= 16; ++i) haptic.points.push_back(attempt(i, true));
+    haptic.points.push_back(attempt(20, true));
+    haptic.points.push_back(attempt(30, false));
+    tracked.device_class = DeviceClass::tracked;
+    tracked.points = {attempt(18, true)};
+    database::PersonProgress progress;
+    progress.series = {haptic, tracked};
+    EXPECT_EQ(history_of(progress, task, 1).points.size(), 17U);
+    const TaskHistory since = history_of(progress, task, 20);
+    EXPECT_EQ(since.points.size(), 1U);
+    EXPECT_EQ(since.values.size(), 1U);
+    EXPECT_EQ(since.last, 20);
+    EXPECT_EQ(latest_counting(progress, task, 20), "attempt 20");
+    // Nothing counts.
+    EXPECT_TRUE(history_of(progress, task, 0).values.empty());
+    EXPECT_EQ(latest_counting(progress, task, 0), "");
+    EXPECT_EQ(latest_counting(progress, task, 21), "");
 }
 
 TEST(NextReason, DaysAgoAreLocalDates) {
