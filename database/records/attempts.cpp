@@ -53,8 +53,9 @@ std::vector<AttemptSummary> Attempts::interrupted_without_score(const Session& s
         store_.connection(),
         "SELECT attempt_id FROM score WHERE in_force = 1 AND attempt_id IN "
         "(SELECT id FROM attempt WHERE state = 'interrupted') UNION SELECT a.id FROM attempt a WHERE "
-        "NOT " +
+        "a.station_id <> ? OR NOT " +
             has_trace_here("a"));
+    scored.bind(store_.station_id());
     std::set<std::string> done;
     while (scored.next()) done.insert(scored.text(0));
     attempts.erase(std::remove_if(attempts.begin(), attempts.end(),

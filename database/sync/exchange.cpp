@@ -34,12 +34,6 @@ void in_batches(const std::vector<std::string>& keys, int size, Act&& act) {
     }
 }
 
-std::vector<std::string> missing(const std::set<std::string>& all, const std::set<std::string>& there) {
-    std::vector<std::string> keys;
-    std::set_difference(all.begin(), all.end(), there.begin(), there.end(), std::back_inserter(keys));
-    return keys;
-}
-
 }  // namespace
 
 Exchange::Exchange(const Store& store, Connection& server, const SyncOptions& options)
@@ -331,7 +325,7 @@ void Exchange::exchange_versioned(const Units& units) {
 void Exchange::add_missing(const Units& units, Way way) {
     Connection& from = way == Way::up ? station_ : server_;
     Connection& to = way == Way::up ? server_ : station_;
-    const Keys keys = missing(units.keys(from, true), units.keys(to, false));
+    const Keys keys = units.missing(from, to);
     if (way == Way::up && is_limited_ && units.table().only_from_whole) {
         if (!keys.empty())
             result.conflicts.push_back(

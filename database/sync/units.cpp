@@ -5,6 +5,7 @@
 #include <QIODevice>
 #include <QSqlRecord>
 #include <algorithm>
+#include <iterator>
 
 namespace fulcrum::database {
 namespace {
@@ -72,6 +73,19 @@ std::vector<std::string> columns_in(Connection& store, const char* table) {
     return names;
 }
 
+/// Scores in force at `from` whose attempt has one at `to`. Two stations may have scored an attempt that was
+/// cut off, neither knowing of the other's score.
+std::set<std::string> scores_with_another(Connection& from, Connection& to) {
+    const char* const sql = "SELECT attempt_id, id FROM score WHERE in_force = 1";
+    std::set<std::string> scored, scores;
+    Query there(to, sql);
+    while (there.next()) scored.insert(there.text(0));
+    Query here(from, sql);
+    while (here.next())
+        if (scored.count(here.text(0)) != 0) scores.insert(here.text(1));
+    return scores;
+}
+
 }  // namespace
 
 void copy_rows(Connection& from, Connection& to, const char* table, const char* where,
@@ -104,6 +118,18 @@ std::set<std::string> Units::keys(Connection& connection, bool exchanged) const 
     std::set<std::string> keys;
     while (rows.next()) keys.insert(rows.text(0));
     return keys;
+}
+
+std::vector<std::string> Units::missing(Connection& from, Connection& to) const {
+    const std::set<std::string> all = keys(from, true), there = keys(to, false);
+    std::vector<std::string> missing;
+    std::set_difference(all.begin(), all.end(), there.begin(), there.end(), std::back_inserter(missing));
+    if (missing.empty() || std::string(table_.table) != "score") return missing;
+    const std::set<std::string> kept = scores_with_another(from, to);
+    missing.erase(std::remove_if(missing.begin(), missing.end(),
+                                 [&](const std::string& key) { return kept.count(key) != 0; }),
+                  missing.end());
+    return missing;
 }
 
 std::map<std::string, UnitState> Units::states(Connection& connection) const {

@@ -40,6 +40,9 @@ class Units {
 
     /// Of the rows that are exchanged, or of all.
     std::set<std::string> keys(Connection& connection, bool exchanged) const;
+    /// Of exchanged units that `from` has and `to` lacks. A score in force of an attempt that has another one
+    /// in force at `to` is not among them: each side keeps its own.
+    std::vector<std::string> missing(Connection& from, Connection& to) const;
     std::map<std::string, UnitState> states(Connection& connection) const;
     /// Without `whole`, rows of tables that only go up are left out.
     std::vector<Unit> read(Connection& connection, const std::vector<std::string>& keys, bool whole) const;

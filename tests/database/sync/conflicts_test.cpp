@@ -169,6 +169,35 @@ TEST_F(SyncConflict, AnAttemptReassignedAtAnotherStationIsWholeWhereItWasRecorde
     expect_sound(server);
 }
 
+TEST_F(SyncConflict, AnAttemptThatTwoStationsScoredKeepsTheScoreOfEachAndAllElseIsTransferred) {
+    const std::string attempt = a.record_broken("ann");
+    a.open();  // closes it as cut off
+    sync(a);
+    sync(b);
+    const Session at_b = b.sign_in("ann");
+    EXPECT_GT(fetch_trace(*b.store, at_b, server, attempt).chunks, 0);
+    EXPECT_TRUE(Attempts(*b.store).interrupted_without_score(at_b).empty()) << "a station scores its own";
+    ASSERT_EQ(a.attempts().interrupted_without_score(a.session("ann")).size(), 1U);
+    Attempts(*b.store).add_score(at_b, attempt, example_score(true, 70));  // as `Recompute` does there
+    a.attempts().add_score(a.session("ann"), attempt, example_score(true, 60));
+    const std::string other = a.record("ben", true, 55);
+    sync(b);
+    const SyncResult second = sync(a);
+    EXPECT_EQ(second.transferred(), 2) << "the other attempt and its score";
+    EXPECT_TRUE(second.conflicts.empty());
+    EXPECT_EQ(sync(a).transferred(), 0);
+    EXPECT_EQ(sync(b).transferred(), 2);
+    EXPECT_EQ(sync(b).transferred(), 0);
+    const Station c;
+    sync(c);
+    EXPECT_EQ(a.attempts().score(a.session("ann"), attempt)->points, 60);
+    EXPECT_EQ(Attempts(*b.store).score(at_b, attempt)->points, 70);
+    EXPECT_EQ(Attempts(*c.store).score(c.sign_in("ann"), attempt)->points, 70);
+    EXPECT_EQ(Attempts(*b.store).score(b.sign_in("ben"), other)->points, 55);
+    for (const Store* store : {a.store.get(), b.store.get(), c.store.get()}) expect_sound(*store);
+    expect_sound(server);
+}
+
 class SyncErasure : public SyncConflict {};
 
 TEST_F(SyncErasure, ErasedOnTheServerStaysErasedAfterAnOfflineStationsPush) {
