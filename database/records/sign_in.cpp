@@ -131,24 +131,48 @@ Account require_right_password(const Store& store, const std::string& login, con
     return account;
 }
 
-/// The newest time that the audit log has from after the password was issued: a clock that was set back since
-/// then does not make the password younger.
-UtcMilliseconds newest_time_since_issue(const Store& store, const std::string& person_id) {
+/// Where this station's audit log has a one-time password from: the row with which it was issued here, or the
+/// one with which the account came from another station last.
+struct PasswordRow {
+    std::int64_t sequence = 0;  ///< 0: none
+    bool is_received = false;
+};
+
+PasswordRow find_password_row(const Store& store, const std::string& person_id) {
+    Query issued(store.connection(),
+                 "SELECT COALESCE(MAX(sequence), 0) FROM audit_entry WHERE station_id = ? AND object_id = ? "
+                 "AND operation IN ('person.create', 'password.issue_one_time')");
+    issued.bind(store.station_id()).bind(person_id);
+    Query received(store.connection(),
+                   "SELECT COALESCE(MAX(e.sequence), 0) FROM audit_entry e JOIN audit_payload p ON "
+                   "p.station_id = e.station_id AND p.sequence = e.sequence WHERE e.station_id = ? AND "
+                   "e.operation = 'sync.receive' AND instr(p.payload, ?) > 0");
+    received.bind(store.station_id()).bind('"' + RecordName{RecordKind::person, person_id}.text() + '"');
+    const std::int64_t here = issued.next() ? issued.integer(0) : 0;
+    const std::int64_t elsewhere = received.next() ? received.integer(0) : 0;
+    return {std::max(here, elsewhere), elsewhere > here};
+}
+
+/// The newest time that the audit log has from that row on: a clock that was set back since then does not
+/// make the password younger.
+UtcMilliseconds newest_time_since(const Store& store, const PasswordRow& from) {
+    if (from.sequence == 0) return 0;
     Query row(store.connection(),
-              "SELECT COALESCE(MAX(time), 0) FROM audit_entry WHERE station_id = ? AND sequence >= (SELECT "
-              "MAX(sequence) FROM audit_entry WHERE station_id = ? AND object_id = ? AND operation IN "
-              "('person.create', 'password.issue_one_time'))");
-    row.bind(store.station_id()).bind(store.station_id()).bind(person_id);
+              "SELECT COALESCE(MAX(time), 0) FROM audit_entry WHERE station_id = ? AND sequence >= ?");
+    row.bind(store.station_id()).bind(from.sequence);
     return row.next() ? row.integer(0) : 0;
 }
 
 /// Throws SignInRefused for a one-time password that is older than 24 h by the clock, by the time since the
-/// machine was started, or by what the audit log has seen.
+/// machine was started, or by what the audit log has seen. How long this machine has run says nothing of a
+/// password that another one issued.
 void require_valid(const Store& store, const Account& account) {
     if (!account.one_time) return;
+    const PasswordRow from = find_password_row(store, account.id);
     const BootTime now = store.boot_time();
-    const std::int64_t since_boot = account.boot == now.boot ? now.ms - account.boot_ms : now.ms;
-    const UtcMilliseconds newest = std::max(store.now(), newest_time_since_issue(store, account.id));
+    std::int64_t since_boot = 0;
+    if (!from.is_received) since_boot = account.boot == now.boot ? now.ms - account.boot_ms : now.ms;
+    const UtcMilliseconds newest = std::max(store.now(), newest_time_since(store, from));
     if (newest <= account.expires && since_boot <= one_time_password_valid_ms) return;
     throw SignInRefused(
         SignInRefused::Reason::expired, 0,

@@ -79,6 +79,31 @@ TEST_F(SyncConflict, AChangedPasswordAndCohortReachTheOtherStation) {
     expect_sound(*b.store);
 }
 
+TEST_F(SyncConflict, AOneTimePasswordOfAnotherStationEndsAfterADayHoweverLongThisMachineHasRun) {
+    constexpr double over_a_day_s = 25 * 3600;
+    *b.clock.since_boot = {"another machine", 25LL * 3600 * 1000};
+    const auto created = a.people().create(a.session("administrator"), "dora", "Dora of A", {Role::trainee});
+    sync(a);
+    sync(b);
+    const auto sign_in = [&] { People(*b.store).sign_in("dora", created.one_time_password); };
+    EXPECT_NO_THROW(sign_in());
+    b.clock.set_forward_s(over_a_day_s);
+    EXPECT_THROW(sign_in(), SignInRefused);
+    b.clock.set_forward_s(-over_a_day_s);
+    EXPECT_NO_THROW(sign_in()) << "the clock was ahead, and the log has not seen it";
+    b.clock.set_forward_s(over_a_day_s);
+    b.sign_in("administrator");
+    b.clock.set_forward_s(-over_a_day_s);
+    EXPECT_THROW(sign_in(), SignInRefused) << "the log has seen the end";
+    // Issued here, the time since the start of this machine counts again.
+    const std::string here =
+        People(*b.store).issue_one_time_password(b.sign_in("administrator"), created.person.id);
+    EXPECT_NO_THROW(People(*b.store).sign_in("dora", here));
+    b.clock.pass_s(over_a_day_s);
+    b.clock.set_forward_s(-over_a_day_s);
+    EXPECT_THROW(People(*b.store).sign_in("dora", here), SignInRefused);
+}
+
 TEST_F(SyncConflict, ALoginThatTwoPeopleHaveWaitsAndEverythingElseIsTransferred) {
     const Session at_a = a.session("administrator"), at_b = b.sign_in("administrator");
     a.people().create(at_a, "carl", "Carl of A", {Role::trainee});
