@@ -134,6 +134,12 @@ void Exchange::note_given(const std::string& held, const std::string& held_whole
     Query(server_, "SELECT station_holds(?::text[], ?::text[])").bind(held).bind(held_whole).run();
 }
 
+void Exchange::begin() {
+    if (has_begun_exchange(store_)) return;
+    Audit(store_).append(store_.station_session(), store_.station_id(), "sync.begin",
+                         json_object({{"server", server_id_}}));
+}
+
 void Exchange::apply_erasures() {
     std::vector<std::string> people;
     Query rows(server_, "SELECT person_id FROM erasure ORDER BY person_id");
@@ -403,6 +409,7 @@ void Exchange::run() {
     require_known_log();
     look_at_clock();
     use_enrolment();
+    begin();
     std::vector<Units> all;
     for (const SyncTable& table : sync_tables()) all.emplace_back(table, station_);
     steps_ = 2 * all.size() + 2;

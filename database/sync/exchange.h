@@ -39,6 +39,8 @@ class Exchange {
     /// What the server shows now was given to this station, also when it shows it no more.
     void note_given(const std::string& held, const std::string& held_whole);
     void apply_erasures();
+    /// Enters the first exchange of the store in its log, before anything is sent.
+    void begin();
     void exchange_versioned(const Units& units);
     void add_missing(const Units& units, Way way);
     void push(const Units& units, const Keys& keys);

@@ -49,11 +49,7 @@ void require_erasable(const Store& store, const std::string& person_id) {
         throw StoreError(StoreErrorKind::sealed_demo,
                          QT_TRANSLATE_NOOP("errors", "nobody is erased in the demonstration"),
                          QT_TRANSLATE_NOOP("errors", "name the store of the programme with --db"));
-    Query synced(store.connection(),
-                 "SELECT 1 FROM audit_entry WHERE station_id = ? AND operation IN ('sync.finish', "
-                 "'sync.receive') LIMIT 1");
-    synced.bind(store.station_id());
-    if (synced.next())
+    if (has_begun_exchange(store))
         throw StoreError(
             StoreErrorKind::conflict,
             QT_TRANSLATE_NOOP("errors", "this programme has a server, which would bring the person back"),
@@ -68,6 +64,13 @@ void require_erasable(const Store& store, const std::string& person_id) {
 }
 
 }  // namespace
+
+bool has_begun_exchange(const Store& store) {
+    Query row(store.connection(),
+              "SELECT 1 FROM audit_entry WHERE station_id = ? AND operation LIKE 'sync.%' LIMIT 1");
+    row.bind(store.station_id());
+    return row.next();
+}
 
 std::string erasure_list_path(const std::string& station_id) {
     const QFileInfo key(QString::fromStdString(StationKey::path_of(station_id)));

@@ -20,6 +20,10 @@ namespace fulcrum::database {
 std::vector<ErasedRows> erase_person(const Store& store, const Session& director,
                                      const std::string& person_id, const std::string& reason, bool dry_run);
 
+/// Whether the store's log has an exchange with a programme server, also one that was cut off: from then on
+/// only the server erases.
+bool has_begun_exchange(const Store& store);
+
 /// Enters people whom the server or this station erases; lasts when it returns. Throws StoreError (failed).
 void add_to_erasure_list(const Store& store, const std::vector<std::string>& people);
 

@@ -64,6 +64,7 @@ constexpr WordsOf operations[] = {
     {"store.copy_damaged", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Damaged store copied, unverified")},
     {"store.restore", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store restored from a backup")},
     {"store.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store created")},
+    {"sync.begin", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "First exchange with the programme server begun")},
     {"sync.finish", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Synchronised with the programme server")},
     {"sync.receive", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Received from the programme server")},
     {"tissue.set", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values set")},

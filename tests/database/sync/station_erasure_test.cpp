@@ -189,13 +189,38 @@ TEST_F(StationErasure, CutOffAnywhereIsDoneOrNotAndTheNextStartFinishesIt) {
     }
 }
 
-using SyncAndErase = Sync;
+class SyncAndErase : public Sync {
+  protected:
+    /// An exchange that is cut off there. Returns whether it is complete.
+    bool sync_until_attempts_are_sent() const {
+        bool sent = false;
+        SyncOptions options;
+        options.progress = [&sent](double, const std::string& line) {
+            sent = sent || line.rfind("sent attempts", 0) == 0;
+        };
+        options.stop = [&sent] { return sent; };
+        return sync_with_server(*a.store, a.session("administrator"), server, options).complete;
+    }
+};
 
 TEST_F(SyncAndErase, AProgrammeWithAServerErasesThere) {
     sync(a);
     EXPECT_EQ(
         error_kind([&] { erase_person(*a.store, a.session("director"), a.id("ann"), "asked for it", true); }),
         StoreErrorKind::conflict);
+}
+
+TEST_F(SyncAndErase, AFirstExchangeThatWasCutOffLeavesErasingToTheServer) {
+    a.record("ann");
+    EXPECT_FALSE(sync_until_attempts_are_sent());
+    EXPECT_EQ(
+        error_kind([&] { erase_person(*a.store, a.session("director"), a.id("ann"), "asked for it", true); }),
+        StoreErrorKind::conflict);
+    expect_sound(*a.store);
+    erase_at_programme_server(server, a.id("ann"), false);
+    EXPECT_EQ(sync(a).erased, 1);
+    expect_sound(*a.store);
+    expect_sound(server);
 }
 
 TEST_F(SyncAndErase, ARestoredBackupDoesNotBringBackWhomTheServerErased) {

@@ -19067,6 +19067,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Datenbestand angelegt</translation>
     </message>
     <message>
+        <source>First exchange with the programme server begun</source>
+        <translation>Ersten Abgleich mit dem Programmserver begonnen</translation>
+    </message>
+    <message>
         <source>Synchronised with the programme server</source>
         <translation>Mit dem Programmserver abgeglichen</translation>
     </message>
