@@ -125,12 +125,14 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, TracePart p
 
 QString has_trace_here(const QString& attempt) {
     // Copies for another person that an older program made name the station of the original, but their trace
-    // is where the copy was made.
+    // is where the copy was made. An attempt whose beginning this log lacks came back from the server to an
+    // older copy of the store, without its trace.
     return QString(
                "(%1.events <> %2 AND ((%1.station_id = COALESCE((SELECT value FROM setting WHERE key = "
                "'this_station'), '') AND NOT EXISTS (SELECT 1 FROM attempt_reassignment moved WHERE "
-               "moved.to_id = %1.id)) OR EXISTS (SELECT 1 FROM trace_chunk here WHERE here.attempt_id = "
-               "%1.id)))")
+               "moved.to_id = %1.id) AND EXISTS (SELECT 1 FROM audit_entry begun WHERE begun.object_id = "
+               "%1.id AND begun.operation = 'attempt.begin')) OR EXISTS (SELECT 1 FROM trace_chunk here "
+               "WHERE here.attempt_id = %1.id)))")
         .arg(attempt)
         .arg(trace_not_kept);
 }

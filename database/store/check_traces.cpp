@@ -178,16 +178,20 @@ void check_chunks(const Store& store, CheckItem& item, CheckWatch& watch) {
 void check_lengths(const Store& store, CheckItem& item) {
     // The traces of other stations' attempts stay there and on the programme server. So do those of copies
     // that another station made of an attempt of this one; of a copy that was made here check_records() finds
-    // when its trace is gone.
+    // when its trace is gone. An attempt whose beginning this log lacks came back from the server to an older
+    // copy of the store.
     constexpr int with_reassignments = 3;
     const QString is_copy = store.found_schema() < with_reassignments
                                 ? QString("1 = 0")
                                 : QString("id IN (SELECT to_id FROM attempt_reassignment)");
-    Query ends(store.connection(),
-               "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
-               "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running' AND ((station_id = ? "
-               "AND NOT " +
-                   is_copy + ") OR EXISTS (SELECT 1 FROM trace_chunk c WHERE c.attempt_id = attempt.id))");
+    Query ends(
+        store.connection(),
+        "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
+        "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running' AND ((station_id = ? "
+        "AND NOT " +
+            is_copy +
+            " AND EXISTS (SELECT 1 FROM audit_entry e WHERE e.object_id = attempt.id AND e.operation "
+            "= 'attempt.begin')) OR EXISTS (SELECT 1 FROM trace_chunk c WHERE c.attempt_id = attempt.id))");
     ends.bind(store.station_id());
     while (ends.next()) {
         if (ends.integer(1) == trace_not_kept && ends.integer(2) == 0) continue;

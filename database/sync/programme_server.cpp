@@ -66,10 +66,11 @@ void check_server_records(Connection& server, ServerCheck& check) {
             ++check.records;
             const auto found = known.find(name.text());
             if (found == known.end())
-                check.problems.push_back({QT_TRANSLATE_NOOP("errors",
-                                                            "%1: there without an audit row (if a sync was "
-                                                            "cut off, the station's next one brings it)"),
-                                          name.text()});
+                check.problems.push_back(
+                    {QT_TRANSLATE_NOOP("errors",
+                                       "%1: there without an audit row (if a sync was cut off, the station's "
+                                       "next one brings it, unless its store was replaced by an older copy)"),
+                     name.text()});
             else if (found->second.count(digests.of(name)) == 0 && !was_signed_before(name, found->second))
                 check.problems.push_back(
                     {QT_TRANSLATE_NOOP("errors", "%1: not as the station that made it has signed it"),

@@ -257,5 +257,28 @@ TEST_F(SyncAndErase, ARestoredBackupDoesNotBringBackWhomTheServerErased) {
     expect_sound(server);
 }
 
+TEST_F(SyncAndErase, AnAttemptThatAnOlderBackupGetsBackIsSoundWithoutItsRecording) {
+    const KeysOfOneTest own_keys;
+    sync(a);
+    const std::string backup = a.folder.filePath("older.db").toStdString();
+    a.store->backup(a.session("administrator"), backup);
+    const std::string attempt = a.record("ann", true, 70, "A2", {Programme::slip()});
+    EXPECT_FALSE(sync_until_attempts_are_sent());
+    EXPECT_EQ(a.attempts().read_trace(a.session("ann"), attempt).samples.size(), 1000U);
+    a.store.reset();
+    restore_store(
+        backup, a.path, [&](const Store&) { return a.session("administrator"); }, a.clock.options());
+    a.open();
+    EXPECT_EQ(sync(a).transferred(), 1);
+    expect_sound(*a.store);
+    EXPECT_EQ(error_kind([&] { a.attempts().read_trace(a.session("ann"), attempt); }),
+              StoreErrorKind::not_found);
+    // Nor does a later row about it say that it began here.
+    a.attempts().void_attempt(a.session("educator"), attempt, "without its recording");
+    EXPECT_EQ(sync(a).transferred(), 1);
+    expect_sound(*a.store);
+    EXPECT_NO_THROW(a.store->backup(a.session("administrator"), backup + ".next"));
+}
+
 }  // namespace
 }  // namespace fulcrum::database::test

@@ -5825,8 +5825,8 @@
         <translation>nennen Sie mit --db den Speicher des Programms</translation>
     </message>
     <message>
-        <source>%1: there without an audit row (if a sync was cut off, the station&apos;s next one brings it)</source>
-        <translation>%1: vorhanden ohne Protokollzeile (wurde ein Abgleich unterbrochen, bringt sie der nächste dieser Station)</translation>
+        <source>%1: there without an audit row (if a sync was cut off, the station&apos;s next one brings it, unless its store was replaced by an older copy)</source>
+        <translation>%1: vorhanden ohne Protokollzeile (wurde ein Abgleich unterbrochen, bringt sie der nächste dieser Station, wenn nicht eine ältere Kopie ihren Speicher ersetzt hat)</translation>
     </message>
     <message>
         <source>%1: not as the station that made it has signed it</source>
