@@ -175,7 +175,8 @@ Enrolment enrol_station(const Store& store, const Session& session, const Server
     link.address = server;
     link.address.user = token.station_account();
     std::optional<ServerLink> begun = ServerLink::unfinished(store.station_id(), token.id);
-    if (begun && begun->is_for(link.address)) link = *begun;
+    // Whatever address leads to the server now: the account that it may have made has this password.
+    if (begun) link.password = begun->password;
     try {
         ServerAddress asking = server;
         asking.user = token.account();

@@ -209,6 +209,26 @@ TEST_F(Enrolments, CutOffOrTwoAtOnceTheStationEndsWithAnAccountThatWorks) {
     EXPECT_TRUE(sync_a().complete);
 }
 
+TEST_F(Enrolments, ATokenGivenAgainWithAnotherAddressOfItsServerKeepsThePassword) {
+    const std::string with = token(), id = EnrolmentToken::parse(with).id, station = a.store->station_id();
+    ServerLink begun;  // cut off before the server had answered
+    begun.address = server;
+    begun.address.host = "/before";
+    begun.password = "0123";
+    ASSERT_TRUE(begun.begin(station, id));
+    enrol_a(with);
+    EXPECT_TRUE(sync_a().complete);
+    ServerLink lost = *ServerLink::of(station);  // or its answer was lost
+    EXPECT_EQ(lost.password, begun.password);
+    lost.address.host = "/before";
+    const QFileInfo key(QString::fromStdString(StationKey::path_of(station)));
+    ASSERT_TRUE(QFile::remove(key.path() + "/" + key.completeBaseName() + ".server"));
+    ASSERT_TRUE(lost.begin(station, id));
+    enrol_a(with);
+    EXPECT_EQ(server_of(*a.store).host, server.host);
+    EXPECT_TRUE(sync_a().complete);
+}
+
 TEST_F(Enrolments, AnotherTokenReplacesTheAccountAndAWithdrawnStationIsOutAtOnce) {
     fill(a);
     enrol_a(token());
