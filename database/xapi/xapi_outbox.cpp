@@ -76,9 +76,10 @@ int XapiOutbox::add(const std::vector<OutboxStatement>& statements) const {
 
 std::optional<OutboxStatement> XapiOutbox::next() const {
     Query row(store_.connection(), QString(outbox_columns) +
-                                       "WHERE endpoint = ? AND state = 'waiting' AND next_try <= ? ORDER BY "
-                                       "number LIMIT 1");
-    row.bind(endpoint_).bind(store_.now());
+                                       "WHERE endpoint = ? AND state = 'waiting' AND (next_try <= ? OR "
+                                       "changed > ?) ORDER BY number LIMIT 1");
+    const UtcMilliseconds now = store_.now();
+    row.bind(endpoint_).bind(now).bind(now);
     if (!row.next()) return std::nullopt;
     return read_statement(row);
 }
@@ -138,11 +139,11 @@ int XapiOutbox::release() const {
 
 namespace {
 
-std::vector<OutboxCounts> read_counts(Connection& connection, const std::string& endpoint) {
-    Query rows(connection,
-               "SELECT endpoint, state, COUNT(*), MIN(next_try) FROM xapi_outbox WHERE ? IN ('', endpoint) "
-               "GROUP BY endpoint, state ORDER BY endpoint");
-    rows.bind(endpoint);
+std::vector<OutboxCounts> read_counts(const Store& store, const std::string& endpoint) {
+    Query rows(store.connection(),
+               "SELECT endpoint, state, COUNT(*), MIN(CASE WHEN changed > ? THEN 0 ELSE next_try END) FROM "
+               "xapi_outbox WHERE ? IN ('', endpoint) GROUP BY endpoint, state ORDER BY endpoint");
+    rows.bind(store.now()).bind(endpoint);
     std::vector<OutboxCounts> all;
     while (rows.next()) {
         if (all.empty() || all.back().endpoint != rows.text(0)) {
@@ -169,7 +170,7 @@ std::vector<OutboxCounts> read_counts(Connection& connection, const std::string&
 }  // namespace
 
 OutboxCounts XapiOutbox::counts() const {
-    const std::vector<OutboxCounts> found = read_counts(store_.connection(), endpoint_);
+    const std::vector<OutboxCounts> found = read_counts(store_, endpoint_);
     if (!found.empty()) return found.front();
     OutboxCounts none;
     none.endpoint = endpoint_;
@@ -187,7 +188,7 @@ std::vector<OutboxStatement> XapiOutbox::quarantined() const {
 
 std::vector<OutboxCounts> outbox_counts(const Store& store, const Session& session) {
     store.require(session, Operation::export_cohort);
-    return read_counts(store.connection(), {});
+    return read_counts(store, {});
 }
 
 }  // namespace fulcrum::database

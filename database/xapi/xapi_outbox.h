@@ -37,7 +37,7 @@ struct OutboxStatement {
 struct OutboxCounts {
     std::string endpoint;
     int waiting = 0, done = 0, quarantined = 0;
-    std::int64_t next_try = 0;  ///< UTC ms, the earliest of those that wait; 0: none waits
+    std::int64_t next_try = 0;  ///< UTC ms, the earliest of those that wait; 0: one is due, or none waits
 };
 
 /// The wait after so many failures: a minute, doubled each time, at most twelve hours.
@@ -51,7 +51,8 @@ class XapiOutbox {
     /// Those with an id that is there already are left as they are, those of an erased person are left out.
     /// All or none; returns how many are new.
     int add(const std::vector<OutboxStatement>& statements) const;
-    /// The first one that waits and whose time has come.
+    /// The first one that waits and whose time has come. One that was put off at a time that has not come
+    /// yet, by a clock that was ahead, is due.
     std::optional<OutboxStatement> next() const;
     void finish(const std::string& id) const;
     void quarantine(const std::string& id, const std::string& problem) const;

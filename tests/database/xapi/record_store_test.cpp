@@ -141,6 +141,25 @@ TEST_F(RecordStoreTest, ThatDoesNotAnswerIsAskedAgainAfterGrowingWaits) {
     EXPECT_EQ(outbox_wait_ms(1000), 12 * 3'600'000);
 }
 
+TEST_F(RecordStoreTest, IsAskedAgainInTimeAlsoWhereTheClockWasAhead) {
+    constexpr double year_s = 365 * 86400.0;
+    programme.clock.set_forward_s(year_s);
+    add(1);
+    lrs.instead = [](const HttpRequest&) { return 503; };
+    EXPECT_EQ(send().postponed, 1);
+    EXPECT_GT(outbox().counts().next_try, noon);
+    EXPECT_FALSE(outbox().next());
+    programme.clock.set_forward_s(-year_s);
+    EXPECT_EQ(outbox().counts().next_try, 0) << "due";
+    EXPECT_EQ(outbox_counts(*programme.store, programme.session("director")).at(0).next_try, 0);
+    EXPECT_EQ(send().postponed, 1);
+    EXPECT_EQ(outbox().counts().next_try, noon + outbox_wait_ms(2)) << "by the clock that was put right";
+    EXPECT_FALSE(outbox().next());
+    programme.clock.pass_s(120);
+    lrs.instead = [](const HttpRequest&) { return 0; };
+    EXPECT_EQ(send().sent, 1);
+}
+
 TEST_F(RecordStoreTest, ThatAsksForLessIsLeftUntilItSays) {
     add(2);
     lrs.instead = [](const HttpRequest&) { return 429; };
