@@ -107,7 +107,8 @@ CREATE OR REPLACE FUNCTION names_taken(logins text[], cohort_names text[]) RETUR
     LANGUAGE sql STABLE SECURITY DEFINER SET search_path = public, pg_temp AS $$
     SELECT p.login_key FROM person p WHERE p.login_key = ANY (logins)
     UNION ALL SELECT c.name FROM cohort c WHERE c.name = ANY (cohort_names) $$;
--- What stations have signed of a trace that the station may read.
+-- What stations have signed of a trace that the station may read. The erasure of the person that a copy was taken from
+-- takes the row of the reassignment; the station has signed the trace again in the row of the erasure.
 CREATE OR REPLACE FUNCTION trace_evidence(wanted text) RETURNS TABLE (station_id text, sequence bigint, "time" bigint,
     actor_id text, object_id text, operation text, digest bytea, previous_hash bytea, hash bytea, salt bytea,
     payload text, public_half bytea, signature bytea)
@@ -116,7 +117,8 @@ CREATE OR REPLACE FUNCTION trace_evidence(wanted text) RETURNS TABLE (station_id
         p.salt, p.payload, s.public_half, s.signature
     FROM audit_entry e JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence
         LEFT JOIN audit_signature s ON s.station_id = e.station_id AND s.sequence = e.sequence
-    WHERE (e.object_id = wanted OR e.object_id IN (SELECT r.from_id FROM attempt_reassignment r WHERE r.to_id = wanted))
+    WHERE (e.object_id = wanted OR e.operation = 'payload.erase' OR
+        e.object_id IN (SELECT r.from_id FROM attempt_reassignment r WHERE r.to_id = wanted))
         AND e.operation <> 'sync.receive' AND position('"trace ' || wanted || '"' IN p.payload) > 0
         AND ((SELECT station_sees_all()) OR EXISTS (SELECT 1 FROM attempt a WHERE a.id = wanted AND
             (a.station_id = (SELECT enrolled_station()) OR a.person_id IN (SELECT station_trainees()))))

@@ -10,6 +10,7 @@
 #include "database/records/person_merge.h"
 #include "database/store/kept_frames.h"
 #include "database/store/store_restore.h"
+#include "database/sync/trace_fetch.h"
 #include "tests/database/cut_off_process.h"
 #include "tests/database/station_keys.h"
 #include "tests/database/sync/stations.h"
@@ -278,6 +279,23 @@ TEST_F(SyncAndErase, AnAttemptThatAnOlderBackupGetsBackIsSoundWithoutItsRecordin
     EXPECT_EQ(sync(a).transferred(), 1);
     expect_sound(*a.store);
     EXPECT_NO_THROW(a.store->backup(a.session("administrator"), backup + ".next"));
+}
+
+TEST_F(SyncAndErase, TheRecordingOfACopyIsFetchedAfterThePersonItWasTakenFromIsErased) {
+    const KeysOfOneTest own_keys;
+    const std::string copy =
+        a.attempts().reassign(a.session("educator"), a.record("ann"), a.id("ben"), "he was the one");
+    sync(a);
+    erase_at_programme_server(server, a.id("ann"), false);
+    EXPECT_EQ(sync(a).erased, 1);
+    const Station b;
+    sync(b);
+    const FetchedTrace fetched = fetch_trace(*b.store, b.sign_in("educator"), server, copy);
+    EXPECT_GT(fetched.chunks, 0);
+    EXPECT_EQ(fetched.signed_by, Audit(*a.store).signing_key());
+    expect_sound(*a.store);
+    expect_sound(*b.store);
+    expect_sound(server);
 }
 
 }  // namespace
