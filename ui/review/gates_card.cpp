@@ -88,7 +88,7 @@ void GatesCard::open(const AttemptModel& model) {
         QString name = metric_text(gate.metric);
         if (!gate.tissue.empty()) name += QStringLiteral(", ") + asset_text(gate.tissue);
         auto* first = make_cell(name);
-        if (metric != nullptr) first->setToolTip(text(metric->explanation));
+        if (metric != nullptr) first->setToolTip(metric_words(metric->explanation));
         const database::MetricRow* values =
             find_metric_row(*model.score, gate.metric, gate.hand, gate.tissue);
         if (values != nullptr && !values->evidence.empty()) {

@@ -255,8 +255,7 @@ void ProgressPage::load() {
                 for (const database::MetricRow& metric : point->metrics) {
                     const QString key = key_of(metric);
                     if (!metric.value || !seen.insert(key).second) continue;
-                    const MetricDescriptor* descriptor = find_metric(metric.id);
-                    QString shown = descriptor == nullptr ? text(metric.id) : text(descriptor->name);
+                    QString shown = metric_text(metric.id);
                     if (!metric.hand.empty()) shown += QStringLiteral(", ") + hand_text(metric.hand);
                     if (!metric.tissue.empty()) shown += QStringLiteral(", ") + asset_text(metric.tissue);
                     if (metric.version != newest_.at(plain_key(metric)))

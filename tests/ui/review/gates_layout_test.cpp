@@ -8,6 +8,7 @@
 #include <QTableWidget>
 
 #include "tests/ui/painted_words.h"
+#include "ui/language/language.h"
 #include "ui/review/attempt_model.h"
 #include "ui/review/gates_card.h"
 #include "ui/style/palette.h"
@@ -85,6 +86,21 @@ TEST(GatesLayout, MarksALimitAsProvisionalByItsField) {
     EXPECT_EQ(table->item(0, column)->text(),
               QStringLiteral("provisional: Confirmed, no longer provisional"));
     EXPECT_EQ(table->item(1, column)->text(), QStringLiteral("Confirmed, no longer provisional"));
+}
+
+TEST(GatesLayout, ExplainsAGateInTheReadersLanguage) {
+    AttemptModel model;
+    model.score.emplace();
+    database::GateRow gate;
+    gate.metric = "path_len";
+    model.score->gates.push_back(gate);
+    use_language(Language::german);
+    GatesCard card;
+    card.open(model);
+    use_language(Language::english);
+    const auto* table = card.findChild<QTableWidget*>(QStringLiteral("gates_table"));
+    ASSERT_NE(table, nullptr);
+    EXPECT_EQ(table->item(0, 0)->toolTip().toStdString(), "Wie weit sich die Instrumentenspitze bewegt hat.");
 }
 
 }  // namespace

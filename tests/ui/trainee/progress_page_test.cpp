@@ -22,6 +22,7 @@
 #include "tests/ui/four_people.h"
 #include "tests/ui/hands.h"
 #include "ui/charts/attempt_chart.h"
+#include "ui/language/language.h"
 #include "ui/shell/main_window.h"
 #include "ui/theatre/scene_picture.h"
 
@@ -168,6 +169,20 @@ TEST_F(ProgressWithHistory, TheExpertsAreThoseOfTheVariantThatTheCurveIsOf) {
     choose();
     EXPECT_FALSE(services.judged_variant);
     EXPECT_FALSE(find<AttemptChart>(*window, "attempt_chart")->shown().band_low);
+}
+
+TEST_F(ProgressWithHistory, AMetricHasItsNameInTheReadersLanguage) {
+    record(1000);
+    use_language(Language::german);
+    open(Role::trainee);
+    auto* metric = find<QComboBox>(*window, "progress_metric");
+    const int index = metric->findData("path_len/left/");
+    EXPECT_EQ(metric->itemText(index).toStdString(), "Weglänge, linke Hand");
+    metric->setCurrentIndex(index);
+    emit metric->activated(index);
+    const QString title = find<AttemptChart>(*window, "attempt_chart")->shown().y_title;
+    EXPECT_TRUE(title.startsWith("Weglänge, linke Hand")) << title.toStdString();
+    use_language(Language::english);
 }
 
 TEST_F(ProgressWithHistory, IsThePageOfTheTask) {
