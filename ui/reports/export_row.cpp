@@ -28,15 +28,6 @@ QLatin1String ending_of(int index) {
     return QLatin1String(endings[static_cast<std::size_t>(index)]);
 }
 
-/// Characters that no file system minds.
-QString file_name(const QString& name) {
-    QString kept;
-    for (const QChar& c : name)
-        kept += c.isLetterOrNumber() || c == QLatin1Char('-') || c == QLatin1Char('_') ? c : QLatin1Char(' ');
-    kept = kept.simplified();
-    return kept.isEmpty() ? QStringLiteral("report") : kept;
-}
-
 bool has_ending(const QString& path) {
     for (const char* ending : endings) {
         if (path.endsWith(QLatin1String(ending), Qt::CaseInsensitive)) return true;
@@ -45,6 +36,14 @@ bool has_ending(const QString& path) {
 }
 
 }  // namespace
+
+QString file_name(const QString& name) {
+    QString kept;
+    for (const QChar& c : name)
+        kept += c.isLetterOrNumber() || c == QLatin1Char('-') || c == QLatin1Char('_') ? c : QLatin1Char(' ');
+    kept = kept.simplified();
+    return kept.isEmpty() ? QStringLiteral("report") : kept;
+}
 
 ExportRow::ExportRow(const char* save_name, QWidget* parent)
     : QWidget(parent), format_(new QComboBox), path_(new QLineEdit) {

@@ -11,6 +11,9 @@ class QPushButton;
 
 namespace fulcrum::ui {
 
+/// Of `name` the characters that no file system minds; never empty.
+QString file_name(const QString& name);
+
 class ExportRow : public QWidget {
     Q_OBJECT
   public:

@@ -6,6 +6,7 @@
 
 #include "database/records/certificates.h"
 #include "ui/reports/certificate.h"
+#include "ui/reports/export_row.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -67,7 +68,8 @@ void CertificateCard::save(const std::string& person_id, const std::string& stag
         for (const database::Certificate& one : database::certificates(
                  context_.store(), context_.session(), person_id, context_.services().curriculum())) {
             if (one.stage != stage) continue;
-            path = free_path(folder_, tr("Certificate %1 %2").arg(text(stage), text(one.person_name)));
+            path = free_path(folder_,
+                             file_name(tr("Certificate %1 %2").arg(text(stage), text(one.person_name))));
             write_certificate(context_.store(), context_.session(), one, context_.services().tasks(),
                               context_.services().program_version(), plain(path));
         }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -14,6 +15,7 @@
 #include "assessment/scoring/benchmark.h"
 
 #include "database/records/certificates.h"
+#include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "database/records/standings.h"
 #include "tests/support/support.h"
@@ -260,6 +262,26 @@ TEST_F(ProgressWithHistory, ACompletedStageHasACertificateWithACheckCode) {
     EXPECT_NE(find<QLabel>(*window, "message_text")->text().mid(6), path);
     QFile::remove(find<QLabel>(*window, "message_text")->text().mid(6));
     QFile::remove(path);
+}
+
+TEST_F(ProgressWithHistory, ANameWithASlashIsNotAFolderForTheCertificate) {
+    const database::Session& tara = sessions.at(Role::trainee);
+    database::People(*services.store())
+        .rename(sessions.at(Role::administrator), tara.person_id(), "Tara A/B Trainee");
+    record(1200);
+    for (const char* task : {"A1", "A2", "A3"})
+        database::Standings(*services.store())
+            .decide(sessions.at(Role::educator), tara.person_id(), task, StandingOverride::Kind::proficient,
+                    "examined in theatre");
+    open(Role::trainee);
+    QTemporaryDir folder;
+    type(*window, "export_path", folder.filePath("progress.pdf"));
+    click(*window, "rail_home");
+    click(*window, "rail_progress");
+    click(*window, "save_certificate");
+    const QString path = folder.filePath("Certificate A Tara A B Trainee.pdf");
+    ASSERT_TRUE(QFileInfo::exists(path)) << find<QLabel>(*window, "message_text")->text().toStdString();
+    EXPECT_NE(pdf_text(path).find("Tara A/B Trainee"), std::string::npos) << "the whole name on the paper";
 }
 
 TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
