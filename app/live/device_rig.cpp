@@ -58,6 +58,7 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
                                      spec->jaw_opening * open_jaw_share);
         if (driven.slot < 0 || driven.slot >= hand_count) continue;
         if (const auto& force = facts.force[driven.slot]) {
+            driven.has_force = true;
             force_[i] = *force;
             force_[i]->scale = scale;
             force_[i]->damping /= motion_ * motion_;
@@ -100,10 +101,11 @@ double DeviceRig::damping(Hand hand) const {
     return force ? force->damping : -1;
 }
 
-void DeviceRig::see_overseer() noexcept {
+void DeviceRig::see_daemon() noexcept {
     const std::int64_t time = state_.overseer_time.load(std::memory_order_relaxed);
     overseer_same_ = time != overseer_time_ ? 0 : std::min(overseer_same_ + 1, overseer_ticks + 1);
     overseer_time_ = time;
+    state_.fault.read(fault_);
 }
 
 DeviceTiming DeviceRig::timing() const {
@@ -145,7 +147,7 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, Devic
     driven.newest = pose;
     DeviceReading reading = driven.start;
     const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);
-    const bool present = answers(pose, driven.same);
+    const bool present = answers(pose, driven.same) && !(driven.has_force && fault_.fault != 0);
     if (!driven.begun && present && position.allFinite() && std::isfinite(pose.roll)) {
         driven.begun = true;
         driven.origin = position;
@@ -226,7 +228,7 @@ void DeviceRig::add_keys(Driven& driven, bool is_scope, const DeviceSample& keys
 void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
     others_->read(tick, sample);
     sample.tick = tick;
-    see_overseer();
+    see_daemon();
     const std::int64_t now = monotonic_ns();
     for (int h = 0; h < hand_count; ++h) see_force(h);
     DeviceSample* const samples[device_slots] = {&sample.hand[0], &sample.hand[1], &sample.camera};

@@ -12,7 +12,8 @@
 // moved to a better place; the clutch is a button of the sample, so a replay has it too.
 //
 // While the overseer of the device gives no sign of itself, the force is 0 and the device counts as absent:
-// an attempt does not continue without force.
+// an attempt does not continue without force. A fault of the device, also of a hand that nothing uses, takes
+// the force from both hands: those that have force are absent until it has ended.
 //
 // Real-time loop: no lock, allocation, system call (but the clock) or exception.
 #pragma once
@@ -58,7 +59,7 @@ class DeviceRig : public Rig {
   private:
     struct Driven {
         int slot = -1;
-        bool exists = false, begun = false;
+        bool exists = false, begun = false, has_force = false;
         Trocar trocar;
         DeviceReading start;  // where the instrument begins
         double opening = 1, grip = 0;
@@ -79,7 +80,7 @@ class DeviceRig : public Rig {
         bool keys_hold = false;
         bool took_over = false;  ///< the device closed its own jaws while they held
     };
-    void see_overseer() noexcept;
+    void see_daemon() noexcept;
     void read_slot(Driven& driven, bool is_scope, std::int64_t now, DeviceSample& sample) noexcept;
     void see_force(int hand) noexcept;
     void clutch(Driven& driven, bool pressed, DeviceReading& reading) const noexcept;
@@ -103,6 +104,7 @@ class DeviceRig : public Rig {
     Driven driven_[device_slots];  // left, right, scope
     std::int64_t overseer_time_ = -1;
     int overseer_same_ = 0;  // ticks since it last said that it runs
+    FaultReport fault_;
     std::optional<ForceOutput> force_[hand_count];
     ForceCommand sent_[hand_count];
     std::int64_t rendered_[hand_count] = {0, 0};  ///< ns, time of the command that was rendered last
