@@ -7,6 +7,7 @@
 #include "app/live/attempt_recording.h"
 #include "app/live/device_rig.h"
 #include "app/live/device_watch.h"
+#include "app/live/force_release.h"
 #include "app/live/real_time.h"
 #include "app/live/scope_hold.h"
 #include "app/live/world_products.h"
@@ -40,13 +41,11 @@ struct RecordWorld {
 
 struct LiveAttempt::State : public AttemptSink {
     LiveRequest request;
-    std::unique_ptr<AttemptEngine>
-        engine;  // created by the recorder thread; the owner reads it once `built` is set
+    std::unique_ptr<AttemptEngine> engine;  // made by the recorder thread; the owner's once `built` is set
     std::unique_ptr<AttemptRecording> recording;  // created when the attempt begins; null for a demonstration
     std::vector<TargetSphere> targets;
     std::shared_ptr<const GhostPath> ghost;  // the owner reads it once `built` is set
-    RigSample
-        hands;  // at the start, where that is not the scene's own; the owner reads it once `built` is set
+    RigSample hands;  // at the start, where not the scene's own; the owner reads it once `built` is set
 
     Ring<TickOutput> world_ring{world_ring_ticks};
     Ring<RecordTick> record_ring{record_ring_ticks};
@@ -148,6 +147,7 @@ void LiveAttempt::State::run_haptic() noexcept {
     SleepAccount sleeps;
     std::int64_t last_duration = 0;
     ThreadUse last_use;
+    TickOutput output;
     for (std::uint32_t tick = engine->next_tick(); !stop.load(std::memory_order_relaxed); ++tick) {
         std::int64_t begin = now_ns();
         if (begin < deadline) {
@@ -179,7 +179,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         if (abandon.load(std::memory_order_relaxed)) input.flags |= rig_abandon;
         input.flags |= device_flags(input);
         scope_hold.apply(input);
-        TickOutput output = engine->tick(input);
+        output = engine->tick(input);
         output.sample.missed = counters.missed();
         write_forces(rig, output);
         world_ring.push(output);
@@ -191,7 +191,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         last_use = use_of_this_thread() - at_begin;
         counters.tick_ends(last_duration, last_use);
     }
-    write_forces(rig, TickOutput{});
+    release_forces(rig, output, engine->scene());
     if (tap != nullptr) tap->ended.store(true, std::memory_order_release);
     haptic_stopped.store(true);
     ticks_ready.post();

@@ -108,10 +108,9 @@ Vector3 HandOutput::keep_passive(const Vector3& force, const Vector3& velocity, 
     return sent;
 }
 
-/// The torque follows at the force's slew limit over a lever of 1 cm, within the device's limit.
+/// The torque follows at the force's slew limit over slew_arm, within the device's limit.
 double HandOutput::slew_torque(double wanted, bool live) noexcept {
-    constexpr double arm = 0.01;  // m
-    const double most = limits_.slew * limits_.tick_period * arm;
+    const double most = limits_.slew * limits_.tick_period * slew_arm;
     const double target = live ? std::clamp(wanted, -device_->torque, device_->torque) : 0.0;
     torque_sent_ += std::clamp(target - torque_sent_, -most, most);
     return torque_sent_;

@@ -83,6 +83,9 @@ class HandOutput {
     double torque_sent_ = 0;
 };
 
+/// m, lever over which a torque about the shaft follows at the force's slew limit.
+inline constexpr double slew_arm = 0.01;
+
 /// Largest eigenvalue of a symmetric matrix; 0 if it is not finite.
 double largest_eigenvalue(const Matrix3& matrix);
 
