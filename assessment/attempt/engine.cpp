@@ -151,8 +151,9 @@ StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, A
 
 void write_forces(Rig& rig, const TickOutput& output) {
     for (int hand = 0; hand < hand_count; ++hand) {
-        rig.write_force(static_cast<Hand>(hand), output.device_force[hand]);
+        // First: a device's command has both, and is sent with its force.
         rig.write_torque(static_cast<Hand>(hand), output.device_torque[hand]);
+        rig.write_force(static_cast<Hand>(hand), output.device_force[hand]);
     }
 }
 
