@@ -65,6 +65,7 @@ DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, 
             force_[i]->stiffness /= motion_ * motion_;
             force_[i]->peak /= motion_;
             force_[i]->continuous /= motion_;
+            if (motion_ > 1) force_[i]->slew = scene.slew_limit / motion_;
         }
     }
     for (Driven& driven : driven_) {  // until it answers its instrument is where it begins

@@ -8,8 +8,9 @@
 // of the handle: to the right is -x of the trocar's frame, up is +y, away from the person is +z, into the
 // body. With another scale of the movement m the device gets m times the force, so that the work is the same
 // on both sides; seen from the instrument its damping and stiffness are those of the device over m^2, its
-// forces over m. While the clutch of a slot is pressed its instrument stays, without force, and the device is
-// moved to a better place; the clutch is a button of the sample, so a replay has it too.
+// forces over m, and so is the slew limit where m is above 1. While the clutch of a slot is pressed its
+// instrument stays, without force, and the device is moved to a better place; the clutch is a button of the
+// sample, so a replay has it too.
 //
 // While the overseer of the device gives no sign of itself, the force is 0 and the device counts as absent:
 // an attempt does not continue without force. A fault of the device, also of a hand that nothing uses, takes

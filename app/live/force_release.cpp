@@ -10,11 +10,14 @@
 
 namespace fulcrum::app {
 
-int periods_to_release(const TickOutput& last, const Scene& scene) noexcept {
+int periods_to_release(const Rig& rig, const TickOutput& last, const Scene& scene) noexcept {
     const double step = scene.slew_limit * scene.tick_period();
     double periods = 0;
     for (int hand = 0; hand < hand_count; ++hand) {
-        periods = std::max(periods, last.device_force[hand].norm() / step);
+        double most = step;
+        if (const auto device = rig.force_output(static_cast<Hand>(hand)))
+            most = std::min(most, device->slew * scene.tick_period());
+        periods = std::max(periods, last.device_force[hand].norm() / most);
         periods = std::max(periods, std::abs(last.device_torque[hand]) / (step * slew_arm));
     }
     return static_cast<int>(std::ceil(std::min(periods, static_cast<double>(scene.tick_rate))));
@@ -22,7 +25,7 @@ int periods_to_release(const TickOutput& last, const Scene& scene) noexcept {
 
 void release_forces(Rig& rig, const TickOutput& last, const Scene& scene) noexcept {
     const auto period = static_cast<std::int64_t>(1e9 * scene.tick_period());
-    const int periods = periods_to_release(last, scene);
+    const int periods = periods_to_release(rig, last, scene);
     TickOutput output;
     for (int left = periods - 1; left > 0; --left) {
         const double share = static_cast<double>(left) / periods;

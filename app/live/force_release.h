@@ -11,8 +11,9 @@
 
 namespace fulcrum::app {
 
-/// Periods that the forces and torques of a tick take to fall to 0; at most a second of them.
-int periods_to_release(const TickOutput& last, const Scene& scene) noexcept;
+/// Periods that the forces and torques of a tick take to fall to 0 with the rig's devices; at most a second
+/// of them.
+int periods_to_release(const Rig& rig, const TickOutput& last, const Scene& scene) noexcept;
 /// Hands them to the rig, one each period, until they are 0; the first a period after it is called.
 void release_forces(Rig& rig, const TickOutput& last, const Scene& scene) noexcept;
 

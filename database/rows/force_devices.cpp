@@ -4,6 +4,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "database/rows/errors.h"
@@ -19,6 +20,9 @@ constexpr ForceKey force_keys[] = {
     {"damping_n_s_m", &ForceOutput::damping},   {"peak_n", &ForceOutput::peak},
     {"continuous_n", &ForceOutput::continuous}, {"stiffness_n_m", &ForceOutput::stiffness},
     {"torque_n_m", &ForceOutput::torque},       {"scale", &ForceOutput::scale}};
+
+/// Only where a device has a limit of its own.
+constexpr const char* slew_name = "slew_n_s";
 
 constexpr const char* use_key = "device";
 constexpr const char* part_keys[] = {"left", "right", "scope"};
@@ -60,6 +64,7 @@ std::string force_devices_text(const ForceDevices& devices, const std::optional<
         if (!devices[h]) continue;
         QJsonObject values;
         for (const ForceKey& key : force_keys) values[QLatin1String(key.name)] = (*devices[h]).*key.value;
+        if (std::isfinite(devices[h]->slew)) values[QLatin1String(slew_name)] = devices[h]->slew;
         hands[QLatin1String(hand_name(static_cast<Hand>(h)))] = values;
     }
     if (use && is_usable(*use)) hands[QLatin1String(use_key)] = json_of(*use);
@@ -79,6 +84,7 @@ ForceDevices force_devices_of(const std::string& text, const std::string& place)
         const QJsonObject values = hands[name].toObject();
         ForceOutput output;
         for (const ForceKey& key : force_keys) output.*key.value = number_of(values, key.name, place);
+        if (values.contains(QLatin1String(slew_name))) output.slew = number_of(values, slew_name, place);
         if (!is_usable(output))
             damaged(place, {QT_TRANSLATE_NOOP("errors", "a value of the %1 hand is out of range"),
                             name.toStdString()});

@@ -149,6 +149,7 @@ HandForce HandOutput::step(const HandTick& tick) noexcept {
     input.explained = explained(tick, share_ * stiffness, keep * damping, velocity);
     SafetyLimits limits = limits_;
     limits.force = peak_now(safety_.sent.norm());
+    limits.slew = std::min(limits_.slew, device_->slew);
     const SafetyOutput safe = step_safety(limits, input, safety_);
     sent.flags = safe.flags;
     sent.force = keep_passive(safe.force, velocity, stiffest > 0);

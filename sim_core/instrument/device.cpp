@@ -32,7 +32,7 @@ bool is_usable(const ForceOutput& output) {
     for (const double value : values) {
         if (!std::isfinite(value) || value < 0) return false;
     }
-    return output.continuous <= output.peak && output.scale > 0;
+    return output.continuous <= output.peak && output.scale > 0 && output.slew > 0;
 }
 
 std::optional<ForceOutput> Rig::force_output(Hand hand) const {

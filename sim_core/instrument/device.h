@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -84,9 +85,11 @@ struct ForceOutput {
     double stiffness = 1e9;  ///< N/m, largest that the maker states; 1e9: none stated
     double torque = 0;       ///< N m, largest about the shaft; 0: no motor there
     double scale = 1;        ///< force sent over force of the model at the hand, > 0
+    /// N/s, as slew_limit of the scene; the smaller of both holds. Infinity: that of the scene.
+    double slew = std::numeric_limits<double>::infinity();
 };
 
-/// Every value finite and in its range.
+/// Every value in its range, and finite but for the slew.
 bool is_usable(const ForceOutput& output);
 
 /// Of both hands; none where a device renders no force.

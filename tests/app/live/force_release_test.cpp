@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,7 +41,13 @@ class ReleasedHands : public Rig {
     }
     bool has_force(Hand /*hand*/) const override { return true; }
     double damping(Hand /*hand*/) const override { return 1; }
+    std::optional<ForceOutput> force_output(Hand /*hand*/) const override {
+        ForceOutput output = fulcrum::test::ideal_device();
+        output.slew = slew;
+        return output;
+    }
 
+    double slew = std::numeric_limits<double>::infinity();
     std::array<std::vector<Vector3>, hand_count> forces;
     std::vector<double> torques;
     std::vector<std::int64_t> times;
@@ -89,13 +96,17 @@ TEST(ForceRelease, OfNothingIsOneZeroAndOfAVerySlowSlewLimitASecond) {
     EXPECT_EQ(rig.forces[0].front(), Vector3(Vector3::Zero()));
     TickOutput last;
     last.device_force[0] = Vector3(3, 0, 0);
-    EXPECT_EQ(periods_to_release(last, scene), 10);
+    EXPECT_EQ(periods_to_release(rig, last, scene), 10);
     scene.slew_limit = 0.01;
-    EXPECT_EQ(periods_to_release(last, scene), scene.tick_rate);
+    EXPECT_EQ(periods_to_release(rig, last, scene), scene.tick_rate);
     last.device_force[0] = Vector3::Zero();
     last.device_torque[0] = 0.02;
     scene.slew_limit = 300;
-    EXPECT_EQ(periods_to_release(last, scene), 7) << "3 N mm each ms";
+    EXPECT_EQ(periods_to_release(rig, last, scene), 7) << "3 N mm each ms";
+    last.device_torque[0] = 0;
+    last.device_force[0] = Vector3(3, 0, 0);
+    rig.slew = 150;
+    EXPECT_EQ(periods_to_release(rig, last, scene), 20) << "the device's own limit";
 }
 
 /// An operator who presses too hard, with a device with force in the left hand; that hand rests as soon as

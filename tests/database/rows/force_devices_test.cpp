@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "database/rows/errors.h"
 
 namespace fulcrum::database {
@@ -30,7 +32,26 @@ TEST(ForceDevices, AreReadBackAsTheyWereWritten) {
     EXPECT_EQ(again[1]->stiffness, output.stiffness);
     EXPECT_EQ(again[1]->torque, output.torque);
     EXPECT_EQ(again[1]->scale, output.scale);
+    EXPECT_EQ(again[1]->slew, std::numeric_limits<double>::infinity()) << "that of the scene";
+    EXPECT_EQ(text.find("slew"), std::string::npos) << "as older attempts have it";
     EXPECT_EQ(force_devices_text(again), text);
+}
+
+TEST(ForceDevices, ASlewLimitOfTheDeviceIsReadBackAndChecked) {
+    ForceDevices devices;
+    devices[0].emplace();
+    devices[0]->slew = 1000.0 / 7;
+    const std::string text = force_devices_text(devices);
+    const ForceDevices again = force_devices_of(text, "here");
+    ASSERT_TRUE(again[0].has_value());
+    EXPECT_EQ(again[0]->slew, devices[0]->slew);
+    EXPECT_EQ(force_devices_text(again), text);
+    const std::string name = "\"slew_n_s\":";
+    const std::size_t value = text.find(name) + name.size();
+    const std::size_t size = text.find_first_of(",}", value) - value;
+    for (const char* wrong : {"0", "-1", "null", "\"150\""})
+        EXPECT_THROW(force_devices_of(std::string(text).replace(value, size, wrong), "here"), StoreError)
+            << wrong;
 }
 
 TEST(ForceDevices, UseAndRateAreInTheSameTextAndMayBeAbsent) {
