@@ -46,6 +46,7 @@ constexpr Column columns[] = {
     {"a.started", In::tables},
     {"a.utc_offset_min", In::words},
     {"a.force_devices", In::lists},
+    {"a.station_id", In::words},
     {"p.login", In::lists},
     {"p.display_name", In::lists},
     {"p.kind", In::words},
@@ -190,6 +191,7 @@ AttemptSummary summary_of_row(const Query& row, const std::vector<std::string>* 
     const std::string devices = text();
     meta.force_devices = force_devices_of(devices, place("force devices")());
     meta.rig_use = rig_use_of(devices, place("force devices")());
+    attempt.station_id = text();
     attempt.person_login = text();
     attempt.person_name = text();
     attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;

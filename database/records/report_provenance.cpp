@@ -4,17 +4,23 @@
 #include <algorithm>
 #include <iterator>
 
+#include "database/records/attempt_query.h"
 #include "database/rows/connection.h"
 
 namespace fulcrum::database {
 
-MetricVersions::Group MetricVersions::group_of(const AttemptMeta& meta) {
-    return {meta.program_version, meta.task_id, std::to_string(meta.task_version),
-            row_of(device_classes, meta.device_class).name};
+MetricVersions::Group MetricVersions::group_of(const AttemptSummary& attempt) {
+    const AttemptMeta& meta = attempt.meta;
+    return {attempt.station_id,
+            meta.program_version,
+            meta.task_id,
+            std::to_string(meta.task_version),
+            row_of(device_classes, meta.device_class).name,
+            is_cut_off(attempt.recorded_state) ? meta.id : std::string()};
 }
 
 const MetricVersions::Set& MetricVersions::of(const AttemptSummary& attempt) {
-    std::map<Moment, const Set*>& known = known_[group_of(attempt.meta)];
+    std::map<Moment, const Set*>& known = known_[group_of(attempt)];
     const Moment moment{attempt.meta.started, attempt.meta.id};
     const auto next = known.lower_bound(moment);
     if (next != known.end()) {
@@ -41,8 +47,8 @@ void MetricVersions::read(const std::vector<const AttemptSummary*>& attempts) {
             const AttemptMeta& meta = attempts[i]->meta;
             const auto found = versions.find(meta.id);
             if (found == versions.end()) continue;
-            known_[group_of(meta)].emplace(Moment{meta.started, meta.id},
-                                           &*sets_.insert(found->second).first);
+            known_[group_of(*attempts[i])].emplace(Moment{meta.started, meta.id},
+                                                   &*sets_.insert(found->second).first);
         }
     }
 }
@@ -55,7 +61,7 @@ void Provenance::add_basis(const AttemptMeta& meta) {
 void Provenance::add(const AttemptSummary& attempt) {
     add_basis(attempt.meta);
     if (attempt.passed || !attempt.not_scored_because.empty())
-        to_look_up_[MetricVersions::group_of(attempt.meta)].emplace_back(attempt.meta.started, &attempt);
+        to_look_up_[MetricVersions::group_of(attempt)].emplace_back(attempt.meta.started, &attempt);
 }
 
 void Provenance::add(const AttemptSummary& attempt, const std::vector<MetricRow>& metrics) {

@@ -16,15 +16,16 @@
 
 namespace fulcrum::database {
 
-/// The versions of the metrics in the scores of one report's attempts. They change where the program is
-/// updated, so between two attempts (of one task and version, device class and program) with the same ones no
-/// others are looked for: few attempts are asked about, whatever their number. A report of one person has
-/// its own: stations are updated at different times, and the attempts of others may be from another station.
+/// The versions of the metrics in the scores of one report's attempts. They change where the program of a
+/// station is updated, so between two attempts of one station (of one task and version, device class and
+/// program) with the same ones no others are looked for: few attempts are asked about, whatever their number.
+/// Attempts that were cut off may have been scored later, by another program: each is asked about. A report
+/// of one person has its own: the attempts of others may be from another station.
 class MetricVersions {
   public:
     using Set = std::set<std::string>;         ///< "path_len@1"
-    using Group = std::array<std::string, 4>;  ///< what attempts have in common
-    static Group group_of(const AttemptMeta& meta);
+    using Group = std::array<std::string, 6>;  ///< what attempts have in common
+    static Group group_of(const AttemptSummary& attempt);
 
     explicit MetricVersions(const Store& store) : store_(store) {}
     /// Empty where the attempt has no score, or one without metrics.

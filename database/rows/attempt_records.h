@@ -143,6 +143,7 @@ struct AttemptResult {
 
 struct AttemptSummary {
     AttemptMeta meta;
+    std::string station_id;  ///< that recorded it
     std::string person_login, person_name;
     bool synthetic = false;  ///< the person is marked synthetic or external
     AttemptState state = AttemptState::running;

@@ -70,13 +70,16 @@ TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
 }
 
 /// An attempt with this version of `path_len`, a minute before the next one.
-void record_with_version(const Programme& programme, const std::string& login, int version) {
-    AttemptResult result = example_result(true, 70);
+std::string record_with_version(const Programme& programme, const std::string& login, int version,
+                                AttemptState state = AttemptState::completed) {
+    AttemptResult result = example_result(state == AttemptState::completed, 70);
+    result.state = state;
     result.score->metrics[0].version = version;
-    Recorder(programme.path, programme.session(login), example_meta(programme.id(login)),
-             programme.clock.options())
-        .finish(result);
+    Recorder recorder(programme.path, programme.session(login), example_meta(programme.id(login)),
+                      programme.clock.options());
+    recorder.finish(result);
     programme.clock.pass_s(60);
+    return recorder.attempt_id();
 }
 
 /// Of the pages of people in a cohort's PDF, by login.
@@ -115,6 +118,34 @@ TEST(CohortTable, NamesEachVersionOfAMetricThatItsValuesHave) {
     std::map<std::string, std::vector<std::string>> of_person = versions_on_pages(programme);
     EXPECT_EQ(of_person["ann"], all);
     EXPECT_EQ(of_person["ben"], (std::vector<std::string>{"path_len@2", "sparc@2"}));
+}
+
+TEST(CohortTable, NamesAVersionOfAnotherStationBetweenTwoAttemptsOfOneStation) {
+    Programme programme;
+    record_with_version(programme, "ann", 2);
+    const std::string between = record_with_version(programme, "ben", 3);
+    record_with_version(programme, "ann", 2);
+    programme.store->connection().execute(QString::fromStdString(
+        "DROP TRIGGER IF EXISTS attempt_is_fixed; INSERT INTO station VALUES ('elsewhere', 'Room 2', 1); "
+        "UPDATE attempt SET station_id = 'elsewhere' WHERE id = '" +
+        between + "'"));
+    EXPECT_EQ(Reports(*programme.store)
+                  .cohort_table(programme.session("director"), programme.cohort)
+                  .metric_versions,
+              (std::vector<std::string>{"path_len@2", "path_len@3", "sparc@2"}));
+}
+
+TEST(CohortTable, NamesTheVersionOfACutOffAttemptThatWasScoredLater) {
+    Programme programme;
+    record_with_version(programme, "ann", 2);
+    record_with_version(programme, "ann", 3, AttemptState::interrupted);
+    record_with_version(programme, "ann", 2);
+    const std::vector<std::string> all = {"path_len@2", "path_len@3", "sparc@2"};
+    EXPECT_EQ(Reports(*programme.store)
+                  .cohort_table(programme.session("director"), programme.cohort)
+                  .metric_versions,
+              all);
+    EXPECT_EQ(versions_on_pages(programme)["ann"], all);
 }
 
 TEST(CohortTable, PagesOfPeopleNameThePersonsOwnVersionsOfAMetric) {
