@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "ui/language/language.h"
 #include "ui/language/words.h"
@@ -201,7 +202,8 @@ void TissuesPage::show_values() {
         table_->setRowHeight(row, std::max(table_->rowHeight(row), edit->sizeHint().height() + 4));
     }
     fit_columns(table_);
-    table_->setColumnWidth(site_column, with_text(110));
+    table_->setColumnWidth(
+        site_column, std::max(with_text(110), table_->horizontalHeader()->sectionSizeHint(site_column)));
     // With large text the table scrolls sideways.
     int height = table_->horizontalHeader()->sizeHint().height() + 8 +
                  (text_percent() > 100 ? table_->horizontalScrollBar()->sizeHint().height() : 0);

@@ -29,6 +29,7 @@
 #include "tests/support/own_folder.h"
 #include "tests/support/support.h"
 #include "tests/ui/hands.h"
+#include "ui/language/language.h"
 #include "ui/shell/main_window.h"
 
 namespace fulcrum::app::program_test {
@@ -272,6 +273,33 @@ TEST_F(SiteTissue, ValuesThatNoLongerFitTheSceneAreShownAndReset) {
     click(window, "scene_tissues");
     EXPECT_FALSE(sees(window, "tissue_trouble"));
     EXPECT_NO_THROW(load_site_task(*services->store(), *programme.educator, {"B2"}));
+    window.context().sign_out();
+}
+
+TEST_F(SiteTissue, TheHeadOfTheSitesColumnIsWholeInLargeGermanText) {
+    programme.store.reset();
+    const auto services = make_services(programme.folder.path().toStdString());
+    MainWindow window(*services);
+    window.resize(1024, 768);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.start();
+    window.set_language(Language::german);
+    window.set_text_size(200);
+    window.context().set_session(*programme.educator);
+    QCoreApplication::processEvents();
+    choose_page(window, "rail_tissues");
+    constexpr int site_column = 3;
+    auto* table = find<QTableWidget>(window, "tissue_table");
+    ASSERT_NE(table, nullptr);
+    const QTableWidgetItem* head = table->horizontalHeaderItem(site_column);
+    ASSERT_EQ(head->text().toStdString(), "An diesem Standort");
+    QFont bold = table->horizontalHeader()->font();
+    bold.setBold(true);
+    EXPECT_GT(table->columnWidth(site_column), QFontMetrics(bold).horizontalAdvance(head->text()));
+    keep_picture(window, "tissues-german");
+    window.set_text_size(100);
+    use_language(Language::english);
     window.context().sign_out();
 }
 
