@@ -111,7 +111,7 @@ QWidget* TissuesPage::build_editor() {
         make_label(tr("No values have been set at this site yet: those of the scene apply."), "muted");
     card_layout(card)->addWidget(no_history_);
     connect(save_, &QPushButton::clicked, this, &TissuesPage::save);
-    connect(reason_, &QLineEdit::returnPressed, this, &TissuesPage::save);
+    connect(reason_, &QLineEdit::returnPressed, save_, &QPushButton::click);
     connect(back_, &QPushButton::clicked, this, &TissuesPage::back_to_scene);
     return card;
 }
@@ -126,6 +126,18 @@ std::string TissuesPage::task_id() const {
     return row < 0 ? std::string() : tasks_[static_cast<std::size_t>(row)];
 }
 
+bool TissuesPage::is_listed(const TaskDefinition& task) const {
+    bool listed = false;
+    context().guarded([&] {
+        for (const TissueSpec& tissue : context().services().scene_for(task).tissues)
+            listed = listed || tissue.cutting.has_value();
+        // Values for tissue that the scene has no longer: no attempt begins until they are reset here.
+        listed = listed ||
+                 !database::Tissues(context().store()).in_force(context().session(), task.id).values.empty();
+    });
+    return listed;
+}
+
 void TissuesPage::fill() {
     const std::string kept = task_id();
     const QSignalBlocker quiet(list_);
@@ -133,12 +145,7 @@ void TissuesPage::fill() {
     tasks_.clear();
     int current = 0;
     for (const TaskDefinition& task : context().services().tasks()) {
-        bool cut = false;
-        context().guarded([&] {
-            for (const TissueSpec& tissue : context().services().scene_for(task).tissues)
-                cut = cut || tissue.cutting.has_value();
-        });
-        if (!cut) continue;
+        if (!is_listed(task)) continue;
         if (task.id == kept) current = list_->count();
         tasks_.push_back(task.id);
         list_->addItem(context().task_title(task.id));
@@ -160,6 +167,7 @@ void TissuesPage::select() {
     const bool may_set = context().allowed(database::Operation::set_tissues);
     change_->setVisible(known && may_set);
     back_->setEnabled(site_.differ);
+    save_->setEnabled(!site_.values.empty());
     show_values();
     show_history();
 }
@@ -209,6 +217,7 @@ void TissuesPage::show_values() {
                  (text_percent() > 100 ? table_->horizontalScrollBar()->sizeHint().height() : 0);
     for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
     table_->setFixedHeight(height);
+    table_->setVisible(!site_.values.empty());
     trouble_->setVisible(!site_.unusable.empty());
     trouble_->setText(
         tr("No attempt at this task can begin with these values: %1. Correct them, or reset them "

@@ -24,6 +24,8 @@ class TissuesPage : public Page {
 
   private:
     QWidget* build_editor();
+    /// A blade cuts its tissue, or this site has values for tissue of it.
+    bool is_listed(const TaskDefinition& task) const;
     void fill();
     void select();
     void show_values();
@@ -33,7 +35,7 @@ class TissuesPage : public Page {
     void set(const database::TissueValues& values, const QString& said);
     std::string task_id() const;
 
-    std::vector<std::string> tasks_;  ///< those whose tissue a blade cuts
+    std::vector<std::string> tasks_;  ///< in the order of the list
     SiteTissues site_;
     QListWidget* list_;
     QTableWidget *table_, *history_;

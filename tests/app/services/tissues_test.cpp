@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QTableWidget>
 #include <filesystem>
 #include <fstream>
@@ -273,6 +274,40 @@ TEST_F(SiteTissue, ValuesThatNoLongerFitTheSceneAreShownAndReset) {
     click(window, "scene_tissues");
     EXPECT_FALSE(sees(window, "tissue_trouble"));
     EXPECT_NO_THROW(load_site_task(*services->store(), *programme.educator, {"B2"}));
+    window.context().sign_out();
+}
+
+TEST_F(SiteTissue, ATaskThatLostAllTissueToCutIsListedUntilItsValuesAreReset) {
+    // A2 has nothing to cut, as after an update that took it out.
+    Tissues(store).set(*programme.educator, "A2", 0, {{"areolar", {{"penetrate_n", 0.1}}}},
+                       "before the update");
+    EXPECT_THROW(load_site_task(store, *programme.educator, {"A2"}), InputError);
+    programme.store.reset();
+    const auto services = make_services(programme.folder.path().toStdString());
+    MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.start();
+    window.context().set_session(*programme.educator);
+    click(window, "rail_tissues");
+    auto* tasks = find<QListWidget>(window, "tissue_tasks");
+    ASSERT_NE(tasks, nullptr);
+    const auto listed = [&] { return tasks->findItems("A2", Qt::MatchStartsWith); };
+    ASSERT_EQ(listed().size(), 1);
+    tasks->setCurrentItem(listed().front());
+    EXPECT_TRUE(find<QLabel>(window, "tissue_trouble")->text().contains("No attempt at this task can begin"));
+    EXPECT_FALSE(sees(window, "tissue_table")) << "there is no value to set";
+    EXPECT_FALSE(find<QPushButton>(window, "save_tissues")->isEnabled());
+    keep_picture(window, "tissues-lost");
+    type(window, "tissue_reason", "back");
+    QTest::keyClick(find<QLineEdit>(window, "tissue_reason"), Qt::Key_Return);
+    EXPECT_TRUE(sees(window, "tissue_trouble")) << "nothing was saved";
+    click(window, "scene_tissues");
+    EXPECT_FALSE(sees(window, "tissue_trouble"));
+    EXPECT_NO_THROW(load_site_task(*services->store(), *programme.educator, {"A2"}));
+    window.current_page()->enter();
+    EXPECT_TRUE(listed().empty());
     window.context().sign_out();
 }
 
