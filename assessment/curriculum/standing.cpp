@@ -226,7 +226,7 @@ class TaskRun {
             result.standing = at >= next_check_ ? Standing::due
                               : maintained_     ? Standing::maintained
                                                 : Standing::proficient;
-            result.provisional = provisional_ && result.standing == Standing::due;
+            result.provisional = provisional_ && !by_firm_limits_ && result.standing == Standing::due;
             return result;
         }
         result.standing = passes_ > 0     ? Standing::passed

@@ -203,6 +203,11 @@ TEST(Standing, ACheckIsProvisionalWhereEveryPassWas) {
     ann.attempt("A", begin + 20 * day + hour, true).provisional = true;
     EXPECT_EQ(ann.at("A", begin + 21 * day).standing, Standing::due) << "they do not complete it";
     EXPECT_TRUE(ann.at("A", begin + 21 * day).provisional);
+    Trainee ben = ann;
+    ben.attempt("A", begin + 21 * day, false);
+    EXPECT_EQ(ben.at("A", begin + 21 * day).standing, Standing::due);
+    EXPECT_FALSE(ben.at("A", begin + 21 * day).provisional)
+        << "firm limits judge it now: it can be completed";
     ann.attempt("A", begin + 21 * day, true);
     EXPECT_FALSE(ann.at("A", begin + 21 * day).provisional);
 }
