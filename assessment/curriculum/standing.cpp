@@ -164,6 +164,8 @@ class TaskRun {
         last_ = one.time;
         if (attempts_ == 0) first_ = one.time;
         ++attempts_;
+        // There it could not have been passed either.
+        if (one.without_limits) return;
         by_firm_limits_ = !one.provisional;
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;

@@ -5,7 +5,8 @@
 //
 // Provisional limits allow a pass, never proficiency. Whoever meets the rule on them is shown as "passed
 // (provisional)", and the next tasks unlock, so that a site without expert sets of its own can be used. Once
-// the latest attempt was judged by firm limits, the standing shows what is left to proficiency on these.
+// the latest attempt was judged by firm limits, the standing shows what is left to proficiency on these. A
+// failure where no set of limits applies is an attempt that neither meets a rule nor breaks it.
 //
 // Where a rule asks for ratings, the attempt that completes the passes is the one to be rated, and stays it
 // whatever is performed while it waits. Too few ratings: awaiting rating. Enough and high enough: proficient
@@ -55,6 +56,8 @@ struct CountedAttempt {
     bool provisional = false;    ///< passed or failed by limits that are provisional
     std::int64_t voided_at = 0;  ///< UTC ms; 0: not voided
     std::string variant = {};    ///< of the task
+    /// Failed where no set of limits applies, by a critical error for example: neither firm nor provisional.
+    bool without_limits = false;
 };
 
 /// An educator's decision, in place of the rule.

@@ -60,7 +60,13 @@ constexpr Column columns[] = {
     {"s.passed", In::tables},
     {"s.points", In::tables},
     {"COALESCE(s.not_scored_because, '')", In::tables},
-    {"EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1)", In::tables},
+    // 1: by provisional limits; 2: failed without a set of limits.
+    {"CASE WHEN EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1) THEN 1 "
+     "WHEN s.passed = 0 AND NOT EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id "
+     "AND g.kind = 'benchmark' AND g.limit_value IS NOT NULL) "
+     "AND EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.kind = 'benchmark') "
+     "THEN 2 ELSE 0 END",
+     In::tables},
     {"COALESCE(v.reason, '')", In::lists},
     {"COALESCE(w.display_name, '')", In::lists},
     {"COALESCE(v.time, 0)", In::tables},
@@ -207,7 +213,9 @@ AttemptSummary summary_of_row(const Query& row, const std::vector<std::string>* 
     attempt.passed = fields.optional_flag();
     attempt.points = fields.optional_real();
     attempt.not_scored_because = statement_of(text());
-    attempt.provisional = fields.flag();
+    const std::int64_t judged_by = integer();
+    attempt.provisional = judged_by == 1;
+    attempt.without_limits = judged_by == 2;
     attempt.void_reason = text();
     attempt.voided_by = text();
     attempt.voided_at = integer();

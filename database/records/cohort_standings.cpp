@@ -45,9 +45,9 @@ bool is_done(const PersonTask& task) {
 
 CountedAttempt counted_attempt(const AttemptSummary& attempt) {
     return {
-        attempt.meta.id,           attempt.meta.task_id, attempt.meta.started, attempt.meta.utc_offset_min,
-        attempt.meta.device_class, *attempt.passed,      attempt.provisional,  attempt.voided_at,
-        attempt.meta.variant};
+        attempt.meta.id,           attempt.meta.task_id,  attempt.meta.started, attempt.meta.utc_offset_min,
+        attempt.meta.device_class, *attempt.passed,       attempt.provisional,  attempt.voided_at,
+        attempt.meta.variant,      attempt.without_limits};
 }
 
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,

@@ -155,6 +155,8 @@ struct AttemptSummary {
     std::string state_hash;
     std::optional<bool> passed;  ///< of the score in force
     bool provisional = false;    ///< a gate of the score in force has a provisional limit
+    /// It failed, and the gates that a benchmark set judges have no limits: there was no set for it.
+    bool without_limits = false;
     std::optional<double> points;
     Statement not_scored_because;
     bool counting = false;               ///< enters progress and cohorts, device class aside (docs/MANUAL.md)

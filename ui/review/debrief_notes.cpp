@@ -46,6 +46,11 @@ QStringList DebriefPage::notes() const {
             "The limits are provisional: they come from simulated experts, not from surgeons. With them a "
             "task can be passed, but nobody becomes proficient.");
     }
+    if (attempt.without_limits && attempt.meta.mode == AttemptMode::assessed) {
+        notes << tr(
+            "No set of limits applies to this attempt. It failed for another reason, such as a critical "
+            "error, and neither gives nor ends proficiency.");
+    }
     if (struck_ > 0)
         notes << tr(
             "An educator struck %n errors that the program had recorded. The score stays as it is: "

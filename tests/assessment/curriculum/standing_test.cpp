@@ -212,6 +212,21 @@ TEST(Standing, ACheckIsProvisionalWhereEveryPassWas) {
     EXPECT_FALSE(ann.at("A", begin + 21 * day).provisional);
 }
 
+TEST(Standing, AFailureWhereNoLimitsApplyIsNeitherFirmNorProvisional) {
+    const Curriculum curriculum = example();
+    Trainee ann(curriculum);
+    ann.attempt("A", begin, true).provisional = true;
+    ann.attempt("A", begin + hour, false).without_limits = true;
+    ann.attempt("A", begin + day, true).provisional = true;
+    ann.attempt("A", begin + 2 * day, false).without_limits = true;
+    EXPECT_TRUE(ann.at("A", begin + 2 * day).met_provisionally) << "the limits in use are still provisional";
+    EXPECT_EQ(ann.at("A", begin + 2 * day).attempts, 4);
+    Trainee ben(curriculum);
+    ben.become_proficient();
+    for (int i = 0; i < 3; ++i) ben.attempt("A", begin + 2 * day + i * hour, false).without_limits = true;
+    EXPECT_EQ(ben.at("A", begin + 3 * day).standing, Standing::proficient);
+}
+
 TEST(Standing, ChecksComeDueAndAreMaintainedOrOverdue) {
     const Curriculum curriculum = example();
     Trainee ann(curriculum);
@@ -334,6 +349,7 @@ History random_history(const Curriculum& curriculum) {
         one.time = begin + *rc::gen::inRange(0, 365) * day + *rc::gen::inRange(0, 24) * hour;
         one.passed = *rc::gen::inRange(0, 10) < 8;
         one.provisional = *rc::gen::inRange(0, 10) == 0;
+        one.without_limits = !one.passed && *rc::gen::inRange(0, 4) == 0;
         one.variant = *rc::gen::element<std::string>("standard", "narrow", "wide");
         one.voided_at = *rc::gen::inRange(0, 8) == 0 ? one.time + *rc::gen::inRange(0, 30) * day : 0;
         history.record.attempts.push_back(one);

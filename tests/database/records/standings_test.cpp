@@ -48,6 +48,34 @@ TEST(Standings, AttemptsCountUntilTheyAreVoided) {
     EXPECT_EQ(standing(programme, curriculum, "B1", begin + 200'000).standing, Standing::locked);
 }
 
+TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    const std::int64_t begin = programme.store->now();
+    const auto record = [&](std::optional<double> limit, const std::string& source) {
+        AttemptResult result = test::example_result(false, 0);
+        GateRow& gate = result.score->gates.front();
+        ASSERT_EQ(gate.kind, GateKind::benchmark);
+        gate.limit = limit;
+        gate.limit_source = source;
+        gate.z = gate.points = std::nullopt;
+        gate.provisional = false;
+        Recorder(programme.path, programme.session("ann"), test::example_meta(programme.id("ann")),
+                 programme.clock.options())
+            .finish(result);
+        programme.clock.pass_s(60);
+    };
+    record(std::nullopt, "");
+    record(900.0, "A2-site@1");
+    const PersonRecord counted =
+        Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), curriculum);
+    ASSERT_EQ(counted.attempts.size(), 2U);
+    for (const CountedAttempt& one : counted.attempts) {
+        EXPECT_FALSE(one.provisional);
+        EXPECT_EQ(one.without_limits, one.time == begin);
+    }
+}
+
 TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
     const Programme programme;
     const Curriculum curriculum = rectal();

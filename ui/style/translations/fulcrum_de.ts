@@ -13549,6 +13549,10 @@ Kennzahlen: %2</translation>
             <numerusform>%n Fehler, die das Programm aufgezeichnet hatte, wurden gestrichen. Die Punktzahl bleibt, wie sie ist: Bewertungen werden nie bearbeitet. Ein Ausbilder kann den Versuch für ungültig erklären oder über den Stand entscheiden.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No set of limits applies to this attempt. It failed for another reason, such as a critical error, and neither gives nor ends proficiency.</source>
+        <translation>Für diesen Versuch gilt kein Satz von Grenzwerten. Er wurde aus einem anderen Grund nicht bestanden, etwa wegen eines kritischen Fehlers, und ändert nichts daran, was sicher beherrscht wird.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DeviceTest</name>
