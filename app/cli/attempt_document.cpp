@@ -80,44 +80,15 @@ nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin)
 
 namespace {
 
-/// A store has neither the kind of an absence nor the count behind a value: those of the record, where they
-/// are of the same version.
+/// With what a store does not have of it from the record, where that is of the same version.
 MetricResult stored_result(const database::MetricRow& row, const std::vector<MetricResult>& measured) {
-    MetricResult result;
-    result.id = row.id;
-    result.version = row.version;
-    result.hand = row.hand;
-    result.tissue = row.tissue;
-    result.value = row.value;
-    result.unit = row.unit;
-    result.direction = row.direction;
-    result.absent_because = row.absent_because;
-    for (const auto& [begin, end] : row.evidence) result.evidence.push_back({begin, end});
-    if (!row.value) result.absence = Absence::not_measured;
+    MetricResult result = from_row(row);
     const MetricResult* now = find_result(measured, row.id, row.hand, row.tissue);
     if (now != nullptr && now->version == row.version && now->value.has_value() == row.value.has_value()) {
         result.absence = now->absence;
         result.count = now->count;
     }
     return result;
-}
-
-GateResult stored_gate(const database::GateRow& row) {
-    GateResult gate;
-    gate.metric = row.metric;
-    gate.hand = row.hand;
-    gate.tissue = row.tissue;
-    gate.kind = row.kind;
-    gate.value = row.value;
-    gate.unit = row.unit;
-    gate.limit = row.limit;
-    gate.limit_source = row.limit_source;
-    gate.z = row.z;
-    gate.points = row.points;
-    gate.passed = row.passed;
-    gate.provisional = row.provisional;
-    gate.absent_because = row.not_passed_because;
-    return gate;
 }
 
 /// In place of what the record gives today: with the limits that were in force when the attempt began, and
@@ -135,10 +106,10 @@ void take_stored(ScoredAttempt& scored, const database::ScoreRow& stored) {
     scored.score.advice = stored.advice;
     for (const database::GateRow& row : stored.gates) {
         scored.score.provisional = scored.score.provisional || row.provisional;
-        scored.score.gates.push_back(stored_gate(row));
+        scored.score.gates.push_back(from_row(row));
     }
     for (const database::CriticalErrorRow& row : stored.critical_errors)
-        scored.score.critical_errors.push_back({row.kind, row.hand, row.tissue, row.time_s});
+        scored.score.critical_errors.push_back(from_row(row));
 }
 
 std::vector<std::string> write_files(const std::string& folder,

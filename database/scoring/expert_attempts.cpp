@@ -13,6 +13,7 @@
 #include "database/records/people.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/benchmark_files.h"
+#include "database/scoring/scoring.h"
 #include "database/store/accepted_assets.h"
 #include "sim_core/numerics/output_file.h"
 #include "sim_core/scene/json_document.h"
@@ -64,21 +65,9 @@ std::optional<database::ScoreRow> score_for_limits(const database::Attempts& att
 BenchmarkAttempt counted_attempt(const std::string& person, const database::ScoreRow& score) {
     BenchmarkAttempt attempt;
     attempt.person = person;
-    for (const database::CriticalErrorRow& error : score.critical_errors)
-        attempt.critical_errors.push_back({error.kind, error.hand, error.tissue, error.time_s});
-    for (const database::MetricRow& row : score.metrics) {
-        MetricResult metric;
-        metric.id = row.id;
-        metric.version = row.version;
-        metric.hand = row.hand;
-        metric.tissue = row.tissue;
-        metric.value = row.value;
-        metric.unit = row.unit;
-        metric.direction = row.direction;
-        metric.absent_because = row.absent_because;
-        metric.absence = row.value ? Absence::none : Absence::not_measured;
-        attempt.metrics.push_back(metric);
-    }
+    for (const database::CriticalErrorRow& row : score.critical_errors)
+        attempt.critical_errors.push_back(from_row(row));
+    for (const database::MetricRow& row : score.metrics) attempt.metrics.push_back(from_row(row));
     return attempt;
 }
 

@@ -202,4 +202,41 @@ database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits
     return row;
 }
 
+MetricResult from_row(const database::MetricRow& row) {
+    MetricResult result;
+    result.id = row.id;
+    result.version = row.version;
+    result.hand = row.hand;
+    result.tissue = row.tissue;
+    result.value = row.value;
+    result.unit = row.unit;
+    result.direction = row.direction;
+    result.absence = row.value ? Absence::none : Absence::not_measured;
+    result.absent_because = row.absent_because;
+    for (const auto& [begin, end] : row.evidence) result.evidence.push_back({begin, end});
+    return result;
+}
+
+GateResult from_row(const database::GateRow& row) {
+    GateResult gate;
+    gate.metric = row.metric;
+    gate.hand = row.hand;
+    gate.tissue = row.tissue;
+    gate.kind = row.kind;
+    gate.value = row.value;
+    gate.unit = row.unit;
+    gate.limit = row.limit;
+    gate.limit_source = row.limit_source;
+    gate.z = row.z;
+    gate.points = row.points;
+    gate.passed = row.passed;
+    gate.provisional = row.provisional;
+    gate.absent_because = row.not_passed_because;
+    return gate;
+}
+
+CriticalError from_row(const database::CriticalErrorRow& row) {
+    return {row.kind, row.hand, row.tissue, row.time_s};
+}
+
 }  // namespace fulcrum

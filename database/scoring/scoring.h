@@ -74,5 +74,10 @@ std::vector<std::string> tissue_labels(const Scene& scene);
 
 /// As the store keeps it.
 database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits);
+/// Back from the store, which has neither the kind of an absence (here `not_measured`) nor the count behind
+/// a value, and of a gate no evidence.
+MetricResult from_row(const database::MetricRow& row);
+GateResult from_row(const database::GateRow& row);
+CriticalError from_row(const database::CriticalErrorRow& row);
 
 }  // namespace fulcrum
