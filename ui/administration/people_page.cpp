@@ -57,7 +57,9 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     card_layout(secret_)->addWidget(secret_text_);
     QPushButton* noted = make_button(tr("I have handed it over"), "password_noted");
     connect(noted, &QPushButton::clicked, this, [this] {
+        issued_.reset();
         secret_text_->clear();
+        secret_text_->setProperty("password", QVariant());
         secret_->hide();
     });
     card_layout(secret_)->addWidget(noted, 0, Qt::AlignLeft);
@@ -200,11 +202,12 @@ void PeoplePage::select() {
     active_->setText(person->active ? tr("Deactivate") : tr("Activate"));
 }
 
-void PeoplePage::show_secret(const QString& who, const std::string& secret) {
+void PeoplePage::show_issued(const Issued& issued) {
+    issued_ = issued;
     secret_text_->setText(
         tr("%1: %2\nValid for 24 hours and shown only now. It must be changed at the first sign-in.")
-            .arg(who, text(secret)));
-    secret_text_->setProperty("password", text(secret));
+            .arg(issued_->who, text(issued_->password)));
+    secret_text_->setProperty("password", text(issued_->password));
     secret_->show();
 }
 
@@ -213,7 +216,7 @@ void PeoplePage::add() {
         const auto created = database::People(context().store())
                                  .create(context().session(), plain(new_login_->text().trimmed()),
                                          plain(new_name_->text().trimmed()), chosen(new_roles_));
-        show_secret(text(created.person.display_name), created.one_time_password);
+        show_issued({text(created.person.display_name), created.one_time_password});
         new_login_->clear();
         new_name_->clear();
         new_name_->setFocus();
@@ -244,9 +247,9 @@ void PeoplePage::issue() {
     const database::Person* person = selected();
     if (person == nullptr) return;
     context().guarded([&] {
-        show_secret(
-            text(person->display_name),
-            database::People(context().store()).issue_one_time_password(context().session(), person->id));
+        show_issued(
+            {text(person->display_name),
+             database::People(context().store()).issue_one_time_password(context().session(), person->id)});
     });
 }
 

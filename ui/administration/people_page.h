@@ -3,6 +3,8 @@
 // sign-in picker. No scores here.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "database/records/people.h"
@@ -26,6 +28,14 @@ class PeoplePage : public Page {
     explicit PeoplePage(Context& context);
     void enter() override;
     void leave() override;
+    /// A one-time password that is shown until it is handed over, for the page that is made in place of this
+    /// one.
+    struct Issued {
+        QString who;
+        std::string password;
+    };
+    const std::optional<Issued>& issued() const { return issued_; }
+    void show_issued(const Issued& issued);
 
   private:
     QFrame* build_editor();
@@ -37,9 +47,9 @@ class PeoplePage : public Page {
     void save();
     void issue();
     void toggle_active();
-    void show_secret(const QString& who, const std::string& secret);
 
     std::vector<database::Person> people_;
+    std::optional<Issued> issued_;
     QTableWidget* table_;
     QLineEdit *new_login_ = nullptr, *new_name_ = nullptr, *name_ = nullptr;
     std::vector<QCheckBox*> new_roles_, roles_;

@@ -10,6 +10,7 @@
 #include <typeinfo>
 
 #include "database/records/people.h"
+#include "ui/administration/people_page.h"
 #include "ui/dashboards/curriculum_page.h"
 #include "ui/language/error_text.h"
 #include "ui/review/compare_page.h"
@@ -61,6 +62,12 @@ P* MainWindow::page() {
     return static_cast<P*>(page(typeid(P), [](Context& context) -> Page* { return new P(context); }));
 }
 
+template <typename P>
+P* MainWindow::made() const {
+    const auto found = pages_.find(typeid(P));
+    return found == pages_.end() ? nullptr : static_cast<P*>(found->second);
+}
+
 namespace {
 
 /// While its author is still signed in.
@@ -71,10 +78,8 @@ void keep_comment_on(Page* page) {
 }  // namespace
 
 TheatrePage* MainWindow::running_theatre() const {
-    const auto found = pages_.find(typeid(TheatrePage));
-    if (found == pages_.end() || found->second == nullptr) return nullptr;
-    auto* theatre = static_cast<TheatrePage*>(found->second);
-    return theatre->is_running() ? theatre : nullptr;
+    auto* theatre = made<TheatrePage>();
+    return theatre != nullptr && theatre->is_running() ? theatre : nullptr;
 }
 
 MainWindow::MainWindow(ApplicationServices& services, QWidget* parent, int lock_ms, int close_ms)
@@ -288,8 +293,9 @@ void MainWindow::rebuild() {
     const std::type_index shown = typeid(*current_page());
     const QString used = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
     std::optional<CurriculumPage::Begun> draft;
-    if (const auto found = pages_.find(typeid(CurriculumPage)); found != pages_.end())
-        draft = static_cast<CurriculumPage*>(found->second)->begun();
+    if (const auto* curriculum = made<CurriculumPage>()) draft = curriculum->begun();
+    std::optional<PeoplePage::Issued> issued;
+    if (const auto* people = made<PeoplePage>()) issued = people->issued();
     for (auto& [type, old] : pages_) old->leave();
     pages_.clear();
     rail_buttons_.clear();
@@ -299,6 +305,7 @@ void MainWindow::rebuild() {
     if (context_.signed_in()) {
         show_session();
         if (draft) page<CurriculumPage>()->take_up(*draft);
+        if (issued) page<PeoplePage>()->show_issued(*issued);
         if (shown == typeid(SettingsPage))
             show_page(page<SettingsPage>());
         else

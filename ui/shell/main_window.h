@@ -69,7 +69,7 @@ class MainWindow : public QMainWindow {
     void connect_lock_page();
     void connect_first_pages();
     /// All that is on the screen is made again; the page and the control in use are shown again, and the
-    /// draft of a curriculum is kept.
+    /// draft of a curriculum and a one-time password that is shown are kept.
     void rebuild();
     void session_changed();
     /// Who is signed in, in which roles, and the pages for that.
@@ -101,6 +101,9 @@ class MainWindow : public QMainWindow {
     Page* page(std::type_index type, Page* (*make)(Context&));
     template <typename P>
     P* page();
+    /// Null where it was not used yet.
+    template <typename P>
+    P* made() const;
     /// The theatre while an attempt runs in it, else null.
     TheatrePage* running_theatre() const;
 

@@ -124,6 +124,33 @@ TEST_F(Passwords, ChangeAtTheFirstSignInIsNotCancelled) {
     EXPECT_TRUE(wait_for([&] { return !window.context().session().must_change_password(); }));
 }
 
+TEST_F(Passwords, OneTimePasswordIsShownUntilItIsHandedOverWhateverTheAppearance) {
+    create_programme();
+    type(window, "new_person_name", "Tara Trainee");
+    type(window, "new_person_login", "tara");
+    click(window, "add_person");
+    const QString once = find<QLabel>(window, "one_time_password")->property("password").toString();
+    ASSERT_FALSE(once.isEmpty());
+    window.set_theme(Theme::dark);
+    EXPECT_TRUE(sees(window, "one_time_password"));
+    window.set_theme(Theme::light);
+    window.set_text_size(150);
+    window.set_language(Language::german);
+    expect_page("people_page");
+    ASSERT_TRUE(sees(window, "one_time_password"));
+    const auto* shown = find<QLabel>(window, "one_time_password");
+    EXPECT_EQ(shown->property("password").toString(), once);
+    EXPECT_TRUE(shown->text().startsWith("Tara Trainee: " + once + "\nGilt 24 Stunden"))
+        << shown->text().toStdString();
+    bring(*find<QPushButton>(window, "password_noted"));
+    click(window, "password_noted");
+    window.set_text_size(100);
+    window.set_language(Language::english);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the pages from before
+    EXPECT_FALSE(sees(window, "one_time_password"));
+    for (const QLabel* label : window.findChildren<QLabel*>()) EXPECT_FALSE(label->text().contains(once));
+}
+
 TEST_F(Passwords, WrongRecoveryCodeIsRefusedAndCanBeTypedAgain) {
     create_programme();
     click(window, "switch_user");
