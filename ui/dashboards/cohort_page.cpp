@@ -123,6 +123,7 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    show_begun_reports(context, this, job_);
 }
 
 QWidget* CohortPage::make_views() {

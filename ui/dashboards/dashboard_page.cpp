@@ -48,6 +48,7 @@ DashboardPage::DashboardPage(Context& context) : Page(context, "dashboard_page")
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    show_begun_reports(context, this, job_);
 }
 
 QLayout* DashboardPage::make_choices() {

@@ -5,6 +5,7 @@
 #include <QProgressBar>
 #include <QRunnable>
 #include <QThreadPool>
+#include <algorithm>
 
 #include "ui/language/error_text.h"
 #include "ui/page/mail_room.h"
@@ -95,8 +96,22 @@ JobBar::JobBar(QWidget* parent) : QWidget(parent), line_(make_label({})), bar_(n
 }
 
 void JobBar::watch(BackgroundJob* job, const QString& line, Cancel cancel) {
-    line_->setText(line);
-    button_->setVisible(cancel == Cancel::offered);
+    jobs_.push_back({job, line, cancel});
+    connect(job, &BackgroundJob::ended, this, [this, job] { forget(job); });
+    connect(job, &QObject::destroyed, this, &JobBar::forget);
+    connect(job, &BackgroundJob::progressed, this, [this, job](double done, const QString& now) {
+        if (jobs_.empty() || jobs_.back().job != job) return;
+        bar_->setRange(0, 1000);
+        bar_->setValue(static_cast<int>(done * 1000));
+        if (!now.isEmpty()) line_->setText(now);
+    });
+    show_last();
+}
+
+void JobBar::show_last() {
+    BackgroundJob* job = jobs_.back().job;
+    line_->setText(jobs_.back().line);
+    button_->setVisible(jobs_.back().cancel == Cancel::offered);
     bar_->setRange(0, 0);
     show();
     disconnect(cancel_);
@@ -104,12 +119,18 @@ void JobBar::watch(BackgroundJob* job, const QString& line, Cancel cancel) {
         job->cancel();
         emit cancelled();
     });
-    connect(job, &BackgroundJob::ended, this, &QWidget::hide);
-    connect(job, &BackgroundJob::progressed, this, [this](double done, const QString& now) {
-        bar_->setRange(0, 1000);
-        bar_->setValue(static_cast<int>(done * 1000));
-        if (!now.isEmpty()) line_->setText(now);
-    });
+}
+
+void JobBar::forget(const QObject* job) {
+    const auto ended = std::find_if(jobs_.begin(), jobs_.end(),
+                                    [job](const Watched& watched) { return watched.job == job; });
+    if (ended == jobs_.end()) return;
+    const bool shown = ended + 1 == jobs_.end();
+    jobs_.erase(ended);
+    if (jobs_.empty())
+        hide();
+    else if (shown)
+        show_last();
 }
 
 }  // namespace fulcrum::ui

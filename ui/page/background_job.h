@@ -9,6 +9,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "ui/services/application_services.h"
 
@@ -40,8 +41,9 @@ class BackgroundJob : public QObject {
     std::shared_ptr<std::atomic<bool>> stop_;
 };
 
-/// A progress bar, one line and a Cancel button for a job; hides itself when the job ends. Work that cannot
-/// be undone has no button: it would be done all the same, and its answer lost.
+/// A progress bar, one line and a Cancel button for a job; hides itself when the job ends. Of several it
+/// shows the one that began last. Work that cannot be undone has no button: it would be done all the same,
+/// and its answer lost.
 class JobBar : public QWidget {
     Q_OBJECT
   public:
@@ -53,6 +55,15 @@ class JobBar : public QWidget {
     void cancelled();
 
   private:
+    struct Watched {
+        BackgroundJob* job;
+        QString line;
+        Cancel cancel;
+    };
+    void show_last();
+    void forget(const QObject* job);
+
+    std::vector<Watched> jobs_;  ///< that have not ended, the one that is shown last
     QLabel* line_;
     QProgressBar* bar_;
     QMetaObject::Connection cancel_;

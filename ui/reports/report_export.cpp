@@ -3,17 +3,24 @@
 
 #include <QCoreApplication>
 #include <QPointer>
+#include <QVariant>
 #include <memory>
 
 #include "ui/page/background_job.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
-
 namespace {
 
 QString words(const char* source) {
     return QCoreApplication::translate("fulcrum::ui::report_export", source);
+}
+
+/// Property of a job: the page from which its report was asked for.
+constexpr const char* asking_page = "asking_page";
+
+void show_job(JobBar* bar, BackgroundJob* job) {
+    bar->watch(job, words(QT_TRANSLATE_NOOP("fulcrum::ui::report_export", "Writing the report …")));
 }
 
 }  // namespace
@@ -50,7 +57,14 @@ void export_report(Context& context, QWidget* page, JobBar* bar, const ReportReq
     QObject::connect(&context, &Context::session_changed, job, [&context, job] {
         if (!context.signed_in()) job->cancel();
     });
-    bar->watch(job, words(QT_TRANSLATE_NOOP("fulcrum::ui::report_export", "Writing the report …")));
+    job->setProperty(asking_page, page->objectName());
+    QObject::connect(job, &BackgroundJob::ended, job, [job] { job->setProperty(asking_page, QVariant()); });
+    show_job(bar, job);
+}
+
+void show_begun_reports(Context& context, const QWidget* page, JobBar* bar) {
+    for (BackgroundJob* job : context.findChildren<BackgroundJob*>(QString(), Qt::FindDirectChildrenOnly))
+        if (job->property(asking_page).toString() == page->objectName()) show_job(bar, job);
 }
 
 }  // namespace fulcrum::ui

@@ -20,5 +20,8 @@ ReportFormat report_format_of(const QString& path);
 /// Signing out stops it; it is written also where the pages are made again (another text size or language).
 void export_report(Context& context, QWidget* page, JobBar* bar, const ReportRequest& request,
                    std::function<void(const QString&)> done);
+/// Those that are being written and were begun on a page that this one takes the place of, in its bar, which
+/// is in its layout.
+void show_begun_reports(Context& context, const QWidget* page, JobBar* bar);
 
 }  // namespace fulcrum::ui

@@ -74,6 +74,7 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     outer->addWidget(scrolled(body));
 
     connect_parts();
+    show_begun_reports(context, this, job_bar_);
 }
 
 QWidget* DebriefPage::build_blind_head() {

@@ -111,6 +111,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1100));
+    show_begun_reports(context, this, job_);
 }
 
 /// Whose progress in which task, and what of it the chart shows.

@@ -12,6 +12,7 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QThreadPool>
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "tests/database/large_programme.h"
@@ -20,6 +21,7 @@
 #include "tests/ui/hands.h"
 #include "ui/dashboards/concern_words.h"
 #include "ui/dashboards/overview_view.h"
+#include "ui/page/background_job.h"
 #include "ui/reports/report.h"
 #include "ui/shell/main_window.h"
 
@@ -213,6 +215,39 @@ TEST_F(CohortViews, AReportIsWrittenAlsoWhereThePagesAreMadeAgainAndEndsWithTheS
     QThreadPool::globalInstance()->waitForDone();
     QCoreApplication::processEvents();
     EXPECT_FALSE(sees(*window, "message_text")) << "nothing is said to the next person";
+}
+
+TEST_F(CohortViews, TheBarOfAReportIsShownWithItsCancelWhereThePagesAreMadeAgain) {
+    open();
+    QTemporaryDir folder;
+    const QString path = folder.filePath("late.json");
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    pool.waitForDone();
+    const int threads = pool.maxThreadCount();
+    pool.setMaxThreadCount(1);
+    std::promise<void> release;
+    QObject owner;
+    BackgroundJob::run(
+        &owner, [released = release.get_future().share()](const Progress&) { released.wait(); }, [] {},
+        [](const QString&) {});
+    static_cast<CohortPage*>(window->current_page())->export_to(path, ReportFormat::json);
+    EXPECT_TRUE(sees(*window, "cancel_job"));
+    window->set_language(Language::german);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_FALSE(sees(*window, "cancel_job")) << "another page is shown";
+    choose_page(*window, "rail_cohort");
+    EXPECT_TRUE(sees(*window, "cancel_job"));
+    window->set_text_size(150);
+    choose_page(*window, "rail_cohort");
+    click(*window, "cancel_job");
+    EXPECT_FALSE(sees(*window, "cancel_job"));
+    release.set_value();
+    pool.waitForDone();
+    pool.setMaxThreadCount(threads);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(QFile::exists(path)) << "it was cancelled";
+    window->set_text_size(100);
+    window->set_language(Language::english);
 }
 
 TEST_F(CohortViews, TheTableShowsPracticeAloneAsNotAttempted) {

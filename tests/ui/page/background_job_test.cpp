@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
+#include <QPushButton>
 #include <QThreadPool>
+#include <QtTest>
 #include <atomic>
 #include <future>
+#include <memory>
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -28,6 +32,42 @@ TEST(BackgroundJobs, CancelledWhileTheyWaitForAThreadDoNothing) {
     pool.waitForDone();
     pool.setMaxThreadCount(threads);
     EXPECT_FALSE(began.load());
+}
+
+TEST(BackgroundJobs, TheBarShowsTheOtherJobOnceTheLastOneHasEnded) {
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    pool.waitForDone();
+    std::promise<void> release;
+    const auto wait = [released = release.get_future().share()](const Progress&) { released.wait(); };
+    const auto run = [&wait](QObject* owner) {
+        return BackgroundJob::run(
+            owner, wait, [] {}, [](const QString&) {});
+    };
+    QObject owner;
+    auto other_owner = std::make_unique<QObject>();
+    JobBar bar;
+    auto* button = bar.findChild<QPushButton*>("cancel_job");
+    BackgroundJob* report = run(&owner);
+    bar.watch(report, "the report");
+    const auto shows = [&bar](const QString& line) {
+        for (const QLabel* label : bar.findChildren<QLabel*>())
+            if (label->text() == line) return bar.isVisible();
+        return false;
+    };
+    bar.watch(run(&owner), "the attempt", JobBar::Cancel::none);
+    EXPECT_TRUE(shows("the attempt"));
+    EXPECT_FALSE(button->isVisible());
+    bar.watch(run(other_owner.get()), "the list");
+    button->click();  // cancels the one that is shown
+    EXPECT_TRUE(shows("the attempt"));
+    bar.watch(run(other_owner.get()), "the list again");
+    other_owner.reset();
+    EXPECT_TRUE(shows("the attempt"));
+    report->cancel();
+    EXPECT_TRUE(shows("the attempt"));
+    release.set_value();
+    EXPECT_TRUE(QTest::qWaitFor([&bar] { return !bar.isVisible(); }));
+    pool.waitForDone();
 }
 
 }  // namespace
