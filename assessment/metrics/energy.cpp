@@ -12,7 +12,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double release_time = 0.5;   // s: a pedal that is up for less is a pedal that is pumped
+constexpr double release_time = 0.5;   // s, outside pauses: up for less, the pedal is pumped
 constexpr double shortest_on = 0.001;  // s, so that no activation weighs nothing
 
 /// An activation of a row's hand, with the conditions that held throughout.
@@ -23,7 +23,8 @@ struct ActivationSpan {
     double distance = 0;  ///< m, least
 };
 
-/// Activations of one hand less than `release_time` apart are one, which is safe only if all of them were.
+/// Activations of one hand less than `release_time` apart, pauses not counted, are one, which is safe only if
+/// all of them were.
 std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
     std::vector<ActivationSpan> spans;
     double begun[hand_count] = {-1, -1};
@@ -39,7 +40,7 @@ std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
         const auto distance = static_cast<double>(event.value);
         const double on_time = std::max(shortest_on, running_time(analysis.trace(), begin, t));
         std::optional<std::size_t>& open = last[event.hand];
-        if (open && begin - spans[*open].when.end < release_time) {
+        if (open && running_time(analysis.trace(), spans[*open].when.end, begin) < release_time) {
             ActivationSpan& span = spans[*open];
             span.when.end = t;
             span.on_time += on_time;
@@ -109,7 +110,8 @@ Figure energy_time(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-/// Share of the divided length during which energy was on in the hand that divided.
+/// Share of the divided length during which energy was on in the hand that divided. Nothing is cut in a
+/// pause.
 Figure energy_cut(const Analysis& analysis, const Selection&) {
     const Trace& trace = analysis.trace();
     std::vector<TimeInterval> on[hand_count];
@@ -130,9 +132,9 @@ Figure energy_cut(const Analysis& analysis, const Selection&) {
             double covered = 0;
             if (stroke.hand >= 0)
                 for (const TimeInterval& span : on[stroke.hand])
-                    covered +=
-                        std::max(0.0, std::min(span.end, element.end) - std::max(span.begin, element.begin));
-            const double duration = element.end - element.begin;
+                    covered += running_time(trace, std::max(span.begin, element.begin),
+                                            std::min(span.end, element.end));
+            const double duration = running_time(trace, element.begin, element.end);
             const double share = duration > 0 ? std::min(1.0, covered / duration) : 0.0;
             hot += share * element.length;
             stroke_cold += (1 - share) * element.length;
@@ -219,7 +221,7 @@ std::vector<Metric> energy_metrics() {
         {"energy_safe", QT_TRANSLATE_NOOP("fulcrum::metrics", "Safe use of energy"), "%", 1}, D::higher,
         Scale::raw, A::share, E::expert,
         "tip in view, on target tissue, at least 2 mm from a named structure, each throughout; "
-        "activations less than 0.5 s apart are one; weighed by on-time, pauses excluded",
+        "activations less than 0.5 s apart are one; weighed by on-time; pauses excluded from both",
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "Share of the time with energy on that belongs to activations with the "
                            "tip in view, on the tissue to be divided or sealed, and clear of the "
@@ -229,22 +231,25 @@ std::vector<Metric> energy_metrics() {
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "press the pedal only when the blade is in view, on the tissue to be "
                            "divided and clear of the nerve")});
-    safe.version = 3;  // 2: by on-time, pumped pulses as one; 3: pauses are no on-time
+    // 2: by on-time, pumped pulses as one; 3: pauses are no on-time; 4: nor time between activations
+    safe.version = 4;
     add(std::move(safe), Hands::either, true, {}, energy_safe);
-    add(describe({"energy_cut", QT_TRANSLATE_NOOP("fulcrum::metrics", "Length divided under power"), "%", 1},
-                 D::higher, Scale::raw, A::share, E::expert,
-                 "cut_advance between activation_begin and activation_end of the same hand; torn length "
-                 "counts as without power",
-                 {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "Share of the divided length that was divided with energy on: a hook "
-                                    "has no edge, and fibres carry small vessels."),
-                  QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "{value} of the length was divided with energy on, below the required "
-                                    "{limit}"),
-                  QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "press the pedal in short activations while the blade divides, and "
-                                    "divide cold only next to a nerve")}),
-        Hands::either, true, {}, energy_cut);
+    MetricDescriptor powered = describe(
+        {"energy_cut", QT_TRANSLATE_NOOP("fulcrum::metrics", "Length divided under power"), "%", 1},
+        D::higher, Scale::raw, A::share, E::expert,
+        "cut_advance between activation_begin and activation_end of the same hand, pauses excluded; torn "
+        "length counts as without power",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the divided length that was divided with energy on: a hook "
+                           "has no edge, and fibres carry small vessels."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "{value} of the length was divided with energy on, below the required "
+                           "{limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "press the pedal in short activations while the blade divides, and "
+                           "divide cold only next to a nerve")});
+    powered.version = 2;  // 2: by time outside pauses
+    add(std::move(powered), Hands::either, true, {}, energy_cut);
     add(describe(
             {"energy_time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time with energy on"), "s", 0.1}, D::lower,
             Scale::raw, A::total, E::expert, "sum of activations",

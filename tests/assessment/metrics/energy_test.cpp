@@ -128,6 +128,47 @@ TEST(EnergySafe, APauseWithThePedalDownIsNotTimeWithEnergyOn) {
     EXPECT_EQ(result.count, 2);
 }
 
+// The pedal was up for 0.3 s of the attempt, whatever the clock on the wall says.
+TEST(EnergySafe, APauseBetweenPulsesDoesNotMakeThemTwoActivations) {
+    Trace trace = make_trace(70, 100);
+    const int safe = detail_of(Activation{true, true, true}),
+              unsafe = detail_of(Activation{false, true, true});
+    const auto pulses = [&](double second) {
+        return std::vector<Event>{told(1, EventKind::activation_begin, 0.02, unsafe, 1),
+                                  told(3, EventKind::activation_end, 0.02, unsafe, 1),
+                                  make_event(3.1, EventKind::pause),
+                                  make_event(60, EventKind::resume),
+                                  told(second, EventKind::activation_begin, 0.02, safe, 1),
+                                  told(second + 2, EventKind::activation_end, 0.02, safe, 1)};
+    };
+    const std::vector<Event> pumped = pulses(60.2), released = pulses(61);
+    split_blocks(trace, pumped);
+    const MetricResult one = measure(trace, "energy_safe", "", pumped);
+    ASSERT_TRUE(one.value);
+    EXPECT_EQ(one.count, 1);
+    EXPECT_NEAR(*one.value, 0, 1e-9) << "a part of it was out of view";
+    const MetricResult two = measure(trace, "energy_safe", "", released);
+    ASSERT_TRUE(two.value);
+    EXPECT_EQ(two.count, 2) << "up for 1.1 s of the attempt";
+    EXPECT_NEAR(*two.value, 50, 1e-9);
+}
+
+TEST(EnergyCut, APauseWithinAnElementOfTheCutIsNotTimeWithEnergyOn) {
+    Trace trace = make_trace(70, 100);
+    // 10 mm in 2 s of the attempt, in the first of which energy is on, and a pause with the pedal down.
+    const std::vector<Event> events = {told(1, EventKind::cut_begin, 0, 0, 1),
+                                       told(1, EventKind::activation_begin, 0.02, 7, 1),
+                                       make_event(1.5, EventKind::pause),
+                                       make_event(60.5, EventKind::resume),
+                                       told(61, EventKind::activation_end, 0.02, 7, 1),
+                                       told(62, EventKind::cut_advance, 0.010, 0, 1),
+                                       told(62, EventKind::cut_end, 0.010, 0, 1)};
+    split_blocks(trace, events);
+    const MetricResult result = measure(trace, "energy_cut", "", events);
+    ASSERT_TRUE(result.value);
+    EXPECT_NEAR(*result.value, 50, 1e-4);
+}
+
 TEST(EnergyCut, IsTheShareOfTheLengthDividedWithEnergyOn) {
     const Trace trace = make_trace(20);
     const auto at = [&](double t, EventKind kind, double along) { return told(t, kind, along, 0, 1); };
