@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum people merge and people unmerge: a person who was entered twice.
+// fulcrum people merge and people unmerge: a person who was entered twice. fulcrum people login: a login that
+// two people got.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -76,6 +77,20 @@ int unmerge(const Arguments& arguments) {
     return 0;
 }
 
+int change_login(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    const Person person = account_of(store, session, arguments.words()[0]);
+    const std::string& login = arguments.words()[1];
+    database::People(store).set_login(session, person.id, login);
+    if (arguments.has("--json")) {
+        print_json({{"id", person.id}, {"before", person.login}, {"login", login}});
+    } else {
+        std::cout << person.display_name << " signs in as " << login << " now; the password stays\n";
+    }
+    return 0;
+}
+
 }  // namespace
 
 std::vector<Command> merge_commands() {
@@ -109,7 +124,20 @@ std::vector<Command> merge_commands() {
         QT_TRANSLATE_NOOP("commands",
                           "What was done under LOGIN is its own again. The account stays deactivated; roles, "
                           "cohorts and a password are given as to a new one.");
-    return {merging, undoing};
+    Command renaming{
+        "people login",
+        "LOGIN NEW",
+        2,
+        2,
+        QT_TRANSLATE_NOOP("commands", "Gives an account another login; needs --as, an administrator."),
+        session_options(),
+        change_login};
+    renaming.details = QT_TRANSLATE_NOOP(
+        "commands",
+        "Where two stations gave the same login to two people, neither is transferred until one of them has "
+        "another login: change it at the station that made the account, and sync. The password, and all that "
+        "is stored of the person, stay.");
+    return {merging, undoing, renaming};
 }
 
 }  // namespace fulcrum::app

@@ -28,7 +28,7 @@ Command research_command();
 std::vector<Command> asset_commands();        ///< assets ...
 std::vector<Command> curricula_commands();    ///< curriculum list, move
 std::vector<Command> roster_commands();       ///< people import, cohort import
-std::vector<Command> merge_commands();        ///< people merge, unmerge
+std::vector<Command> merge_commands();        ///< people merge, unmerge, login
 Command erase_command();                      ///< people erase
 std::vector<Command> person_data_commands();  ///< people export, retention
 std::vector<Command> statistics_commands();   ///< curriculum ..., benchmark statistics

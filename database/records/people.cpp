@@ -64,6 +64,11 @@ void require_persons_login(const std::string& login) {
             {QT_TRANSLATE_NOOP("errors", "the login \"%1\" cannot be used"), login},
             QT_TRANSLATE_NOOP("errors",
                               "logins that begin with synthetic- or external- belong to simulated people"));
+    if (login_key(login).rfind("erased-", 0) == 0)
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "the login \"%1\" cannot be used"), login},
+            QT_TRANSLATE_NOOP("errors", "logins that begin with erased- belong to people who were erased"));
 }
 
 void make_room_for(const Store& store, const Session& actor, const std::string& login) {
@@ -165,17 +170,26 @@ void write_roles(Connection& connection, const std::string& person_id, const std
     }
 }
 
-std::string insert_person(const Store& store, const std::string& login, const std::string& display_name,
-                          PersonKind kind) {
-    Connection& connection = store.connection();
-    Query taken(connection, "SELECT 1 FROM person WHERE login_key = ?");
-    taken.bind(login_key(login));
+namespace {
+
+/// Throws conflict where somebody else than this person has the login.
+void require_free(Connection& connection, const std::string& login, const std::string& person_id) {
+    Query taken(connection, "SELECT 1 FROM person WHERE login_key = ? AND id <> ?");
+    taken.bind(login_key(login)).bind(person_id);
     if (taken.next()) {
         throw StoreError(StoreErrorKind::conflict,
                          {QT_TRANSLATE_NOOP("errors", "the login \"%1\" is taken"), login},
                          QT_TRANSLATE_NOOP("errors", "choose another one"));
     }
+}
+
+}  // namespace
+
+std::string insert_person(const Store& store, const std::string& login, const std::string& display_name,
+                          PersonKind kind) {
+    Connection& connection = store.connection();
     std::string id = random_uuid();
+    require_free(connection, login, id);
     Query(connection,
           "INSERT INTO person (id, login, login_key, display_name, kind, active, created, version) "
           "VALUES (?, ?, ?, ?, ?, 1, ?, 1)")
@@ -275,6 +289,42 @@ void People::rename(const Session& administrator, const std::string& person_id,
                          json_object({{"before", before.display_name}, {"after", display_name}}),
                          {{RecordKind::person, person_id}});
     transaction.commit();
+}
+
+void People::set_login(const Session& administrator, const std::string& person_id,
+                       const std::string& login) const {
+    store_.require(administrator, Operation::manage_people);
+    require_persons_login(login);
+    Transaction transaction(store_.connection());
+    const Person before = read_person(store_, person_id);
+    require_own_account(before);
+    if (before.kind != PersonKind::real || before.login == "erased-" + person_id) {
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "the login of %1 cannot be changed"), before.login},
+            QT_TRANSLATE_NOOP(
+                "errors",
+                "choose the account of a person; simulated, external and erased people keep theirs"));
+    }
+    if (before.login == login) return;
+    make_room_for(store_, administrator, login);
+    require_free(store_.connection(), login, person_id);
+    Query(store_.connection(),
+          "UPDATE person SET login = ?, login_key = ?, version = version + 1 WHERE id = ?")
+        .bind(login)
+        .bind(login_key(login))
+        .bind(person_id)
+        .run();
+    Audit(store_).append(administrator, person_id, "person.set_login",
+                         json_object({{"before", before.login}, {"after", login}}),
+                         {{RecordKind::person, person_id}});
+    transaction.commit();
+}
+
+std::string People::login_now(const Session& session) const {
+    Query row(store_.connection(), "SELECT login FROM person WHERE id = ?");
+    row.bind(session.person_id());
+    return row.next() ? row.text(0) : session.login();
 }
 
 void People::set_active(const Session& administrator, const std::string& person_id, bool active) const {

@@ -92,6 +92,11 @@ class People {
                    const std::vector<Role>& roles) const;
     void rename(const Session& administrator, const std::string& person_id,
                 const std::string& display_name) const;
+    /// Of a real person, neither merged nor erased. Whoever is signed in under the old login stays so.
+    void set_login(const Session& administrator, const std::string& person_id,
+                   const std::string& login) const;
+    /// The login that the session's person has now; it may have been changed since the sign-in.
+    std::string login_now(const Session& session) const;
     /// A deactivated person cannot sign in; attempts stay. The last administrator cannot be deactivated.
     void set_active(const Session& administrator, const std::string& person_id, bool active) const;
     /// The last administrator keeps the role.

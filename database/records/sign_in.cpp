@@ -341,7 +341,7 @@ Session People::change_password(const Session& session, const std::string& old_p
                                 const std::string& new_password) const {
     store_.require(session, Operation::change_password, Subject::person(session.person_id()));
     require_password(new_password);
-    const Account account = require_right_password(store_, session.login(), old_password);
+    const Account account = require_right_password(store_, login_now(session), old_password);
     if (account.id != session.person_id()) {
         throw AccessDenied("change_password", role_name(session.role()),
                            QT_TRANSLATE_NOOP("errors", "someone else's login"));
@@ -357,7 +357,7 @@ Session People::change_password(const Session& session, const std::string& old_p
     write_verifier(store_, account.id, verifier, false);
     Audit(store_).append(session, account.id, "password.change", "{}", {{RecordKind::person, account.id}});
     transaction.commit();
-    return SessionMaker::person(session.person_id(), session.login(), session.display_name(), session.roles(),
+    return SessionMaker::person(session.person_id(), account.login, session.display_name(), session.roles(),
                                 session.role(), session.station_id(), false, false);
 }
 

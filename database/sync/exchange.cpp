@@ -282,7 +282,15 @@ void Exchange::exchange_versioned(const Units& units) {
         const auto found = owner.find(state.unique);
         if (found == owner.end() || found->second == key) return false;
         // Found once for each side.
-        if (names_taken_.insert(std::string(units.table().table) + " " + state.unique).second)
+        if (!names_taken_.insert(std::string(units.table().table) + " " + state.unique).second) return true;
+        if (std::string(units.table().table) == "person")
+            result.conflicts.push_back(
+                {QT_TRANSLATE_NOOP("errors",
+                                   "%1: \"%2\" is the login of one at this station and of another one on the "
+                                   "server; neither is transferred until one of them gets another login "
+                                   "(page People, or `fulcrum people login`)"),
+                 units.table().title, state.unique});
+        else
             result.conflicts.push_back(
                 {QT_TRANSLATE_NOOP("errors",
                                    "%1: \"%2\" is the name of one at this station and of another one on the "

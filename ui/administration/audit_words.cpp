@@ -43,6 +43,7 @@ constexpr WordsOf operations[] = {
     {"person.rename", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Person renamed")},
     {"person.set_active", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Account activated or deactivated")},
     {"person.unmerge", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Merge of a person undone")},
+    {"person.set_login", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Login changed")},
     {"person.set_roles", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Roles changed")},
     {"programme.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Programme created")},
     {"programme.export_research", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Exported for research")},

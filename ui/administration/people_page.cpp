@@ -122,6 +122,9 @@ QFrame* PeoplePage::build_editor() {
     name_ = new QLineEdit;
     name_->setObjectName(QStringLiteral("person_name"));
     form->addRow(tr("Name"), name_);
+    login_ = new QLineEdit;
+    login_->setObjectName(QStringLiteral("person_login"));
+    form->addRow(tr("Login"), login_);
     roles_ = add_role_boxes(form, tr("Roles"), "role_");
     card_layout(editor_)->addLayout(form);
     auto* row = new QHBoxLayout;
@@ -194,6 +197,8 @@ void PeoplePage::select() {
     if (person == nullptr) return;
     who_->setText(text(person->display_name) + QStringLiteral(" · ") + text(person->login));
     name_->setText(text(person->display_name));
+    login_->setText(text(person->login));
+    login_->setEnabled(person->kind == database::PersonKind::real && person->merged_into.empty());
     for (std::size_t i = 0; i < roles_.size(); ++i) {
         roles_[i]->setChecked(holds(person->roles, roles_of_people[i]));
     }
@@ -231,6 +236,8 @@ void PeoplePage::save() {
             const database::People people(context().store());
             const std::string name = plain(name_->text().trimmed());
             if (name != person->display_name) people.rename(context().session(), person->id, name);
+            const std::string login = plain(login_->text().trimmed());
+            if (login != person->login) people.set_login(context().session(), person->id, login);
             const std::vector<database::Role> roles = chosen(roles_);
             if (is_changed(person->roles, roles)) {
                 const database::Person now = people.find(context().session(), person->id).value_or(*person);

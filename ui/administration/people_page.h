@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accounts: add people, alone or from a list, give and take roles, one-time passwords, deactivate; the
-// sign-in picker. No scores here.
+// Accounts: add people, alone or from a list, change names, logins and roles, one-time passwords, deactivate;
+// the sign-in picker. No scores here.
 #pragma once
 
 #include <optional>
@@ -51,7 +51,7 @@ class PeoplePage : public Page {
     std::vector<database::Person> people_;
     std::optional<Issued> issued_;
     QTableWidget* table_;
-    QLineEdit *new_login_ = nullptr, *new_name_ = nullptr, *name_ = nullptr;
+    QLineEdit *new_login_ = nullptr, *new_name_ = nullptr, *name_ = nullptr, *login_ = nullptr;
     std::vector<QCheckBox*> new_roles_, roles_;
     QLabel *who_ = nullptr, *secret_text_ = nullptr;
     QFrame *editor_ = nullptr, *secret_ = nullptr;

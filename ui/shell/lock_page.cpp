@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QLineEdit>
 
+#include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/shell/sign_in_page.h"
 #include "ui/style/palette.h"
@@ -93,10 +94,13 @@ void LockPage::unlock() {
         emit unlocked();
         return;
     }
-    unlock_->setEnabled(false);
     const database::Session& session = context().session();
+    // An administrator may have changed it since the sign-in.
+    std::string login = session.login();
+    context().guarded([&] { login = database::People(context().store()).login_now(session); });
+    unlock_->setEnabled(false);
     BackgroundJob* job = sign_in_job(
-        this, context().store().path(), session.login(), plain(password_->text()), session.role(),
+        this, context().store().path(), login, plain(password_->text()), session.role(),
         [this](const database::Session&) { emit unlocked(); },
         [this](const QString& why) {
             problem_->setText(why);

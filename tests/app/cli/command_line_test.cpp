@@ -152,6 +152,15 @@ TEST_F(CommandLine, ChecksAndBacksUpTheStoreAsTheTableSays) {
     }
 }
 
+TEST_F(CommandLine, ChangesLoginsAsTheTableSays) {
+    for (const Role role : all_roles) {
+        const std::string name = cell(Operation::manage_people, role, programme.ann);
+        EXPECT_EQ(allowed({"people", "login", programme.ann.login, "Ann"}, role, name),
+                  expected_allowed(Operation::manage_people, role, programme.relation(role, programme.ann)))
+            << name;
+    }
+}
+
 TEST_F(CommandLine, ErasesPeopleAsTheTableSays) {
     for (const Role role : all_roles)
         for (const Target* target : {&programme.ann, &programme.eve}) {

@@ -22,7 +22,7 @@ inline std::vector<const char*> window_places(Operation operation) {
         case Operation::list_people:
             return {"people_table", "filter_person", "cohort_members", "progress_person"};
         case Operation::manage_people:
-            return {"add_person", "save_person", "toggle_active"};
+            return {"add_person", "save_person", "person_login", "toggle_active"};
         case Operation::manage_roles:
             return {"role_educator"};
         case Operation::issue_one_time_password:
@@ -160,9 +160,10 @@ inline std::vector<std::string> commands_of(Operation operation) {
             return {"assets accept"};
         case Operation::import_attempt:
             return {"import"};
+        case Operation::manage_people:
+            return {"people login"};
         case Operation::read_sign_in_list:
         case Operation::list_people:
-        case Operation::manage_people:
         case Operation::manage_roles:
         case Operation::issue_one_time_password:
         case Operation::change_password:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum schedule, people merge and research export, as they are called.
+// fulcrum schedule, people merge, people login and research export, as they are called.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -83,6 +83,14 @@ TEST_F(ScheduleCommands, MergePeopleWithADryRunAndUndo) {
     EXPECT_TRUE(run(dry, 0, "administrator")["dry_run"]);
     EXPECT_EQ(run(merge, 0, "administrator")["into"]["login"], "ann");
     EXPECT_EQ(run({"people", "unmerge", "eve", "--reason", "no"}, 0, "administrator")["login"], "eve");
+}
+
+TEST_F(ScheduleCommands, ChangeALogin) {
+    const nlohmann::json changed = run({"people", "login", "eve", "eve.b"}, 0, "administrator");
+    EXPECT_EQ(changed["before"], "eve");
+    EXPECT_EQ(changed["login"], "eve.b");
+    const std::vector<std::string> again = {"people", "login", "eve", "eve.c"};
+    EXPECT_THROW(run(again, 0, "administrator"), database::StoreError) << "nobody has this login now";
 }
 
 }  // namespace

@@ -230,12 +230,14 @@ TEST_F(WindowAccess, AdministratorsManageAccountsAndDirectorsManageCohorts) {
     ASSERT_GE(row, 0);
     people->selectRow(row);
     type(*window, "person_name", "Eve Renamed");
+    type(*window, "person_login", "eve.b");
     find<QCheckBox>(*window, "role_educator")->setChecked(true);
     click(*window, "save_person");
     const auto eve =
         People(*services->store()).find(programme.asker(Role::administrator), programme.id("eve"));
     ASSERT_TRUE(eve);
     EXPECT_EQ(eve->display_name, "Eve Renamed");
+    EXPECT_EQ(eve->login, "eve.b");
     EXPECT_EQ(eve->roles, (std::vector<Role>{Role::trainee, Role::educator}));
     click(*window, "issue_password");
     EXPECT_FALSE(find<QLabel>(*window, "one_time_password")->property("password").toString().isEmpty());

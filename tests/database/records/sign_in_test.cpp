@@ -319,6 +319,40 @@ TEST(Accounts, NamesHoldNoControlNorDirectionCharacters) {
         programme.people().rename(administrator, programme.id("ann"), "Zo\xC3\xAB \xE2\x80\x8C M"));
 }
 
+TEST(Accounts, AnAccountGetsAnotherLogin) {
+    Programme programme;
+    const Session& administrator = programme.session("administrator");
+    const People people = programme.people();
+    const std::string ann = programme.id("ann");
+    const Session before = people.sign_in("ann", password);
+    const Person robot = people.ensure_synthetic(programme.session("station"), "synthetic-robot", "Robot");
+    const auto refusal_of = [&](const std::string& person, const std::string& login) {
+        return error_kind([&] { people.set_login(administrator, person, login); });
+    };
+    EXPECT_EQ(refusal_of(ann, "BEN"), StoreErrorKind::conflict) << "somebody has it";
+    EXPECT_EQ(refusal_of(ann, "a b"), StoreErrorKind::bad_value);
+    EXPECT_EQ(refusal_of(ann, "synthetic-ann"), StoreErrorKind::bad_value);
+    EXPECT_EQ(refusal_of(ann, "erased-" + programme.id("ben")), StoreErrorKind::bad_value);
+    EXPECT_EQ(refusal_of(robot.id, "robot"), StoreErrorKind::bad_value);
+    EXPECT_THROW(people.set_login(programme.session("director"), ann, "ann.b"), AccessDenied);
+    const std::int64_t rows = Audit(*programme.store).count();
+    people.set_login(administrator, ann, "ann");
+    EXPECT_EQ(Audit(*programme.store).count(), rows) << "it is hers already";
+
+    people.set_login(administrator, ann, "ann.b");
+    const AuditEntry deed = Audit(*programme.store).entries(administrator)[0];
+    EXPECT_EQ(deed.operation, "person.set_login");
+    EXPECT_EQ(deed.payload, R"({"after":"ann.b","before":"ann"})");
+    EXPECT_EQ(refusal([&] { people.sign_in("ann", password); }), SignInRefused::Reason::wrong);
+    EXPECT_EQ(people.sign_in("Ann.B", password).person_id(), ann);
+    // Who was signed in stays so, and is known by the new login.
+    EXPECT_EQ(people.login_now(before), "ann.b");
+    EXPECT_EQ(people.change_password(before, password, "another horse battery").login(), "ann.b");
+    EXPECT_TRUE(Audit(*programme.store).verify().empty());
+    people.set_login(administrator, ann, "Ann.B");
+    EXPECT_EQ(people.find(administrator, ann)->login, "Ann.B");
+}
+
 TEST(Accounts, NobodyCanKeepALoginFromAPersonWithoutSigningIn) {
     Programme programme;
     const Session& administrator = programme.session("administrator");

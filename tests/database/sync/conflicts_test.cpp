@@ -126,6 +126,28 @@ TEST_F(SyncConflict, ALoginThatTwoPeopleHaveWaitsAndEverythingElseIsTransferred)
     expect_sound(server);
 }
 
+TEST_F(SyncConflict, TwoPeopleWithOneLoginAreTransferredOnceOneOfThemHasAnother) {
+    a.people().create(a.session("administrator"), "carl", "Carl of A", {Role::trainee});
+    const auto carl =
+        People(*b.store).create(b.sign_in("administrator"), "carl", "Carl of B", {Role::trainee});
+    sync(a);
+    const SyncResult refused = sync(b);
+    ASSERT_FALSE(refused.conflicts.empty());
+    EXPECT_NE(refused.conflicts[0].words().find("people login"), std::string::npos);
+    People(*b.store).set_login(b.sign_in("administrator"), carl.person.id, "carl.b");
+    EXPECT_TRUE(sync(b).conflicts.empty());
+    EXPECT_TRUE(sync(a).conflicts.empty());
+    EXPECT_EQ(name_of(*a.store, carl.person.id), "Carl of B");
+    for (const Store* store : {a.store.get(), b.store.get()}) {
+        Query both(store->connection(),
+                   "SELECT COUNT(*) FROM person WHERE (login = 'carl' AND display_name = 'Carl of A') OR "
+                   "(login = 'carl.b' AND display_name = 'Carl of B')");
+        EXPECT_TRUE(both.next() && both.integer(0) == 2);
+        expect_sound(*store);
+    }
+    expect_sound(server);
+}
+
 TEST_F(SyncConflict, WhatTheServersOwnerChangesByHandIsFound) {
     const std::string attempt = fill(a);
     a.open();

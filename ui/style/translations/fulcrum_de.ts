@@ -1389,6 +1389,14 @@
         <source>Use attempts in the file that another build of the program made; the first of each level is performed again and has to be the same.</source>
         <translation>Auch Versuche der Datei verwenden, die ein anderer Stand des Programms ausgeführt hat; der erste jeder Stufe wird noch einmal ausgeführt und muss gleich sein.</translation>
     </message>
+    <message>
+        <source>Gives an account another login; needs --as, an administrator.</source>
+        <translation>Gibt einem Konto einen anderen Anmeldenamen; braucht --as, einen Administrator.</translation>
+    </message>
+    <message>
+        <source>Where two stations gave the same login to two people, neither is transferred until one of them has another login: change it at the station that made the account, and sync. The password, and all that is stored of the person, stay.</source>
+        <translation>Wo zwei Stationen zwei Personen denselben Anmeldenamen gegeben haben, wird keine übertragen, bis eine davon einen anderen Anmeldenamen hat: ändern Sie ihn an der Station, die das Konto angelegt hat, und synchronisieren Sie. Das Passwort und alles, was über die Person gespeichert ist, bleibt.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -8455,6 +8463,22 @@
     <message>
         <source>this program performs %1, seed %2, differently</source>
         <translation>dieses Programm führt %1, Startwert %2, anders aus</translation>
+    </message>
+    <message>
+        <source>logins that begin with erased- belong to people who were erased</source>
+        <translation>Anmeldenamen, die mit erased- beginnen, gehören gelöschten Personen</translation>
+    </message>
+    <message>
+        <source>the login of %1 cannot be changed</source>
+        <translation>der Anmeldename von %1 kann nicht geändert werden</translation>
+    </message>
+    <message>
+        <source>choose the account of a person; simulated, external and erased people keep theirs</source>
+        <translation>wählen Sie das Konto einer Person; simulierte, externe und gelöschte Personen behalten ihren</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is the login of one at this station and of another one on the server; neither is transferred until one of them gets another login (page People, or `fulcrum people login`)</source>
+        <translation>%1: „%2“ ist der Anmeldename einer Person an dieser Station und einer anderen auf dem Server; keine von beiden wird übertragen, bis eine davon einen anderen Anmeldenamen bekommt (Seite Personen oder `fulcrum people login`)</translation>
     </message>
 </context>
 <context>
@@ -19245,6 +19269,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Damaged store copied, unverified</source>
         <translation>Beschädigter Datenbestand kopiert, ungeprüft</translation>
+    </message>
+    <message>
+        <source>Login changed</source>
+        <translation>Anmeldename geändert</translation>
     </message>
 </context>
 <context>
