@@ -3,6 +3,7 @@
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
 #include "database/records/external_attempts.h"
+#include "database/records/rating_seen.h"
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
@@ -76,7 +77,14 @@ void copy_attempt(const Store& store, const std::string& attempt_id, const std::
         .bind(attempt_id)
         .run();
     Query(connection,
-          "INSERT INTO attempt_asset SELECT ?, file, digest FROM attempt_asset WHERE attempt_id = ?")
+          "INSERT INTO attempt_asset SELECT ?, file, digest FROM attempt_asset WHERE attempt_id = ? AND file "
+          "<> " FULCRUM_COPIED_FROM)
+        .bind(copy)
+        .bind(attempt_id)
+        .run();
+    // The row of the reassignment goes with the original.
+    Query(connection,
+          "INSERT INTO attempt_asset (attempt_id, file, digest) VALUES (?, " FULCRUM_COPIED_FROM ", ?)")
         .bind(copy)
         .bind(attempt_id)
         .run();
@@ -176,6 +184,7 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
         .bind(attempt_id)
         .bind(copy)
         .run();
+    note_copies(connection, "s.attempt_id = ?", attempt_id);
     Audit(store_).append(educator, attempt_id, "attempt.reassign",
                          json_object({{"from", from}, {"to", person_id}, {"copy", copy}, {"reason", reason}}),
                          {{RecordKind::attempt_void, attempt_id},

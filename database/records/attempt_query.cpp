@@ -340,7 +340,8 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
 
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id) {
     Query rows(store.connection(),
-               "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? ORDER BY file");
+               "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? AND file <> " FULCRUM_COPIED_FROM
+               " ORDER BY file");
     rows.bind(attempt_id);
     std::vector<AssetFile> files;
     while (rows.next()) files.push_back({rows.text(0), rows.text(1)});

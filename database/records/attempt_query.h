@@ -48,6 +48,10 @@ void require_trace_here(const Store& store, const std::string& attempt_id);
 Trace stored_trace(const Store& store, const std::string& attempt_id);
 std::string stored_scene_text(const Store& store, const std::string& attempt_id);
 
+/// `file` of the row of attempt_asset by which a copy for another person is known as one, also where its
+/// original is not there; the row's `digest` is the id of the original. In SQL.
+#define FULCRUM_COPIED_FROM "'copied/from'"
+
 /// The files that an attempt was performed with. Access was checked by the caller.
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id);
 

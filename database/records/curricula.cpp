@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "database/records/attempt_query.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
@@ -15,14 +16,17 @@
 namespace fulcrum::database {
 namespace {
 
+// Copies of an older program have no row of their own that says so.
+#define FULCRUM_NO_COPY                                                                      \
+    "NOT EXISTS (SELECT 1 FROM attempt_reassignment r WHERE r.to_id = a.id) AND NOT EXISTS " \
+    "(SELECT 1 FROM attempt_asset c WHERE c.attempt_id = a.id AND c.file = " FULCRUM_COPIED_FROM ") "
 // What was recorded elsewhere belongs to no curriculum (external_task_prefix).
 #define FULCRUM_OWN_TASK "a.task_id NOT LIKE 'external-%' "
 // Its version is the one that the person follows: not of a voided one, which is as if it had never been, nor
 // of the copy of a reassigned one, which names what the other person followed.
-#define FULCRUM_DECIDES                                                                       \
-    FULCRUM_OWN_TASK                                                                          \
-    "AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) AND NOT EXISTS " \
-    "(SELECT 1 FROM attempt_reassignment r WHERE r.to_id = a.id) "
+#define FULCRUM_DECIDES \
+    FULCRUM_OWN_TASK    \
+    "AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) AND " FULCRUM_NO_COPY
 
 /// The version of attempts from before they named one.
 std::string first_version(const Curriculum& newest) {
@@ -106,11 +110,7 @@ bool is_text_of(const Store& store, const std::string& name, const Curriculum& v
     of_all.bind(name);
     if (!of_all.next() || of_all.text(0) == digest) return true;
     // A copy that was made here of another station's attempt has that station's text.
-    Query own(store.connection(),
-              begun +
-                  "AND a.station_id = ? AND NOT EXISTS (SELECT 1 FROM attempt_reassignment r WHERE "
-                  "r.to_id = a.id) " +
-                  first);
+    Query own(store.connection(), begun + "AND a.station_id = ? AND " FULCRUM_NO_COPY + first);
     own.bind(name).bind(store.station_id());
     if (own.next() && own.text(0) != digest) return false;
     return AcceptedAssets(store).unknown({{"curricula/" + version.file, digest}}).empty();

@@ -7,8 +7,7 @@
 namespace fulcrum::database {
 namespace {
 
-/// This attempt itself was opened: a copy is noted too, because what is noted of the original is erased with
-/// the person whose it was.
+/// This attempt itself was opened, or is a copy of one that was.
 bool is_noted(Connection& connection, const Session& rater, const std::string& attempt_id) {
     Query seen(connection, "SELECT 1 FROM rating_seen WHERE attempt_id = ? AND person_id = ?");
     seen.bind(attempt_id).bind(rater.person_id());
@@ -45,6 +44,18 @@ bool has_seen(Connection& connection, const Session& rater, const std::string& a
     return seen.next();
 }
 
+void note_copies(Connection& connection, const QString& whose, const std::string& value) {
+    Query(connection,
+          "INSERT INTO rating_seen (attempt_id, person_id, time) WITH RECURSIVE seen (attempt_id, person_id, "
+          "time) AS (SELECT s.attempt_id, s.person_id, s.time FROM rating_seen s WHERE " +
+              whose +
+              " UNION SELECT c.to_id, seen.person_id, seen.time FROM attempt_reassignment c JOIN seen ON "
+              "c.from_id = seen.attempt_id) SELECT attempt_id, person_id, MIN(time) FROM seen WHERE 1 = 1 "
+              "GROUP BY attempt_id, person_id ON CONFLICT DO NOTHING")
+        .bind(value)
+        .run();
+}
+
 bool Ratings::is_blind(const Session& rater, const std::string& attempt_id) const {
     Query row(
         store_.connection(),
@@ -70,6 +81,7 @@ void Ratings::note_seen(const Session& rater, const std::string& attempt_id) con
             .bind(rater.person_id())
             .bind(store_.now())
             .run();
+    note_copies(connection, "s.attempt_id = ?", attempt_id);
     Query(connection,
           "UPDATE rating SET blinding = 'lifted' WHERE attempt_id = ? AND rater_id = ? AND handed_in = 0 AND "
           "blinding = 'kept'")

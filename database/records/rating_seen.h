@@ -15,5 +15,9 @@ namespace fulcrum::database {
 QString seen_attempts();
 /// Whether the attempt is one of these for the rater.
 bool has_seen(Connection& connection, const Session& rater, const std::string& attempt_id);
+/// Notes the copies of the attempts in table `s`, rating_seen, for which `whose` holds with this value as
+/// seen by those who opened these: what is noted of an original goes with it, and is not where it is not
+/// sent. Within a transaction.
+void note_copies(Connection& connection, const QString& whose, const std::string& value);
 
 }  // namespace fulcrum::database

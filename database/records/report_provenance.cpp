@@ -104,7 +104,7 @@ Provenance::Files Provenance::used_files() const {
     Query rows(
         store_.connection(),
         QString("SELECT DISTINCT a.limits, f.file, f.digest FROM attempt a JOIN attempt_asset f ON "
-                "f.attempt_id = a.id %1 WHERE a.mode = 'assessed' AND ")
+                "f.attempt_id = a.id AND f.file <> " FULCRUM_COPIED_FROM " %1 WHERE a.mode = 'assessed' AND ")
                 // A range of the table's key, which sorts bytes.
                 .arg(kinds_ == Kinds::all ? "" : "AND f.file > 'benchmarks/' AND f.file < 'benchmarks0'") +
             whose_);

@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <set>
 
+#include "database/records/rating_seen.h"
 #include "database/store/audit.h"
 #include "database/store/kept_frames.h"
 #include "database/store/record_digests.h"
@@ -144,6 +145,8 @@ std::set<std::string> their_records(Connection& connection, const std::string& p
 }
 
 void delete_rows(Connection& connection, const std::string& person_id) {
+    // Who has seen an attempt of theirs has seen the copy that stays.
+    note_copies(connection, "s.attempt_id IN " FULCRUM_THEIR_ATTEMPTS, person_id);
     WithoutGuards guards(connection);
     for (const RowsAbout& one : deletions)
         about_person(connection, std::string("DELETE FROM ") + one.table + " WHERE " + one.where, person_id)

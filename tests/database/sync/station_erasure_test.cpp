@@ -7,7 +7,10 @@
 #include <fstream>
 #include <map>
 
+#include "assessment/assets/assets.h"
+#include "database/records/curricula.h"
 #include "database/records/person_merge.h"
+#include "database/records/ratings.h"
 #include "database/store/kept_frames.h"
 #include "database/store/store_restore.h"
 #include "database/sync/trace_fetch.h"
@@ -59,6 +62,40 @@ TEST_F(StationErasure, DeletesThePersonAndNobodyElse) {
     EXPECT_NE(text.find(programme.id("ann")), std::string::npos);
     EXPECT_EQ(text.find("Ann"), std::string::npos);
     EXPECT_EQ(erase_listed(*programme.store), 0) << "she is gone already";
+}
+
+TEST_F(StationErasure, ACopyIsKnownAsOneAfterThePersonItWasTakenFromIsErased) {
+    const Session &educator = programme.session("educator"), &director = programme.session("director");
+    programme.people().set_members(director, programme.cohort,
+                                   {programme.id("ann"), programme.id("ben"), programme.id("eve")});
+    const Curriculum newest = load_versions(asset_path("curricula"), "rectal", task_ids());
+    ASSERT_NE(newest.version_named("rectal@1"), nullptr);
+    AttemptMeta meta = example_meta(programme.id("ann"));
+    meta.curriculum = "rectal@1";
+    std::string taken;
+    {
+        Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(example_result(true, 70));
+        taken = recorder.attempt_id();
+    }
+    const Attempts attempts = programme.attempts();
+    const auto assets_before = attempts.assets(educator, taken);
+    const Ratings ratings(*programme.store);
+    ratings.note_seen(educator, taken);
+    const std::string copy = attempts.reassign(educator, taken, programme.id("eve"), "Eve sat there");
+    ratings.note_seen(director, taken);  // the original, after the reassignment
+    erase("ann");
+    const auto followed = Curricula(*programme.store).followed(director, programme.id("eve"), newest);
+    EXPECT_EQ(followed.back().name, newest.name()) << "the copy names what Ann followed";
+    for (const Session& rater : {educator, director}) {
+        Query seen(programme.store->connection(),
+                   "SELECT 1 FROM rating_seen WHERE attempt_id = ? AND person_id = ?");
+        seen.bind(copy).bind(rater.person_id());
+        EXPECT_TRUE(seen.next()) << rater.login();
+    }
+    EXPECT_EQ(attempts.assets(director, copy).size(), assets_before.size()) << "the mark is no file";
+    expect_sound(*programme.store);
 }
 
 TEST_F(StationErasure, TakesTheKeyFramesOfTheirReplaysToo) {
