@@ -86,7 +86,8 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     WallSurface surface(*model.cavity);
     WalkOptions options;
     options.curvature_radius = wall_curvature;
-    const Vector3 behind = tool.tip - std::min(wall_shaft, tool.insertion) * tool.axis;
+    const double length = std::min(wall_shaft, tool.insertion);  // m of the shaft that touch
+    const Vector3 behind = tool.tip - length * tool.axis;
     WalkPoint walk;
     walk.at_border = true;
     const auto walk_from = [&](std::int32_t triangle, const Vector3& barycentric) {
@@ -115,6 +116,8 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
             walk.triangle = exact.triangle;
             walk.barycentric =
                 closest_point_on_triangle(exact.position, corner.a, corner.b, corner.c).barycentric;
+            walk.shaft = 1;  // it is the tip's
+            walk.position = exact.position;
             walk.normal = exact.normal;
             walk.distance = exact.distance;
         }
@@ -136,13 +139,15 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     response.damping = solid * model.wall.damping;
     response.friction = model.wall.friction;
     response.onset_depth = model.onset_depth;
-    result.wall_force = response.force_on_tissue(depth, walk.normal, tool.tip_velocity);
-    const Vector3 arm = tool.tip - walk.distance * walk.normal - tool.trocar;
+    // The fraction of the whole shaft: the walk's is that of its last part.
+    const double shaft = 1 - (1 - walk.shaft) * length / tool.insertion;
+    result.wall_force = response.force_on_tissue(depth, walk.normal, tool.sliding_velocity(shaft));
+    const Vector3 arm = walk.position - tool.trocar;
     const Matrix3 slope = stiffness * walk.normal * walk.normal.transpose();
     result.torque += arm.cross(result.wall_force);
     result.tissue_load.add(arm, result.wall_force, response.spring_force(depth, walk.normal), slope,
                            response.damping * Matrix3::Identity());
-    result.touches.add(walk.normal, solid * depth);
+    result.touches.add(walk.normal, solid * depth, shaft);
     result.touching_wall = true;
     result.stiffness += slope;
     result.damping = std::max(result.damping, response.damping);

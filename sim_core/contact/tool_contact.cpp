@@ -236,9 +236,7 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     Vector3 tissue_velocity = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
         tissue_velocity += walk.barycentric[k] * surface.velocity(corner[static_cast<std::size_t>(k)]);
-    const double sliding = tool.tip_velocity.dot(tool.axis);
-    const Vector3 across = tool.tip_velocity - sliding * tool.axis;
-    const Vector3 tool_velocity = sliding * tool.axis + walk.shaft * across;
+    const Vector3 tool_velocity = tool.sliding_velocity(walk.shaft);
     ContactResponse response;
     response.stiffness = state.stiffness;
     response.damping = patch.cover * patch.contact.damping;

@@ -68,6 +68,12 @@ struct ToolKinematics {
     /// trocar).
     Vector3 shaft_point(double s) const { return trocar + s * (tip - trocar); }
     Vector3 shaft_velocity(double s) const { return s * tip_velocity; }
+    /// Velocity of the shaft itself at fraction s: along the axis it slides as the tip does.
+    Vector3 sliding_velocity(double s) const {
+        const double sliding = tip_velocity.dot(axis);
+        const Vector3 across = tip_velocity - sliding * axis;
+        return sliding * axis + s * across;
+    }
     ToolPose pose() const;
 };
 

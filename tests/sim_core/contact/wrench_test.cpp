@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim_core/contact/rigid_contact.h"
+#include "sim_core/instrument/lever.h"
 #include "sim_core/numerics/random.h"
 #include "tests/sim_core/contact/contact_rig.h"
 
@@ -92,6 +93,146 @@ TEST(Wrench, DoesTheWorkStoredInTheContact) {
         const double slide = energy(tip + step * tool.axis) - energy(tip - step * tool.axis);
         EXPECT_NEAR(slide / (2 * step), force.dot(tool.axis), 1e-5);
     }
+}
+
+// ---- the shaft on the wall ----
+
+constexpr double facet = 0.5;  // rad, of a ridge's facets about its axis
+
+/// A ridge along y: five flat facets between edges 3 cm from its axis, one of them on top.
+TriangleMesh make_ridge() {
+    TriangleMesh mesh;
+    constexpr int facets = 5, rows = 4;
+    for (int i = 0; i <= facets; ++i) {
+        const double angle = (i - 0.5 * facets) * facet;
+        for (int j = 0; j < rows; ++j)
+            mesh.vertices.emplace_back(0.03 * std::sin(angle), 0.02 * j - 0.03, 0.03 * std::cos(angle));
+    }
+    for (int i = 0; i < facets; ++i) {
+        for (int j = 0; j + 1 < rows; ++j) {
+            const int a = rows * i + j, b = a + rows;
+            mesh.triangles.push_back({a, b, b + 1});
+            mesh.triangles.push_back({a, b + 1, a + 1});
+        }
+    }
+    return mesh;
+}
+
+/// A shaft along +x is on the ridge's top, 1 mm deep, at 5/6 of its length from the trocar; its tip is 2 cm
+/// beyond the top in the air.
+struct OnRidge : test::ContactRig {
+    CavityModel ridge{make_ridge(), FreeSide::front};
+    double top = 0.03 * std::cos(0.5 * facet);
+    Vector3 trocar = Vector3(-0.10, 0.002, top + 0.0015);
+    static constexpr double length = 0.34;  // m, handle to tip
+
+    OnRidge() {
+        local->mode = LocalMode::none;
+        model.cavity = &ridge;
+        model.wall.most_stiffness = 700;
+        model.wall.damping = model.wall.friction = 0;
+    }
+    /// The instrument of a handle (m, from the trocar), to the last bit: a device's counts would drown
+    /// differences.
+    ToolKinematics held_at(const Vector3& handle) const {
+        ToolKinematics tool;
+        tool.inside = tool.present = true;
+        tool.trocar = trocar;
+        tool.axis = -handle.normalized();
+        tool.insertion = length - handle.norm();
+        tool.tip = trocar + tool.insertion * tool.axis;
+        return tool;
+    }
+    const ToolContactResult& first_touch(const ToolKinematics& tool) {
+        state = ToolContactState{};
+        seed_wall(&ridge, tool, 0.02, *local);
+        return touch(tool);
+    }
+};
+
+TEST(Wrench, OfAShaftOnTheWallHasTheArmTheVelocityAndTheLiftOfThePlaceThere) {
+    OnRidge rig;
+    ToolKinematics tool = rig.held_at(Vector3(-0.22, 0, 0));
+    const ToolContactResult& still = rig.first_touch(tool);
+    ASSERT_TRUE(still.touching_wall);
+    EXPECT_NEAR(still.wall_force.z(), -0.7, 0.007);
+    EXPECT_NEAR(still.torque.y(), 0.10 * 0.7, 0.03 * 0.07) << "of the tip it would be 0.084 N m";
+    ASSERT_EQ(still.touches.count, 1);
+    EXPECT_NEAR(still.touches.touch[0].shaft, 5.0 / 6, 0.01);
+
+    // The drawn shaft ends on the wall.
+    ToolPose pose;
+    pose.inside = true;
+    pose.trocar = tool.trocar;
+    pose.tip = tool.tip;
+    pose.axis = tool.axis;
+    pose.insertion = tool.insertion;
+    const ToolPose drawn = lifted(pose, lift_out(still.touches));
+    const Vector3 above = drawn.trocar + 0.10 * drawn.axis / drawn.axis.x();
+    EXPECT_NEAR(above.z() - rig.top, rig.model.instrument.tip_radius, 5e-5);
+
+    // The damper acts on the velocity there: the shaft turns about the trocar.
+    rig.model.wall.damping = 2;
+    tool.tip_velocity = Vector3(0.05, 0, -0.1);
+    const double undamped = still.wall_force.norm();
+    EXPECT_NEAR(rig.first_touch(tool).wall_force.norm() - undamped, 2 * 0.1 * 5 / 6, 0.006);
+}
+
+// The contact stores E = K d^2 / 2: its change with the handle is the work of the force at the hand.
+TEST(Wrench, OfAShaftOnTheWallDoesTheWorkStoredThereAtTheHand) {
+    OnRidge rig;
+    for (const Vector3& handle : {Vector3(-0.22, 0, 0), Vector3(-0.22, 0.01, 0), Vector3(-0.225, 0, 0.001)}) {
+        const ToolContactResult& result = rig.first_touch(rig.held_at(handle));
+        ASSERT_TRUE(result.touching_wall);
+        const Vector3 felt = load_at_hand(handle, result.tissue_load.spring).force;
+        const auto energy = [&](const Vector3& at) {
+            return 0.5 * rig.first_touch(rig.held_at(at)).wall_force.squaredNorm() / 700;
+        };
+        constexpr double step = 1e-5;
+        for (int k = 0; k < 3; ++k) {
+            const Vector3 by = step * Vector3::Unit(k);
+            const double slope = (energy(handle + by) - energy(handle - by)) / (2 * step);
+            EXPECT_NEAR(felt[k], slope, 0.03 * felt.norm()) << k << ": of the tip it would be a fifth more";
+        }
+    }
+}
+
+// Where the walk fails, at triangles without area, the closest point of the tip takes its place: the load is
+// the tip's, not that of the place at which the walk failed.
+TEST(Wrench, OfTheClosestPointWhereTheWalkIsLostIsThatOfTheTip) {
+    TriangleMesh mesh;
+    constexpr int columns = 6, rows = 4;
+    for (const double x : {-0.06, -0.03, 0.0, 0.0, 0.03, 0.06}) {
+        for (int j = 0; j < rows; ++j) mesh.vertices.emplace_back(x, 0.02 * j - 0.03, 0);
+    }
+    for (int i = 0; i + 1 < columns; ++i) {
+        for (int j = 0; j + 1 < rows; ++j) {
+            const int a = rows * i + j, b = a + rows;
+            mesh.triangles.push_back({a, b, b + 1});
+            mesh.triangles.push_back({a, b + 1, a + 1});
+        }
+    }
+    const CavityModel plate(mesh, FreeSide::front);
+    test::ContactRig rig;
+    rig.local->mode = LocalMode::none;
+    rig.model.cavity = &plate;
+    rig.model.wall.most_stiffness = 700;
+    rig.model.wall.damping = rig.model.wall.friction = 0;
+    ToolKinematics tool;
+    tool.inside = tool.present = true;
+    tool.tip = Vector3(0.005, 0.002, 0.0015);
+    tool.axis = Vector3(1, 0, 0.1).normalized();  // deeper behind the tip
+    tool.insertion = 0.12;
+    tool.trocar = tool.tip - tool.insertion * tool.axis;
+    rig.state.touching_wall = true;
+    rig.state.wall_triangle = plate.closest(tool.tip, 0.02).triangle;
+    const ToolContactResult& result = rig.touch(tool);
+    ASSERT_TRUE(result.touching_wall);
+    EXPECT_NEAR(result.wall_force.z(), -0.7, 1e-6);
+    ASSERT_EQ(result.touches.count, 1);
+    EXPECT_EQ(result.touches.touch[0].shaft, 1);
+    const Vector3 arm = Vector3(0.005, 0.002, 0) - tool.trocar;
+    EXPECT_LT((result.torque - arm.cross(result.wall_force)).norm(), 1e-9);
 }
 
 }  // namespace
