@@ -96,10 +96,11 @@ struct GraspModel {
 };
 
 /// Jaws that press as boxes (fidelity level "jaws"), linearised about the world's solution: the force of the
-/// jaws in addition to that of the shaft. Force on tissue = force + K (x - x0), x the tip; none where it
-/// would be attractive.
+/// jaws in addition to that of the shaft; or a shaft that pushes a ring. Force on tissue = force + K (x -
+/// x0), x the place of the instrument that K acts at; none where it would be attractive.
 struct JawPushModel {
-    Vector3 tip = Vector3::Zero();        ///< x0, m, at the model's tick
+    double back = 0;                      ///< m, from the tip back along the shaft to that place
+    Vector3 place = Vector3::Zero();      ///< x0, m, at the model's tick
     Vector3 point = Vector3::Zero();      ///< m, centre of the pressed areas
     Vector3 force = Vector3::Zero();      ///< N, jaws on tissue
     Matrix3 stiffness = Matrix3::Zero();  ///< K, N/m, symmetric; no eigenvalue above the tissue's stiffness

@@ -294,7 +294,8 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
 }
 
 void press_jaws(const JawPushModel& jaws, const ToolKinematics& tool, ToolContactResult& result) {
-    const Vector3 force = jaws.force + jaws.stiffness * (tool.tip - jaws.tip);
+    const Vector3 place = tool.tip - jaws.back * tool.axis;
+    const Vector3 force = jaws.force + jaws.stiffness * (place - jaws.place);
     if (!(force.dot(jaws.force) > 0)) return;  // opened since: no attractive force
     result.jaw_force = force;
     result.force += force;

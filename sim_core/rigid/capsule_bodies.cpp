@@ -146,6 +146,7 @@ void CapsuleBodies::touch(const std::vector<BodyState>& bodies, std::int32_t bod
         contact.normal = apart / distance;
         contact.on_first = pair.on_first - shape_.radius * contact.normal - middle;
         contact.speed = speed_from + pair.t * (speed_to - speed_from);
+        contact.along = pair.t;
         add(contact);
     }
 }
@@ -351,8 +352,10 @@ void CapsuleBodies::end_sweeps(std::vector<BodyState>& bodies, BodyGrip* grips, 
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
         const Contact& contact = contacts_[i];
         const Constraint& pressed = constraints_[static_cast<std::size_t>(place_[i])];
-        if (contact.pusher >= 0)
-            pushers[contact.pusher].force += (pressed.push * contact.normal + vector_of(pressed.drag)) / dt;
+        if (contact.pusher < 0) continue;
+        const Vector3 force = (pressed.push * contact.normal + vector_of(pressed.drag)) / dt;
+        pushers[contact.pusher].force += force;
+        pushers[contact.pusher].force_at_end += contact.along * force;
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies[i].velocity = vector_of(motions_[i].velocity);
@@ -364,7 +367,8 @@ void CapsuleBodies::step(std::vector<BodyState>& bodies, BodyGrip* grips, BodyPu
                          double dt) noexcept {
     const int substeps = std::max(1, static_cast<int>(std::ceil(dt / substep - 1e-9)));
     const double h = dt / substeps;
-    for (int hand = 0; hand < hands; ++hand) grips[hand].force = pushers[hand].force = Vector3::Zero();
+    for (int hand = 0; hand < hands; ++hand)
+        grips[hand].force = pushers[hand].force = pushers[hand].force_at_end = Vector3::Zero();
     for (int s = 0; s < substeps; ++s) {
         const double to = (s + 1.0) / substeps;
         begin_substep(bodies, h);

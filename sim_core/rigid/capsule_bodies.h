@@ -7,6 +7,7 @@
 // World thread. step() neither allocates, locks nor throws. Frames: patient frame unless a name says body.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -80,6 +81,13 @@ struct BodyPusher {
     double stiffness = 600;           ///< N/m
     double damping = 0.5;             ///< N s/m
     Vector3 force = Vector3::Zero();  ///< N, on the bodies, mean of the last step; written by step()
+    /// N, what the capsule's end `to` carries of it, `from` the rest, as a beam on two supports; by step().
+    Vector3 force_at_end = Vector3::Zero();
+    /// Where along the capsule the force is, 0 .. 1; 1 without a force.
+    double place() const {
+        const double size2 = force.squaredNorm();
+        return size2 > 0 ? std::clamp(force_at_end.dot(force) / size2, 0.0, 1.0) : 1.0;
+    }
 };
 
 class CapsuleBodies {
@@ -111,6 +119,7 @@ class CapsuleBodies {
         Vector3 on_first = Vector3::Zero(), on_second = Vector3::Zero();  ///< m, from the centres of mass
         Vector3 speed = Vector3::Zero();                                  ///< m/s, of what is no body
         double gap = 0;                                                   ///< m
+        double along = 0;                                                 ///< 0 .. 1, where on the pusher
         double share_normal = 0, share_along = 0;                         ///< 1/kg, of the bodies' answer
     };
     /// A contact as the sweeps read it: most of the time of a step is theirs.

@@ -89,7 +89,7 @@ TEST(JawPush, IsLinearAboutTheTipAndNeverAttracts) {
     rig.publish(rig.tool_at(tip));
     EXPECT_EQ(rig.touch(rig.tool_at(tip)).force.norm(), 0);
     JawPushModel& jaws = rig.local->jaws;
-    jaws.tip = tip;
+    jaws.place = tip;
     jaws.point = tip + Vector3(0.002, 0, -0.003);
     jaws.force = Vector3(0, 0, -0.5);
     jaws.stiffness = 300 * Vector3::UnitZ() * Vector3::UnitZ().transpose();
@@ -110,6 +110,25 @@ TEST(JawPush, IsLinearAboutTheTipAndNeverAttracts) {
     EXPECT_EQ(rig.touch(rig.tool_at(tip)).force.norm(), 0);
     jaws.force.x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(rig.touch(rig.tool_at(tip)).force.norm(), 0);
+}
+
+// A place of the shaft behind the tip: K follows its displacement, and the force has its lever.
+TEST(JawPush, BehindTheTipFollowsThatPlaceOfTheShaft) {
+    test::ContactRig rig;
+    const ToolKinematics before = rig.tool_at({0.2, 0, 0.060});
+    rig.publish(before);
+    JawPushModel& push = rig.local->jaws;
+    push.back = 0.030;
+    push.place = push.point = before.tip - push.back * before.axis;
+    push.force = Vector3(0.5, 0, 0);
+    push.stiffness = 300 * Vector3::UnitX() * Vector3::UnitX().transpose();
+    push.tissue = 0;
+    const ToolKinematics turned = rig.tool_at({0.202, 0, 0.060});
+    const ToolContactResult& result = rig.touch(turned);
+    const double share = 1 - push.back / before.insertion;
+    EXPECT_NEAR(result.jaw_force.x(), 0.5 + 300 * 0.002 * share, 1e-3) << "by the tip it would be 1.1 N";
+    EXPECT_LT((result.torque - (push.point - turned.trocar).cross(result.jaw_force)).norm(), 1e-12);
+    EXPECT_LT((result.tissue_load.spring.moment - result.torque).norm(), 1e-12);
 }
 
 // ---- grasp ----

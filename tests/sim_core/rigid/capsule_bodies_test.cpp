@@ -206,7 +206,16 @@ TEST(CapsuleBodies, PinnedByAnInstrumentPushBackAsItsSpring) {
     pusher.before = pusher.after = {Vector3(-0.03, 0, z), Vector3(0.03, 0, z), 0.0025};
     bench.run(1);
     EXPECT_NEAR(bench.pushers[1].force.z(), -2 * 600 * 0.001, 0.1) << "two corners, a millimetre each";
+    EXPECT_NEAR(bench.pushers[1].place(), 0.5, 0.02);
     EXPECT_LT(std::abs(bench.bodies[0].position.z() - bench.shape.radius), 2e-4);
+    // Moved along itself, it touches nearer to its begin.
+    pusher.before = pusher.after = {Vector3(-0.02, 0, z), Vector3(0.04, 0, z), 0.0025};
+    bench.run(1);
+    EXPECT_NEAR(bench.pushers[1].place(), 1.0 / 3, 0.02);
+    // A force that it no longer has is at its end.
+    pusher.present = false;
+    bench.run(dt);
+    EXPECT_EQ(bench.pushers[1].place(), 1);
 }
 
 TEST(CapsuleBodies, ArePushedByAnInstrumentThatMovesAndComeToRestBehindIt) {

@@ -42,7 +42,7 @@ void BowelPart::press_jaws(const ToolAction* actions) noexcept {
             std::fill(pushes.begin(), pushes.end(), Vector3::Zero());
             continue;
         }
-        felt.tip = action.tool.tip;
+        felt.place = action.tool.tip;
         double pressed = 0;
         const ToolShape shape = tool_shape(jaw_models_[hand], action.tool);
         const double reach = 2 * jaw_models_[hand].jaw_length;

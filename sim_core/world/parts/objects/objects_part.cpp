@@ -165,8 +165,12 @@ std::uint32_t ObjectsPart::solve(const StepInput& input) noexcept {
     std::copy(bodies_.begin(), bodies_.end(), before_.begin());
     solver_.step(bodies_, grips_, pushers_, hand_count, input.dt);
     for (int number = 0; number < hand_count; ++number) {
+        const ToolKinematics& tool = input.held[number].tool;
+        const BodyPusher& pusher = pushers_[number];
         hands_[number].hold_force = grips_[number].force;
-        hands_[number].push_force = pushers_[number].force;
+        hands_[number].push_force = pusher.force;
+        hands_[number].push_back =
+            (tool.tip - pusher.after.to).dot(tool.axis) + (1 - pusher.place()) * pusher_length;
     }
     const bool finite = std::all_of(bodies_.begin(), bodies_.end(), [](const BodyState& body) {
         return body.position.allFinite() && body.rotation.coeffs().allFinite() && body.velocity.allFinite() &&
@@ -199,8 +203,9 @@ void ObjectsPart::publish_model(int number, const TickOutput& last, LocalModel& 
     const double weight = layout_.ring.mass * layout_.ground.gravity.norm();
     model.jaws = JawPushModel();
     if (hand.push_force.squaredNorm() > 0) {
-        model.jaws.tip = last.contact[number].tool.tip;
-        model.jaws.point = last.contact[number].tool.tip;
+        const ToolKinematics& tool = last.contact[number].tool;
+        model.jaws.back = hand.push_back;
+        model.jaws.place = model.jaws.point = tool.tip - hand.push_back * tool.axis;
         model.jaws.force = hand.push_force;
         model.jaws.stiffness = felt_stiffness(hand.push_force, weight, tissue_.stiffness);
         model.jaws.tissue = tissue_index_;

@@ -51,6 +51,7 @@ class ObjectsPart : public Part {
         std::array<Vector3, grip_points> at{};  ///< m, held points in the ring's frame
         Vector3 hold_force = Vector3::Zero();   ///< N, jaws on ring
         Vector3 push_force = Vector3::Zero();   ///< N, instrument on rings
+        double push_back = 0;                   ///< m, from the tip back along the shaft to where it pushes
         Capsule pusher;                         ///< m, at the step's end
         bool present = false;
     };

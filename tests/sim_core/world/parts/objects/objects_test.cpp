@@ -3,6 +3,7 @@
 // as scripts say; forces and events are read as the record has them.
 #include <gtest/gtest.h>
 
+#include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/world/parts/objects/objects_part.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
@@ -200,6 +201,56 @@ TEST(Objects, ClosedJawsPushARingAndOpenOnesPass) {
         }
         EXPECT_EQ(rig.record.outcome, 0U);
     }
+}
+
+// The left hand holds a ring in the air; the right shaft pushes it from the side, 25 mm behind its tip.
+TEST(Objects, PushedByAShaftPushBackWhereTheShaftIs) {
+    RingRig rig;
+    rig.lift(left, 3);
+    rig.move(left, Vector3(0, 0, 0.03));
+    rig.steps(40);
+    rig.wish[right].closed = true;
+    const Vector3 middle = rig.ring(3).position;
+    const Vector3 along = (middle - rig.trocar[right].position).normalized();
+    const Vector3 aside = along.cross(Vector3::UnitZ()).normalized();
+    const Vector3 beyond = middle + 0.025 * along;
+    rig.go(right, beyond + 0.035 * aside, 0.2);
+    rig.steps(30);
+    ASSERT_TRUE(rig.grasp(left).held);
+    ASSERT_FALSE(rig.grasp(right).held);
+    const auto push = [&] { return rig.world.local_models().hand[right].jaws; };
+    for (int i = 0; i < 150 && push().force.norm() < 0.3; ++i) rig.move(right, -2.5e-4 * aside);
+    const JawPushModel model = push();
+    ASSERT_GT(model.force.norm(), 0.2);
+
+    // Where the shaft is nearest to a tube.
+    const ToolKinematics& tool = rig.outputs.back().contact[right].tool;
+    const Vector3 tip = tool.tip, trocar = tool.trocar;
+    const std::vector<Vector3>& corners = rig.view().corners;
+    double nearest = 1, back = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const auto corner = [&](std::size_t c) {
+            return Vector3(rig.ring(3).position + rig.ring(3).rotation * corners[c % corners.size()]);
+        };
+        const SegmentPair pair =
+            closest_points_of_segments(corner(k), corner(k + 1), tip - 0.05 * tool.axis, tip);
+        if ((pair.on_first - pair.on_second).norm() >= nearest) continue;
+        nearest = (pair.on_first - pair.on_second).norm();
+        back = (tip - pair.on_second).norm();
+    }
+    EXPECT_GT(back, 0.010);
+    EXPECT_NEAR(model.back, back, 0.004);
+    EXPECT_LT((model.place - (tip - model.back * tool.axis)).norm(), 1e-9);
+
+    // The record's torque, in the next ticks with the hand still, is that of a force there.
+    rig.step();
+    const HandSample& record = rig.outputs.back().sample.hand[right];
+    const Vector3 force = sample_force_unit * Vector3(record.force[0], record.force[1], record.force[2]);
+    const Vector3 torque = sample_torque_unit * Vector3(record.torque[0], record.torque[1], record.torque[2]);
+    EXPECT_LT((force - model.force).norm(), 0.02);
+    const double by_tip = (tip - trocar).cross(force).norm(),
+                 by_place = (model.place - trocar).cross(force).norm();
+    EXPECT_LT((torque - (model.place - trocar).cross(force)).norm(), 0.1 * (by_tip - by_place) + 1e-4);
 }
 
 TEST(Objects, StayOutOfTheTrayWhateverTheHandsDo) {
