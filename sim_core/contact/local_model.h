@@ -112,7 +112,8 @@ struct JawPushModel {
 /// friction times the push.
 struct SheetContactModel {
     std::int16_t tissue = -1;            ///< index into the scene's tissue table, -1: no sheet nearby
-    Vector3 tip = Vector3::Zero();       ///< m, of the tool at the model's tick
+    double back = 0;                     ///< m, from the tip back along a shaft or blade to where it is in it
+    Vector3 place = Vector3::Zero();     ///< m, of that place of the tool at the model's tick
     Vector3 normal = Vector3::UnitZ();   ///< unit, of the sheet towards the tool
     Vector3 velocity = Vector3::Zero();  ///< m/s, of the sheet there
     bool pushes = false;                 ///< false: a blade is in it

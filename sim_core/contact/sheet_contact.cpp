@@ -9,7 +9,8 @@ void touch_sheet(const ToolContactModel& model, const LocalModel& local, const T
                  ToolContactResult& result) {
     const SheetContactModel& sheet = local.sheet;
     if (sheet.tissue < 0) return;
-    const Vector3 moved = tool.tip - sheet.tip;
+    const Vector3 place = tool.tip - sheet.back * tool.axis, arm = place - tool.trocar;
+    const Vector3 moved = place - sheet.place;
     const Vector3& n = sheet.normal;
     const double along = moved.dot(n), approach = (tool.tip_velocity - sheet.velocity).dot(n);
     double push = 0, undamped = 0;
@@ -31,14 +32,14 @@ void touch_sheet(const ToolContactModel& model, const LocalModel& local, const T
     const double push_slope = undamped > 0 ? sheet.stiffness : 0.0;
     // Sliding drag too: when the hand turns around it is a spring at once.
     const double drag_slope = undamped_most > 0 ? sheet.drag_stiffness : 0.0;
-    result.tissue_load.add(tool.tip - tool.trocar, force, undamped_force,
+    result.tissue_load.add(arm, force, undamped_force,
                            push_slope * across + drag_slope * (Matrix3::Identity() - across),
                            (undamped > 0 ? sheet.damping : 0.0) * across);
     result.cutting = sheet.cutting;
     if (!(force.squaredNorm() > 0)) return;
     result.sheet_force = force;
     result.force += force;
-    result.torque += (tool.tip - tool.trocar).cross(force);
+    result.torque += arm.cross(force);
     if (!result.touching_surface) {  // otherwise the bowel's own contact gives the point of load
         result.point = tool.tip;
         result.normal = n;

@@ -175,7 +175,7 @@ void HandAtLever::Parts::make_bowel(const LeverCase& at, const Place& place) {
 void HandAtLever::Parts::make_sheet(const LeverCase& at, const Place& place) {
     SheetContactModel& sheet = local.sheet;
     sheet.tissue = 0;
-    sheet.tip = place.tip;
+    sheet.place = place.tip;
     sheet.normal = place.normal;
     sheet.pushes = true;
     sheet.push = -at.stiffness * place.gap;

@@ -235,5 +235,34 @@ TEST(Wrench, OfTheClosestPointWhereTheWalkIsLostIsThatOfTheTip) {
     EXPECT_LT((result.torque - arm.cross(result.wall_force)).norm(), 1e-9);
 }
 
+// A shaft between lips: its place there moves less than the tip when it turns, and has the shorter lever.
+TEST(Wrench, OfAShaftInASheetDoesTheWorkStoredThereAtTheHand) {
+    OnRidge rig;
+    rig.model.cavity = nullptr;
+    const Vector3 handle(-0.22, 0.004, 0.003);
+    const ToolKinematics before = rig.held_at(handle);
+    SheetContactModel& lips = rig.local->sheet;
+    lips.tissue = 0;
+    lips.normal = before.axis;
+    lips.back = 0.03;
+    lips.place = before.tip - lips.back * before.axis;
+    lips.drag = Vector3(0, 0.3, -0.4);
+    lips.drag -= lips.drag.dot(lips.normal) * lips.normal;
+    lips.drag_stiffness = 300;
+    lips.grip = 1e6;
+    const ToolContactResult& result = rig.touch(before);
+    EXPECT_LT((result.sheet_force - lips.drag).norm(), 1e-9);
+    EXPECT_LT((result.torque - (lips.place - before.trocar).cross(lips.drag)).norm(), 1e-9);
+    const Vector3 felt = load_at_hand(handle, result.tissue_load.spring).force;
+    const auto energy = [&](const Vector3& at) {
+        return 0.5 * rig.touch(rig.held_at(at)).sheet_force.squaredNorm() / 300;
+    };
+    constexpr double step = 1e-6;
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 by = step * Vector3::Unit(k);
+        EXPECT_NEAR(felt[k], (energy(handle + by) - energy(handle - by)) / (2 * step), 1e-6) << k;
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -211,7 +211,8 @@ void BowelCut::fill_local_model(int number, LocalModel& model) const noexcept {
     SheetContactModel& blade = model.sheet;
     blade = SheetContactModel();
     blade.tissue = tissue_index_;
-    blade.tip = hand.tip;
+    blade.back = (hand.tip - hand.target).norm();
+    blade.place = hand.target;
     blade.normal = hand.normal;
     blade.velocity = hand.velocity;
     blade.drag = hand.drag;

@@ -316,7 +316,7 @@ void SheetContact::fill_touch(const SheetHand& hand, SheetContactModel& model) c
     const double k = sheet_.tissue().stiffness * (hand.touch == BladeTouch::cutting ? 1.0 : hand.cover);
     const double slope = series(k, sheet_springs * sheet_.spec().structural_stiffness);
     model.tissue = sheet_.tissue_index();
-    model.tip = hand.tip;
+    model.place = hand.tip;
     if (hand.linked)
         model.velocity =
             CutMembrane::velocity(sheet_.state().membrane, hand.place.fragment, hand.place.barycentric);

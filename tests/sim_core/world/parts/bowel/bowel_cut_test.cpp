@@ -144,6 +144,35 @@ TEST(BowelCut, DiscFallsAndLeavesAHoleWithLipsThatTouchTheShaft) {
     expect_sound(rig);
 }
 
+// The lip of a hole drags at the shaft where it goes through the wall, not at the tip beyond.
+TEST(BowelCut, LipHasTheLeverOfThePlaceOfTheShaftThatItTouches) {
+    BowelCutRig rig;
+    ASSERT_EQ(rig.cut_circle(rig.top, 0.007).parted, 1);
+    const Vector3 hole = rig.top_now();
+    const Vector3 in = (hole - rig.trocar[1].position).normalized();
+    rig.go(1, hole - 0.03 * in, 0.2);
+    rig.go(1, hole + 0.009 * in, 0.05);
+    rig.go(1, hole + 0.009 * in + Vector3(0.025, 0, 0), 0.03);
+    const SheetContactModel lip = rig.world.local_models().hand[1].sheet;
+    ASSERT_GE(lip.tissue, 0);
+    const ToolKinematics tool = rig.outputs.back().contact[1].tool;
+    EXPECT_GT(lip.back, 0.003);
+    EXPECT_LT(lip.back, 0.04);
+    EXPECT_LT((lip.place - (tool.tip - lip.back * tool.axis)).norm(), 1e-6);
+
+    // The record of the next ticks, the hand still.
+    rig.step();
+    const HandSample& record = rig.outputs.back().sample.hand[1];
+    const Vector3 force = sample_force_unit * Vector3(record.force[0], record.force[1], record.force[2]);
+    const Vector3 torque = sample_torque_unit * Vector3(record.torque[0], record.torque[1], record.torque[2]);
+    EXPECT_GT(force.norm(), 0.05);
+    EXPECT_LT((force - lip.drag).norm(), 0.002) << "nothing else is touched";
+    const Vector3 by_place = (lip.place - tool.trocar).cross(force);
+    const Vector3 by_tip = (tool.tip - tool.trocar).cross(force);
+    EXPECT_LT((torque - by_place).norm(), (torque - by_tip).norm());
+    EXPECT_LT((torque - by_place).norm(), 0.2 * (by_tip - by_place).norm() + 1e-4);
+}
+
 TEST(BowelCut, JawsKeepRemainingTissueAndLoseRemovedTissue) {
     BowelCutRig rig;
     rig.hold_beside(Vector3(0, 0, 0));
