@@ -30,6 +30,7 @@ class ReleasedHands : public Rig {
     ReleasedHands() {
         for (auto& one : forces) one.reserve(2000);
         times.reserve(2000);
+        torques.reserve(2000);
     }
     void read(std::uint32_t /*tick*/, RigSample& /*sample*/) override {}
     void write_force(Hand hand, const Vector3& force) override {
