@@ -90,25 +90,30 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     const Vector3 behind = tool.tip - length * tool.axis;
     WalkPoint walk;
     walk.at_border = true;
-    const auto walk_from = [&](std::int32_t triangle, const Vector3& barycentric) {
+    const auto walk_from = [&](std::int32_t triangle, const Vector3& barycentric, double fraction) {
         WalkPoint found;
         found.at_border = true;
         if (triangle < 0 || triangle >= count) return found;
         found.triangle = triangle;
         found.barycentric = barycentric;
+        found.shaft = fraction;
         walk_surface(surface, behind, tool.tip, options, found);
         return found;
     };
-    if (state.wall_triangle >= 0) walk = walk_from(state.wall_triangle, state.wall_barycentric);
+    // From where it ended in the last tick, along the shaft as well: from the tip it would not come back in
+    // the iterations of a tick where the triangles are small, and the contact would come and go.
+    if (state.wall_triangle >= 0)
+        walk = walk_from(state.wall_triangle, state.wall_barycentric,
+                         length > 0 ? 1 - state.wall_behind / length : 1);
     if (walk.at_border || !state.touching_wall) {
-        const WalkPoint seeded = walk_from(local.cavity_seed, Vector3::Constant(1.0 / 3));
+        const WalkPoint seeded = walk_from(local.cavity_seed, Vector3::Constant(1.0 / 3), 1);
         if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
     }
     if (walk.at_border && state.touching_wall) {
         // Lost, for example at a fan of slivers: use the exact closest point of the tip until the walk
         // recovers.
         const CavityPoint exact = model.cavity->closest(tool.tip, wall_search);
-        walk = walk_from(exact.triangle, Vector3::Constant(1.0 / 3));
+        walk = walk_from(exact.triangle, Vector3::Constant(1.0 / 3), 1);
         if (walk.at_border && exact.triangle >= 0) {
             walk.at_border = false;
             const CavityTriangle& corner =
@@ -129,6 +134,7 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     }
     state.wall_triangle = walk.triangle;
     state.wall_barycentric = walk.barycentric;
+    state.wall_behind = (1 - walk.shaft) * length;
     const double depth = model.instrument.tip_radius - walk.distance;
     if (!(depth > 0)) return;
     state.touching_wall = true;

@@ -50,6 +50,7 @@ struct ToolContactState {
     bool touching = false;
     std::int32_t wall_triangle = -1;
     Vector3 wall_barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);
+    double wall_behind = 0;  // m from the tip to the place of the shaft that this is nearest to
     bool touching_wall = false;
     std::uint32_t topology_version = 0;
     std::uint32_t model_step = 0;  ///< world step of the model whose seed was tried last

@@ -8,6 +8,7 @@
 #include "sim_core/instrument/lever.h"
 #include "sim_core/numerics/random.h"
 #include "tests/sim_core/contact/contact_rig.h"
+#include "tests/support/cavity.h"
 
 namespace fulcrum {
 namespace {
@@ -233,6 +234,30 @@ TEST(Wrench, OfTheClosestPointWhereTheWalkIsLostIsThatOfTheTip) {
     EXPECT_EQ(result.touches.touch[0].shaft, 1);
     const Vector3 arm = Vector3(0.005, 0.002, 0) - tool.trocar;
     EXPECT_LT((result.torque - arm.cross(result.wall_force)).norm(), 1e-9);
+}
+
+// On a fine mesh the walk crosses more triangles than one tick allows: it goes on from where it was.
+TEST(Wrench, OfAShaftOnAFineWallStaysFromTickToTick) {
+    test::ContactRig rig;
+    const CavityModel ball(test::make_bowl(Vector3(0.02, 0.02, 0.02), 60, 80, 0.0), FreeSide::front);
+    rig.local->mode = LocalMode::none;
+    rig.model.cavity = &ball;
+    rig.model.wall.most_stiffness = 700;
+    rig.model.wall.damping = rig.model.wall.friction = 0;
+    ToolKinematics tool;
+    tool.inside = tool.present = true;
+    tool.axis = Vector3::UnitY();
+    tool.trocar = Vector3(0.0215, -0.10, 0.0003);
+    tool.insertion = 0.12;
+    tool.tip = Vector3(0.0215, 0.02, 0.0003);  // 2 cm beyond the place where the shaft is 1 mm deep
+    seed_wall(&ball, tool, 0.02, *rig.local);
+    for (int tick = 0; tick < 20; ++tick) rig.touch(tool);
+    for (int tick = 0; tick < 100; ++tick) {
+        const ToolContactResult& result = rig.touch(tool);
+        ASSERT_TRUE(result.touching_wall) << "tick " << tick;
+        ASSERT_NEAR(result.wall_force.x(), -0.7, 0.02) << "tick " << tick;
+        ASSERT_NEAR(result.touches.touch[0].shaft, 5.0 / 6, 0.01) << "tick " << tick;
+    }
 }
 
 // A shaft between lips: its place there moves less than the tip when it turns, and has the shorter lever.
