@@ -17,6 +17,7 @@
 #include "database/store/audit.h"
 #include "database/store/backup_list.h"
 #include "database/store/store_file.h"
+#include "database/store/store_owner.h"
 #include "database/store/store_state.h"
 #include "sim_core/numerics/boot_clock.h"
 
@@ -191,6 +192,16 @@ void enter_records(const Store& store) {
     transaction.commit();
 }
 
+/// In the store of another account only the key that its log asks for may sign. A key of this account would
+/// be a finding of every later check, and stop backups.
+void require_key_of_owner(const std::string& path, const std::string& station, const Bytes& expected) {
+    if (expected.empty() || !belongs_to_another_account(path)) return;
+    // The prepared one first: between the two readings another program may put it in its place.
+    for (const auto& key : {StationKey::prepared(station), StationKey::existing(station)})
+        if (key && key->public_half() == expected) return;
+    fail_as_of_another_account(path);
+}
+
 }  // namespace
 
 Store Store::open_server(const std::string& address, StoreOptions options) {
@@ -263,8 +274,10 @@ bool Store::is_server() const noexcept {
     return state_->connection->is_server();
 }
 const StationKey& Store::key(std::int64_t next_row, const Bytes& expected) const {
-    if (!state_->key || (!expected.empty() && state_->key->public_half() != expected))
+    if (!state_->key || (!expected.empty() && state_->key->public_half() != expected)) {
+        require_key_of_owner(state_->path, state_->station_id, expected);
         state_->key = StationKey::of(state_->station_id, next_row, expected);
+    }
     return *state_->key;
 }
 void Store::use_key(const StationKey& key) const {

@@ -3,6 +3,7 @@
 // are found.
 #include <sqlite3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -165,6 +166,39 @@ TEST(Signatures, BeginWithTheRowThatIsWrittenNextWhereThereIsNoKey) {
         check.notes[0].words().find("audit row " + std::to_string(before + 1) + ": from here on the key"),
         std::string::npos)
         << check.notes[0].words();
+}
+
+TEST(Signatures, AreRefusedToAnotherAccountWithoutTheKeyOfTheOwner) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only the superuser gives files away";
+    Made made;
+    made.close();
+    const std::string& path = made.programme.path;
+    ASSERT_EQ(::chown(path.c_str(), 120, 120), 0);
+    const auto append = [&] {
+        const Store store = Store::open(path, made.programme.clock.options());
+        Audit(store).append(store.station_session(), made.station, "test.deed", "{}");
+    };
+    const auto refused = [&] {
+        std::string said;
+        try {
+            append();
+        } catch (const StoreError& error) {
+            EXPECT_EQ(error.kind(), StoreErrorKind::failed);
+            said = error.what();
+        }
+        EXPECT_NE(said.find("belongs to the account"), std::string::npos) << said;
+        EXPECT_NE(said.find("FULCRUM_STATION_KEYS"), std::string::npos) << said;
+    };
+    const QByteArray usual = qgetenv("FULCRUM_STATION_KEYS");
+    const QTemporaryDir other_keys;
+    qputenv("FULCRUM_STATION_KEYS", other_keys.path().toLocal8Bit());
+    refused();
+    EXPECT_TRUE(QDir(other_keys.path()).isEmpty()) << "no key was made";
+    StationKey::of(made.station, 1);  // this account has a key of that station, which is not the one in use
+    refused();
+    qputenv("FULCRUM_STATION_KEYS", usual);
+    append();
+    EXPECT_EQ(first_of(problems_of(path)), "");
 }
 
 TEST(Signatures, AreRefusedWhereTheKeyIsDamagedOrItsFolderCannotBeMade) {

@@ -8480,6 +8480,14 @@
         <source>%1: &quot;%2&quot; is the login of one at this station and of another one on the server; neither is transferred until one of them gets another login (page People, or `fulcrum people login`)</source>
         <translation>%1: „%2“ ist der Anmeldename einer Person an dieser Station und einer anderen auf dem Server; keine von beiden wird übertragen, bis eine davon einen anderen Anmeldenamen bekommt (Seite Personen oder `fulcrum people login`)</translation>
     </message>
+    <message>
+        <source>%1: this store belongs to the account %2, whose key signs its audit log</source>
+        <translation>%1: Dieser Datenbestand gehört dem Benutzerkonto %2, dessen Schlüssel sein Protokoll signiert</translation>
+    </message>
+    <message>
+        <source>run the command as that account (`sudo -u %1 -H fulcrum …`), or name the folder of its keys in FULCRUM_STATION_KEYS</source>
+        <translation>führen Sie den Befehl als dieses Benutzerkonto aus (`sudo -u %1 -H fulcrum …`), oder nennen Sie in FULCRUM_STATION_KEYS den Ordner seiner Schlüssel</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::app::demo</name>
