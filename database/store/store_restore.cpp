@@ -42,6 +42,15 @@ class CopyFile {
     std::string path_;
 };
 
+/// Where the store is: the file that a link names. The link itself would be replaced, and the old store stay
+/// in use under its own name.
+std::string place_of(const std::string& path) {
+    std::error_code unknown;
+    if (!files::is_symlink(files::symlink_status(path, unknown))) return path;
+    const files::path file = files::canonical(path, unknown);
+    return unknown ? path : file.string();
+}
+
 /// Copies that a killed restore or migration left next to the store. Only for whoever is alone with it: the
 /// copy of another one that still runs is not touched.
 void remove_left_copies(const std::string& path) {
@@ -223,9 +232,10 @@ void take_place(const std::string& copy, const std::string& path) {
 
 }  // namespace
 
-Replaced restore_store(const std::string& from, const std::string& path, const SignInToCopy& sign_in,
+Replaced restore_store(const std::string& from, const std::string& named, const SignInToCopy& sign_in,
                        StoreOptions options, const StoreProgress& progress, ReplacedFile replaced) {
-    if (ServerAddress::is_address(path)) fail_as_not_a_file(path);
+    if (ServerAddress::is_address(named)) fail_as_not_a_file(named);
+    const std::string path = place_of(named);
     require_readable_file(from, true);
     std::error_code ignored;
     if (files::exists(path) && files::equivalent(from, path, ignored))
@@ -274,8 +284,9 @@ Replaced restore_store(const std::string& from, const std::string& path, const S
     return done;
 }
 
-Replaced migrate_store(const std::string& path, StoreOptions options) {
-    require_readable_file(path, false);
+Replaced migrate_store(const std::string& named, StoreOptions options) {
+    require_readable_file(named, false);
+    const std::string path = place_of(named);
     Replaced done;
     Alone alone(path, options.busy_timeout_ms);
     if (alone.connection() == nullptr)

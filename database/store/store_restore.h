@@ -25,16 +25,16 @@ using SignInToCopy = std::function<Session(const Store& copy)>;
 /// a store whose first page was overwritten, which the window knows from where it is.
 enum class ReplacedFile { store, any };
 
-/// The store at `path` becomes what the backup at `from` holds, brought up to this schema; an audit row says
-/// so. Operation::backup, of the session that `sign_in` gives. Throws StoreError: missing, not_a_store,
-/// newer_schema; corrupt where a check finds something (named first); locked while a program has the store
-/// open; disk_full, read_only. Nothing was changed then. `progress` may stop it until the file takes the
-/// store's place.
-Replaced restore_store(const std::string& from, const std::string& path, const SignInToCopy& sign_in,
+/// The store `named` (of a link: the file that it names) becomes what the backup at `from` holds, brought
+/// up to this schema; an audit row says so. Operation::backup, of the session that `sign_in` gives. Throws
+/// StoreError: missing, not_a_store, newer_schema; corrupt where a check finds something (named first);
+/// locked while a program has the store open; disk_full, read_only. Nothing was changed then. `progress` may
+/// stop it until the file takes the store's place.
+Replaced restore_store(const std::string& from, const std::string& named, const SignInToCopy& sign_in,
                        StoreOptions options = {}, const StoreProgress& progress = {},
                        ReplacedFile replaced = ReplacedFile::store);
 /// Brings an older store up to this program's schema; without `kept` it had it already. Throws as above.
-Replaced migrate_store(const std::string& path, StoreOptions options = {});
+Replaced migrate_store(const std::string& named, StoreOptions options = {});
 /// Gives the file and what is left of its log another name, FILE.damaged-TIME, and returns it; then there is
 /// no store at `path`. Throws StoreError locked while a program has it open; missing, read_only.
 std::string put_aside(const std::string& path, StoreOptions options = {});

@@ -80,6 +80,30 @@ TEST_F(Restore, PutsTheBackupInPlaceKeepsTheOldStoreAndSaysSoInTheAuditLog) {
     for (const std::string& name : names()) EXPECT_EQ(name.find(".restoring-"), std::string::npos) << name;
 }
 
+TEST_F(Restore, ReplacesTheFileThatALinkNamesAndKeepsTheLink) {
+    const QTemporaryDir elsewhere;
+    const std::string link = elsewhere.filePath("fulcrum.db").toStdString();
+    files::create_symlink(programme.path, link);
+    EXPECT_EQ(error_kind([&] {
+                  restore_store(
+                      programme.path, link,
+                      [](const Store& copy) { return People(copy).sign_in("administrator", password); },
+                      programme.clock.options());
+              }),
+              StoreErrorKind::bad_value)
+        << "the store itself";
+    const Replaced done = restore_store(
+        backup, link, [](const Store& copy) { return People(copy).sign_in("administrator", password); },
+        programme.clock.options());
+    EXPECT_TRUE(files::is_symlink(files::symlink_status(link)));
+    EXPECT_TRUE(has(attempt));
+    EXPECT_FALSE(has(later)) << "the file that the link names is the restored one";
+    EXPECT_TRUE(files::is_regular_file(files::symlink_status(done.kept))) << done.kept;
+    EXPECT_TRUE(
+        files::equivalent(files::path(done.kept).parent_path(), files::path(programme.path).parent_path()))
+        << done.kept;
+}
+
 TEST_F(Restore, IsRefusedWhileAProgramHasTheStoreOpenAndChangesNothing) {
     const Store open = Store::open(programme.path, programme.clock.options());
     EXPECT_FALSE(open.station_id().empty());
@@ -242,6 +266,20 @@ TEST(Migrate, ChecksCopiesAndReplacesAnOlderStore) {
     StoreOptions impatient;
     impatient.busy_timeout_ms = 100;
     EXPECT_EQ(error_kind([&] { migrate_store(path, impatient); }), StoreErrorKind::locked);
+}
+
+TEST(Migrate, ReplacesTheFileThatALinkNamesAndKeepsTheLink) {
+    const QTemporaryDir folder, elsewhere;
+    const std::string path = folder.filePath("old.db").toStdString(),
+                      link = elsewhere.filePath("fulcrum.db").toStdString();
+    make_old_store(path);
+    files::create_symlink(path, link);
+    const Replaced done = migrate_store(link);
+    EXPECT_TRUE(files::is_symlink(files::symlink_status(link)));
+    EXPECT_EQ(Store::open(path).found_schema(), Store::schema_version());
+    EXPECT_TRUE(files::is_regular_file(files::symlink_status(done.kept))) << done.kept;
+    Connection kept(done.kept, true, false, 100);
+    EXPECT_EQ(read_schema_version(kept), 7);
 }
 
 TEST_F(Restore, SaysHowFarItIsAndCanBeStoppedUntilTheEnd) {
