@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/store/store_restore.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QDateTime>
@@ -16,6 +17,7 @@
 #include "database/store/audit.h"
 #include "database/store/kept_frames.h"
 #include "database/store/store_file.h"
+#include "database/store/store_owner.h"
 #include "database/store/store_state.h"
 #include "sim_core/numerics/output_file.h"
 
@@ -30,16 +32,25 @@ constexpr const char* restoring = ".restoring-";
 class CopyFile {
   public:
     explicit CopyFile(const std::string& store_path)
-        : path_(store_path + restoring + random_uuid().substr(0, 8)) {}
+        : store_path_(store_path), path_(store_path + restoring + random_uuid().substr(0, 8)) {}
     ~CopyFile() {
         for (const char* suffix : {"-wal", "-shm", "-journal", ""}) ::unlink((path_ + suffix).c_str());
     }
     CopyFile(const CopyFile&) = delete;
     CopyFile& operator=(const CopyFile&) = delete;
     const std::string& path() const { return path_; }
+    /// The copy belongs to whom the file belongs that it will replace: a service account could not open what
+    /// the superuser has restored. Its group has no say in it (0600). Throws StoreError failed.
+    void give_to_owner() const {
+        struct stat store {
+        }, copy{};
+        if (::stat(store_path_.c_str(), &store) != 0 || ::stat(path_.c_str(), &copy) != 0) return;
+        if (store.st_uid != copy.st_uid && ::chown(path_.c_str(), store.st_uid, store.st_gid) != 0)
+            fail_as_of_another_account(store_path_);
+    }
 
   private:
-    std::string path_;
+    std::string store_path_, path_;
 };
 
 /// Where the store is: the file that a link names. The link itself would be replaced, and the old store stay
@@ -165,6 +176,7 @@ bool make_copy(Connection& source, const CopyFile& copy, const StoreOptions& opt
     require_known_schema(source);
     constexpr double copied = 0.2, checked = 0.6;
     if (!copy_database(source, copy.path(), share_of(progress, 0, copied))) return false;
+    copy.give_to_owner();
     {
         StoreOptions reading = options;
         reading.read_only = reading.older_schema = true;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts another file in a store's place: a backup, or the store itself brought up to this program's schema.
 // The new file is made next to the store, checked from end to end, written through to the disk, and takes the
-// name in one step; the old file is kept under another name. Refused while any program has the store open.
+// name and the owner in one step; the old file is kept under another name. Refused while any program has the
+// store open.
 #pragma once
 
 #include <functional>

@@ -2,6 +2,8 @@
 // Restoring a backup, migrating by command, and what backups do to files that are not theirs.
 #include <sqlite3.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -102,6 +104,30 @@ TEST_F(Restore, ReplacesTheFileThatALinkNamesAndKeepsTheLink) {
     EXPECT_TRUE(
         files::equivalent(files::path(done.kept).parent_path(), files::path(programme.path).parent_path()))
         << done.kept;
+}
+
+TEST_F(Restore, LeavesTheStoreToItsAccountAndNeedsTheKeyOfThatAccount) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only the superuser gives files away";
+    ASSERT_EQ(::chown(programme.path.c_str(), 120, 120), 0);
+    const QByteArray usual = qgetenv("FULCRUM_STATION_KEYS");
+    const QTemporaryDir other_keys;
+    qputenv("FULCRUM_STATION_KEYS", other_keys.path().toLocal8Bit());
+    EXPECT_EQ(error_kind([&] { restore(backup); }), StoreErrorKind::failed);
+    qputenv("FULCRUM_STATION_KEYS", usual);
+    EXPECT_TRUE(has(later)) << "nothing was changed";
+    for (const std::string& name : names()) {
+        EXPECT_EQ(name.find(".restoring-"), std::string::npos) << name;
+        EXPECT_EQ(name.find(".before-restore"), std::string::npos) << name;
+    }
+    restore(backup);
+    EXPECT_FALSE(has(later));
+    struct stat status {};
+    ASSERT_EQ(::stat(programme.path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 120U);
+    EXPECT_EQ(status.st_gid, 120U);
+    EXPECT_EQ(status.st_mode & 0777U, 0600U);
+    const Store store = Store::open(programme.path, programme.clock.options());
+    EXPECT_TRUE(store.check(store.station_session()).ok);
 }
 
 TEST_F(Restore, IsRefusedWhileAProgramHasTheStoreOpenAndChangesNothing) {
@@ -280,6 +306,19 @@ TEST(Migrate, ReplacesTheFileThatALinkNamesAndKeepsTheLink) {
     EXPECT_TRUE(files::is_regular_file(files::symlink_status(done.kept))) << done.kept;
     Connection kept(done.kept, true, false, 100);
     EXPECT_EQ(read_schema_version(kept), 7);
+}
+
+TEST(Migrate, LeavesTheStoreToItsAccount) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only the superuser gives files away";
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("old.db").toStdString();
+    make_old_store(path);
+    ASSERT_EQ(::chown(path.c_str(), 120, 120), 0);
+    EXPECT_EQ(migrate_store(path).from_schema, 7);
+    struct stat status {};
+    ASSERT_EQ(::stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 120U);
+    EXPECT_EQ(status.st_mode & 0777U, 0600U);
 }
 
 TEST_F(Restore, SaysHowFarItIsAndCanBeStoppedUntilTheEnd) {
