@@ -115,7 +115,8 @@ int run_serve(const Arguments& arguments) {
     const auto rate = static_cast<int>(arguments.integer("--rate", 60, 1, 1000));
     const auto speed = static_cast<int>(arguments.integer("--speed", 1, 1, 1000));
     const std::string& id = arguments.words()[0];
-    const database::Store store = open_store(arguments, false, true);
+    // A sign-in is recorded, so the store must be writable.
+    const database::Store store = open_store(arguments, false, !arguments.has("--as"));
     const database::Session session = session_of(arguments, store);
     const database::Attempts attempts(store);
     const database::AttemptSummary summary = attempts.read(session, id);

@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -15,6 +16,7 @@
 #include "database/rows/connection.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access_programme.h"
+#include "tests/app/program_path.h"
 #include "tests/database/station_keys.h"
 
 namespace fulcrum::app::program_test {
@@ -102,6 +104,23 @@ TEST_F(CommandLine, ReplaysAttemptsAsTheTableSays) {
     }
     EXPECT_EQ(done, 1 + 1 + 3 + 0 + 1);
     EXPECT_EQ(refused, 9);
+}
+
+TEST_F(CommandLine, SendsTheAttemptOfARealPersonOverOpenIgtLink) {
+    QStringList words = {"igtl",        "serve", QString::fromStdString(programme.ann.attempt), "--address",
+                         "127.0.0.1:0", "--db",  QString::fromStdString(programme.path)};
+    for (const std::string& word : as(Role::educator)) words << QString::fromStdString(word);
+    QProcess serve;
+    serve.setProcessChannelMode(QProcess::MergedChannels);
+    serve.start(program_path(), words);
+    ASSERT_TRUE(serve.waitForStarted());
+    QByteArray said;
+    while (!said.contains(" as soon as") && serve.waitForReadyRead(20000)) said += serve.readAll();
+    EXPECT_TRUE(said.contains(" as soon as")) << said.toStdString();
+    serve.terminate();
+    ASSERT_TRUE(serve.waitForFinished(20000));
+    EXPECT_EQ(serve.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(serve.exitCode(), 0) << said.toStdString();
 }
 
 TEST_F(CommandLine, ReportsPeopleAndCohortsAsTheTableSays) {
