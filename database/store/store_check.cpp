@@ -186,28 +186,17 @@ void check_permissions(const Store& store, CheckItem& item) {
     }
 }
 
-/// One view of the store for everything that is read while it exists: other programs may write, and a
-/// record made after the audit log was read would have no row there. Begins with the first statement; within
-/// a transaction there is one view already.
-class OneView {
-  public:
-    explicit OneView(Connection& connection) : connection_(connection), own_(!connection.in_transaction()) {
-        // Not a Transaction: that one waits for whoever writes, and keeps them waiting.
-        if (own_) connection_.execute("BEGIN");
-    }
-    ~OneView() {
-        // Where SQLite has ended it after a failed read, there is none.
-        if (own_) sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
-    }
-    OneView(const OneView&) = delete;
-    OneView& operator=(const OneView&) = delete;
-
-  private:
-    Connection& connection_;
-    bool own_;
-};
-
 }  // namespace
+
+OneView::OneView(Connection& connection) : connection_(connection), own_(!connection.in_transaction()) {
+    // Not a Transaction: that one waits for whoever writes, and keeps them waiting.
+    if (own_) connection_.execute("BEGIN");
+}
+
+OneView::~OneView() {
+    // Where SQLite has ended it after a failed read, there is none.
+    if (own_) sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
 
 void check_definitions(const Store& store, std::vector<Sentence>& problems) {
     constexpr int patience_ms = 100;

@@ -56,6 +56,14 @@ int copy_into(const std::string& path, sqlite3* source, const StoreProgress& pro
     return code;
 }
 
+/// The state at the beginning: without a view of its own SQLite would begin again after each write of another
+/// program, and never end while somebody performs.
+int copy_one_view(const std::string& path, Connection& connection, const StoreProgress& progress) {
+    const OneView view(connection);
+    Query(connection, "PRAGMA user_version").next();  // begins it, also where the tables are damaged
+    return copy_into(path, connection.handle(), progress);
+}
+
 /// The error of the file system if it was the new file that could not be written; else 0.
 int error_of_target(int code) {
     switch (code) {
@@ -98,7 +106,7 @@ bool copy_database(Connection& connection, const std::string& to_path, const Sto
                    const CopyCheck& check) {
     try {
         OutputFile file(to_path, OutputFile::Existing::keep, OutputFile::Access::owner_only);
-        const int code = copy_into(file.temporary_path(), connection.handle(), progress);
+        const int code = copy_one_view(file.temporary_path(), connection, progress);
         if (code == SQLITE_INTERRUPT) return false;
         if (const int error = error_of_target(code)) fail_file(to_path, error);
         if (code != SQLITE_OK) connection.fail(QString::fromUtf8(sqlite3_errstr(code)), code);

@@ -30,11 +30,26 @@ struct Store::State {
 std::string read_setting(Connection& connection, const std::string& key);
 void write_setting(Connection& connection, const std::string& key, const std::string& value);
 
+/// One view of the store for everything that is read while it exists: other programs may write, and a
+/// record made after the audit log was read would have no row there. Begins with the first statement; within
+/// a transaction there is one view already.
+class OneView {
+  public:
+    explicit OneView(Connection& connection);
+    ~OneView();
+    OneView(const OneView&) = delete;
+    OneView& operator=(const OneView&) = delete;
+
+  private:
+    Connection& connection_;
+    bool own_;
+};
+
 /// Looks at a copy before it gets its name; false: stopped. What it throws leaves no file.
 using CopyCheck = std::function<bool(const std::string& copy)>;
-/// Copies the open database to a new file by SQLite's backup interface, 0600. It has no log of its own: it is
-/// read without a file next to it, and whoever opens it for writing starts one. Throws StoreError exists,
-/// disk_full, read_only. False if it was stopped, leaving no file.
+/// Copies the open database, as it is at the beginning, to a new file by SQLite's backup interface, 0600. It
+/// has no log of its own: it is read without a file next to it, and whoever opens it for writing starts one.
+/// Throws StoreError exists, disk_full, read_only. False if it was stopped, leaving no file.
 bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress = {},
                    const CopyCheck& check = {});
 /// The first check, but for the permissions of the file, that found something; null: none.

@@ -291,6 +291,29 @@ TEST_F(StoreProcesses, KilledBackupLeavesAWholeCopyOrNone) {
     std::printf("%d backups killed: %d copies, each whole\n", killed, copies);
 }
 
+TEST_F(StoreProcesses, ACopyEndsWhileAnotherProgramWritesAndHasTheStateOfItsBeginning) {
+    const Store store = Store::create(path);
+    store.connection().execute(
+        "CREATE TABLE ballast (data); WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE "
+        "i < 200) INSERT INTO ballast SELECT randomblob(50000) FROM n");
+    Connection other(path, false, false, 100);
+    int calls = 0;
+    const std::string copy = folder_path + "/copy.db";
+    EXPECT_TRUE(copy_database(store.connection(), copy, [&](double, const std::string&) {
+        other.execute("INSERT INTO ballast VALUES (1)");
+        return ++calls < 500;
+    }));
+    EXPECT_GT(calls, 2) << "written between the steps";
+    Connection copied(copy, true, false, 100);
+    Query sound(copied, "PRAGMA integrity_check"), rows(copied, "SELECT COUNT(*) FROM ballast");
+    ASSERT_TRUE(sound.next() && rows.next());
+    EXPECT_EQ(sound.text(0), "ok");
+    EXPECT_EQ(rows.integer(0), 200);
+    Query written(store.connection(), "SELECT COUNT(*) FROM ballast");
+    ASSERT_TRUE(written.next());
+    EXPECT_EQ(written.integer(0), 200 + calls) << "the view of the copy has ended";
+}
+
 TEST_F(StoreProcesses, KilledMigrationKeepsAUsableCopyAndTheNextStartFinishesIt) {
     const std::string copy = path + ".before-v" + std::to_string(Store::schema_version());
     const auto make_old_store = [&] {
