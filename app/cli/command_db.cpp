@@ -116,6 +116,10 @@ int quick_check(const Arguments& arguments) {
 }
 
 int check(const Arguments& arguments) {
+    // The quick look answers none of these questions, so it must not say "ok" to them.
+    for (const char* other :
+         {"--against", "--key", "--simulate", "--seed", "--as", "--role", "--password-file"})
+        arguments.exclude("--quick", other);
     if (arguments.has("--quick")) return quick_check(arguments);
     const SimulationSample sample = simulation_sample(arguments);
     database::StoreOptions options;

@@ -358,6 +358,22 @@ TEST_F(CommandLine, WrongInputNamesThePlaceAndTheHint) {
     EXPECT_THROW(run_command({"db", "--json"}), UsageError);
 }
 
+TEST_F(CommandLine, AQuickCheckRefusesWhatItDoesNotLookAt) {
+    const std::string digits(16, '0');
+    const std::pair<const char*, std::string> options[] = {{"--against", digits},
+                                                           {"--key", digits},
+                                                           {"--simulate", "1"},
+                                                           {"--seed", "1"},
+                                                           {"--as", "ann"},
+                                                           {"--role", "administrator"},
+                                                           {"--password-file", password_file}};
+    for (const auto& [option, value] : options)
+        EXPECT_THROW(run_command({"db", "check", "--quick", option, value, "--db", programme.path}),
+                     UsageError)
+            << option;
+    EXPECT_TRUE(allowed({"db", "check", "--quick"}, Role::station, "quick check"));
+}
+
 TEST_F(CommandLine, AuditLogExitsWithOneIfItsChainIsBroken) {
     {
         const Store store = Store::open(programme.path);
