@@ -209,10 +209,8 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
         {{"trace.csv", trace.str()}, {"events.csv", table.str()}, {"attempt.json", text_of(document)}});
 }
 
-nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
-                              const TaskRequest& task, DeviceClass device_class) {
-    const LoadedTask loaded = load_task_and_scene(task);
-    Trace trace = read_trace_csv(trace_file);
+nlohmann::json score_of_trace(Trace trace, const std::string& events_file, const LoadedTask& loaded,
+                              DeviceClass device_class) {
     put_labels_first(trace, tissue_labels(loaded.scene));
     const std::vector<Event> events = read_events_csv(events_file, trace.tissues, loaded.scene.tick_period());
     trace.tick_period = loaded.scene.tick_period();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/trace/trace.h"
 #include "database/rows/attempt_records.h"
 #include "database/scoring/loaded_task.h"
 #include "database/scoring/scoring.h"
@@ -28,9 +29,9 @@ nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin)
 std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
                                       const std::string& attempt, const std::string& folder);
 
-/// The score of an attempt from its exported trace and events, held against the limits of this device class,
-/// variant and fidelity.
-nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
-                              const TaskRequest& task, DeviceClass device_class);
+/// The score of an attempt at this task from its exported trace and the file of its events, held against the
+/// limits of this device class and of the task's variant and fidelity.
+nlohmann::json score_of_trace(Trace trace, const std::string& events_file, const LoadedTask& loaded,
+                              DeviceClass device_class);
 
 }  // namespace fulcrum::app

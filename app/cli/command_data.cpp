@@ -73,9 +73,11 @@ nlohmann::json verdict(const Arguments& arguments) {
     if (!arguments.has("--task"))
         throw UsageError("--events", QT_TRANSLATE_NOOP("errors", "needs the task that was performed"),
                          QT_TRANSLATE_NOOP("errors", "name it: --task TASK"));
-    return score_of_files(arguments.words()[0], *arguments.value("--events"),
-                          {*arguments.value("--task"), arguments.value_or("--variant", ""),
-                           arguments.value_or("--fidelity", "")},
+    const LoadedTask loaded =
+        load_task_and_scene(TaskRequest{*arguments.value("--task"), arguments.value_or("--variant", ""),
+                                        arguments.value_or("--fidelity", "")});
+    std::size_t left_out = 0;  // none of a trace without a mapping
+    return score_of_trace(read_trace(arguments, left_out), *arguments.value("--events"), loaded,
                           find_row(device_classes, arguments.value_or("--device-class", "haptic"))->kind);
 }
 

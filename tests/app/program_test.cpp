@@ -293,6 +293,28 @@ TEST_F(Program, ReadsStandardInputForADash) {
     EXPECT_NE(process.readAllStandardOutput().indexOf("trace, 2 samples"), -1);
 }
 
+TEST_F(Program, JudgesATraceFromStandardInput) {
+    const Outcome performed = run({"perform", "A2", "--seed", "7", "--db", path("a.db"), "--json"});
+    ASSERT_EQ(performed.status, 0) << performed.errors;
+    const QString id = QString::fromStdString(performed.json()["attempt"].get<std::string>());
+    const Outcome exported =
+        run({"report", "--attempt", id, "--format", "trace", "-o", path("out"), "--db", path("a.db")});
+    ASSERT_EQ(exported.status, 0) << exported.errors;
+    const auto line = [&](const QString& trace) {
+        return QStringList{"metrics",        trace,       "--task", "A2", "--events", path("out/events.csv"),
+                           "--device-class", "synthetic", "--json"};
+    };
+    const Outcome named = run(line(path("out/trace.csv")));
+    ASSERT_EQ(named.status, 0) << named.errors;
+    QProcess piped;
+    piped.setWorkingDirectory(folder.path());
+    piped.setStandardInputFile(path("out/trace.csv"));
+    piped.start(program_path(), line("-"));
+    ASSERT_TRUE(piped.waitForFinished(240000));
+    EXPECT_EQ(piped.exitCode(), 0) << piped.readAllStandardError().toStdString();
+    EXPECT_EQ(piped.readAllStandardOutput().toStdString(), named.output);
+}
+
 TEST_F(Program, PrintsTheSameNumbersInAGermanLocale) {
     const test::GermanLocale german;
     ASSERT_TRUE(german.in_force()) << "localedef cannot make de_DE: install the package locales";
