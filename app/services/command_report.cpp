@@ -32,10 +32,10 @@ int write_trace(const Arguments& arguments) {
     if (!arguments.has("--attempt"))
         throw UsageError("--format trace", QT_TRANSLATE_NOOP("errors", "is for one attempt"),
                          QT_TRANSLATE_NOOP("errors", "name it: --attempt ID"));
+    const std::string folder = arguments.folder("--output", "");  // refused before the work
     const database::Store store = open_store(arguments, false);
     const database::Session session = session_of(arguments, store);
-    return report_files(
-        arguments, export_trace(store, session, *arguments.value("--attempt"), *arguments.value("--output")));
+    return report_files(arguments, export_trace(store, session, *arguments.value("--attempt"), folder));
 }
 
 int run_report(const Arguments& arguments) {

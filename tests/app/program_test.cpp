@@ -192,6 +192,21 @@ TEST_F(Program, RefusesBadCommandLinesWithTwo) {
     }
 }
 
+TEST_F(Program, RefusesATraceWhereNoFolderCanBe) {
+    const Outcome performed = run({"perform", "A2", "--seed", "7", "--db", path("a.db"), "--json"});
+    ASSERT_EQ(performed.status, 0) << performed.errors;
+    const QString id = QString::fromStdString(performed.json()["attempt"].get<std::string>());
+    write("file", "a file");
+    for (const QString& output : {path("file"), path("file") + "/below"}) {
+        const Outcome outcome =
+            run({"report", "--attempt", id, "--format", "trace", "-o", output, "--db", path("a.db")});
+        EXPECT_EQ(outcome.status, 2) << output.toStdString() << ": " << outcome.errors;
+        EXPECT_EQ(outcome.errors.rfind("fulcrum: --output: cannot write to ", 0), 0U) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(';'), std::string::npos) << "no hint: " << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    }
+}
+
 TEST_F(Program, LeavesNoFolderForAWrongCommand) {
     const QString output = path("pages");
     const QStringList lines[] = {{"lab", "dance"},
