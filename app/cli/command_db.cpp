@@ -295,8 +295,10 @@ int score(const Arguments& arguments) {
         session = session_of(arguments, store);
         store.require(*session, database::Operation::score_interrupted);
     }
+    bool all = true;
     nlohmann::json rows = nlohmann::json::array();
     for (const ui::InterruptedScore& one : score_interrupted(store_path(arguments), *session)) {
+        all = all && one.problem.empty();
         rows.push_back({{"attempt", one.attempt_id},
                         {"task", one.task_id},
                         {"duration_s", one.duration_s},
@@ -311,7 +313,7 @@ int score(const Arguments& arguments) {
     } else if (rows.empty()) {
         std::cout << "all interrupted attempts that you may score have a score\n";
     }
-    return 0;
+    return all ? 0 : 1;
 }
 
 }  // namespace

@@ -315,6 +315,26 @@ TEST_F(CommandLine, ScoresInterruptedAttemptsAsTheTableSays) {
     }
 }
 
+TEST_F(CommandLine, ScoringExitsWithOneIfAnAttemptCannotBeScored) {
+    {
+        Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.ann.person, "Z9"),
+                          programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.flush();
+    }
+    std::vector<std::string> words = {"db", "score", "--json", "--db", programme.path};
+    for (const std::string& word : as(Role::educator)) words.push_back(word);
+    std::ostringstream output;
+    std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+    const int status = run_command(words);
+    std::cout.rdbuf(before);
+    EXPECT_EQ(status, 1);
+    const auto document = nlohmann::json::parse(output.str());
+    ASSERT_EQ(document["scored"].size(), 1U) << output.str();
+    EXPECT_TRUE(document["scored"][0]["passed"].is_null());
+    EXPECT_NE(document["scored"][0]["because"].get<std::string>().find("Z9"), std::string::npos);
+}
+
 TEST_F(CommandLine, WrongInputNamesThePlaceAndTheHint) {
     const std::vector<std::vector<std::string>> wrong = {
         {"db", "audit", "--from", "yesterday"},
