@@ -127,7 +127,11 @@ std::string read_password(const std::string& path) {
     }
     close(file);
     if (failed) throw fail(QT_TRANSLATE_NOOP("errors", "cannot be read"));
-    text.resize(std::min(text.size(), text.find('\n')));
+    const std::size_t end = text.find('\n');
+    if (end != std::string::npos) {
+        // Editors of other systems end lines with CR and LF.
+        text.resize(end > 0 && text[end - 1] == '\r' ? end - 1 : end);
+    }
     if (text.empty()) throw fail(QT_TRANSLATE_NOOP("errors", "its first line is empty"));
     return text;
 }

@@ -10,7 +10,7 @@ namespace fulcrum::app {
 /// terminal first. Throws UsageError where there is no terminal or nothing was typed.
 std::string ask_password(const std::string& login);
 
-/// The first line of a file. Throws InputError where there is none.
+/// The first line of a file, which may end with CR and LF. Throws InputError where there is none.
 std::string read_password(const std::string& path);
 
 }  // namespace fulcrum::app

@@ -127,6 +127,10 @@ TEST(PasswordFile, GivesItsFirstLine) {
     EXPECT_EQ(read_password(file), "secret");
     std::ofstream(file) << "no newline";
     EXPECT_EQ(read_password(file), "no newline");
+    std::ofstream(file) << "secret\r\nsecond line\r\n";
+    EXPECT_EQ(read_password(file), "secret");
+    std::ofstream(file) << "\r\nsecond";
+    EXPECT_THROW(read_password(file), InputError);
     std::ofstream(file) << "\nsecond";
     EXPECT_THROW(read_password(file), InputError);
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
