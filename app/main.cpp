@@ -3,6 +3,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/cli/command_line.h"
 #include "app/cli/display.h"
@@ -10,12 +11,32 @@
 #include "app/services/program.h"
 #include "ui/shell/window_application.h"
 
+namespace {
+
+/// `fulcrum --db ""`, for example from a script whose variable is not set: the window would open the usual
+/// store.
+int refuse_empty_store(int& argc, char** argv) {
+    using namespace fulcrum;
+    const QCoreApplication application(argc, argv);
+    return app::guarded([] {
+        app::use_language_or(ui::Language::english);
+        throw app::UsageError(
+            "--db", QT_TRANSLATE_NOOP("errors", "its argument is empty"),
+            {QT_TRANSLATE_NOOP("errors", "write %1 %2; %3"), std::string("--db"), app::placeholders("FILE"),
+             Sentence(QT_TRANSLATE_NOOP("errors", "see fulcrum --help"))});
+        return 0;
+    });
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace fulcrum;
     app::keep_standard_streams();
     QCoreApplication::setApplicationName("Fulcrum");
     QCoreApplication::setOrganizationName("Fulcrum");
     const bool named_store = argc == 3 && std::strcmp(argv[1], "--db") == 0;
+    if (named_store && argv[2][0] == '\0') return refuse_empty_store(argc, argv);
     if (argc > 1 && !named_store)
         return app::run_command_line(app::program_commands(), argc, argv, [](int& count, char** words) {
             return std::make_unique<QApplication>(count, words);

@@ -192,6 +192,15 @@ TEST_F(Program, RefusesBadCommandLinesWithTwo) {
     }
 }
 
+TEST_F(Program, OpensNoWindowForAStoreWithoutAName) {
+    const Outcome outcome = run({"--db", ""});
+    EXPECT_EQ(outcome.status, 2) << outcome.errors;
+    EXPECT_EQ(outcome.errors.rfind("fulcrum: --db: its argument is empty; write --db FILE; see fulcrum", 0),
+              0U)
+        << outcome.errors;
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+}
+
 TEST_F(Program, RefusesATraceWhereNoFolderCanBe) {
     const Outcome performed = run({"perform", "A2", "--seed", "7", "--db", path("a.db"), "--json"});
     ASSERT_EQ(performed.status, 0) << performed.errors;
