@@ -4,8 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace fulcrum {
+namespace {
+
+/// When the attempt began in this goal: its first movement, or when it had met all goals before. None where
+/// it did not.
+std::optional<double> begin_of(const PhaseMoments& attempt, int goal) {
+    double moment = attempt.begin;
+    for (int before = attempt.first_goal; before < goal; ++before) {
+        const auto met = attempt.met.find(before);
+        if (met == attempt.met.end()) return std::nullopt;
+        moment = std::max(moment, met->second);
+    }
+    return moment;
+}
+
+}  // namespace
 
 PhaseMoments phase_moments(const std::vector<Event>& events, double tick_period, double end) {
     PhaseMoments moments;
@@ -32,7 +48,14 @@ PhaseMap::PhaseMap(const PhaseMoments& first, const PhaseMoments& second)
         second_.push_back(b);
         return true;
     };
-    add(first.begin, second.begin);
+    const int latest = std::max(first.first_goal, second.first_goal);
+    const std::optional<double> begin = begin_of(first, latest), other = begin_of(second, latest);
+    if (begin && other) {
+        first_goal_ = latest;
+        add(*begin, *other);
+    } else {
+        add(first.begin, second.begin);
+    }
     std::vector<std::pair<double, int>> in_order;
     for (const auto& [goal, time] : first.met)
         if (second.met.count(goal) != 0) in_order.emplace_back(time, goal);

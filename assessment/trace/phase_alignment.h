@@ -16,12 +16,15 @@ struct PhaseMoments {
     double begin = 0;  ///< first movement; 0 without one
     double end = 0;    ///< of the record
     bool completed = false;
+    int first_goal = 0;         ///< index of the goal that it began in: practice begins in any
     std::map<int, double> met;  ///< by goal (its index): when it was met
 };
 PhaseMoments phase_moments(const std::vector<Event>& events, double tick_period, double end);
 
-/// From the time of one attempt to that of another and back. Never falls. Beyond the first and the last
-/// moment that both have, time runs as fast in both, and stays within each record.
+/// From the time of one attempt to that of another and back. Never falls. The first moment of both is the
+/// first movement; where one of them began in a later goal, the moment at which the other had met all goals
+/// before that one, if it did. Beyond the first and the last moment that both have, time runs as fast in
+/// both, and stays within each record.
 class PhaseMap {
   public:
     PhaseMap() = default;
@@ -30,12 +33,15 @@ class PhaseMap {
     double to_first(double t) const;
     /// Goals that both met, in the order in which the first attempt met them.
     const std::vector<int>& common_goals() const { return goals_; }
+    /// The goal whose beginning is the first moment of both; 0: it is the first movement.
+    int first_goal() const { return first_goal_; }
 
   private:
     static double mapped(const std::vector<double>& from, const std::vector<double>& to, double t,
                          double end);
     std::vector<double> first_, second_;  ///< s, rising; of the same moments
     std::vector<int> goals_;
+    int first_goal_ = 0;
     double first_end_ = 0, second_end_ = 0;
 };
 

@@ -140,6 +140,7 @@ std::optional<ComparedSide> load_side(const database::Store& store, const databa
         side.why_no_trace = ComparisonTexts::tr("Nothing was recorded.");
     side.model.trace = trace;
     side.moments = phase_moments(trace->events, side.model.tick, side.model.duration);
+    if (summary.meta.origin) side.moments.first_goal = summary.meta.origin->goal;
     return side;
 }
 
@@ -245,10 +246,17 @@ QStringList comparison_notes(const ComparedSide& own, const ComparedSide& other,
     if (!other.has_trace()) notes << ComparisonTexts::tr("Other attempt: %1").arg(other.why_no_trace);
     if (own.has_trace() && other.has_trace()) {
         const auto steps = static_cast<int>(pair.map.common_goals().size());
-        notes << (steps == 0 ? ComparisonTexts::tr("No step was completed in both attempts, so they are "
-                                                   "aligned at the first movement.")
-                             : ComparisonTexts::tr("Aligned by the %n steps that were completed in both.",
-                                                   nullptr, steps));
+        if (steps > 0)
+            notes << ComparisonTexts::tr("Aligned by the %n steps that were completed in both.", nullptr,
+                                         steps);
+        else if (pair.map.first_goal() > 0)
+            notes << ComparisonTexts::tr(
+                         "No step was completed in both attempts, so they are aligned at the "
+                         "beginning of step %1.")
+                         .arg(pair.map.first_goal() + 1);
+        else
+            notes << ComparisonTexts::tr(
+                "No step was completed in both attempts, so they are aligned at the first movement.");
     }
     return notes;
 }

@@ -48,6 +48,32 @@ TEST(PhaseAlignment, AnAttemptThatStoppedEarlierRunsOnAsFastFromTheLastGoalThatB
     EXPECT_DOUBLE_EQ(map.to_first(5), 7);
 }
 
+TEST(PhaseAlignment, PracticeFromALaterGoalBeginsWhereTheOtherAttemptBeganThatGoal) {
+    PhaseMoments own = attempt_of(301, {}, 320, true);
+    own.met[2] = 320;
+    own.first_goal = 2;
+    const PhaseMoments other = attempt_of(1, {100, 200, 330}, 331, true);
+    const PhaseMap map(own, other);
+    EXPECT_EQ(map.first_goal(), 2);
+    EXPECT_EQ(map.common_goals(), std::vector<int>{2});
+    EXPECT_DOUBLE_EQ(map.to_second(301), 200);
+    EXPECT_DOUBLE_EQ(map.to_second(310.5), 265);
+    EXPECT_DOUBLE_EQ(map.to_second(320), 330);
+    EXPECT_DOUBLE_EQ(PhaseMap(other, own).to_first(310.5), 265) << "whichever of them is the first";
+    EXPECT_DOUBLE_EQ(PhaseMap(other, own).to_second(265), 310.5);
+
+    // One that never came to that goal has no such moment: the first movements are at the same moment.
+    const PhaseMap apart(own, attempt_of(1, {100}, 150, false));
+    EXPECT_EQ(apart.first_goal(), 0);
+    EXPECT_TRUE(apart.common_goals().empty());
+    EXPECT_DOUBLE_EQ(apart.to_second(301), 1);
+    // Neither did both complete a goal here, but both began the third one.
+    const PhaseMap begun(own, attempt_of(1, {100, 200}, 250, false));
+    EXPECT_EQ(begun.first_goal(), 2);
+    EXPECT_TRUE(begun.common_goals().empty());
+    EXPECT_DOUBLE_EQ(begun.to_second(311), 210);
+}
+
 TEST(PhaseAlignment, NeverFallsWhateverTheOrderOfGoals) {
     PhaseMoments own = attempt_of(0, {2, 4, 6}, 8, true), other = own;
     other.met = {{0, 5}, {1, 3}, {2, 5}, {7, 1}};  // another order, a moment twice, an unknown goal

@@ -12785,6 +12785,10 @@ Kennzahlen: %2</translation>
         <translation>Anderer Versuch: %1</translation>
     </message>
     <message>
+        <source>No step was completed in both attempts, so they are aligned at the beginning of step %1.</source>
+        <translation>Kein Schritt wurde in beiden Versuchen abgeschlossen; darum sind sie am Beginn von Schritt %1 ausgerichtet.</translation>
+    </message>
+    <message>
         <source>No step was completed in both attempts, so they are aligned at the first movement.</source>
         <translation>Kein Schritt wurde in beiden Versuchen abgeschlossen; darum sind sie an der ersten Bewegung ausgerichtet.</translation>
     </message>
