@@ -9,6 +9,8 @@
 namespace fulcrum {
 namespace {
 
+constexpr double longest_hold_s = 0.1;  // of a sample: what is further away is no value of this moment
+
 /// When the attempt began in this goal: its first movement, or when it had met all goals before. None where
 /// it did not.
 std::optional<double> begin_of(const PhaseMoments& attempt, int goal) {
@@ -102,8 +104,7 @@ std::vector<float> aligned_means(const PhaseMap& map, double end, std::size_t ce
     for (std::size_t cell = 0; cell < cells; ++cell) {
         const double begin = map.to_second(static_cast<double>(cell) * width),
                      after = map.to_second(static_cast<double>(cell + 1) * width);
-        std::size_t from = index_of(begin);
-        const std::size_t to = index_of(after);
+        const std::size_t from = index_of(begin), to = index_of(after);
         if (after <= begin) continue;  // beyond the record
         double sum = 0;
         std::size_t count = 0;
@@ -112,10 +113,7 @@ std::vector<float> aligned_means(const PhaseMap& map, double end, std::size_t ce
             sum += static_cast<double>(value[i]);
             ++count;
         }
-        if (count == 0 && from == to && from > 0) {
-            from -= 1;
-            if (std::isfinite(value[from])) means[cell] = value[from];
-        }
+        if (from == to && from > 0 && begin - time[from - 1] <= longest_hold_s) means[cell] = value[from - 1];
         if (count > 0) means[cell] = static_cast<float>(sum / static_cast<double>(count));
     }
     return means;

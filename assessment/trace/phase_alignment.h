@@ -46,8 +46,8 @@ class PhaseMap {
 };
 
 /// Values of the second attempt over its own time, which rises: their mean in each of `cells` equal parts of
-/// [0, end] of the first one's time; NaN beyond the record of the second. A part that is shorter than the
-/// time between two samples has the latest sample.
+/// [0, end] of the first one's time; NaN beyond the record of the second and where it has no values. A part
+/// that is shorter than the time between two samples has the latest sample, if that is at most 0.1 s old.
 std::vector<float> aligned_means(const PhaseMap& map, double end, std::size_t cells,
                                  const std::vector<double>& time, const std::vector<float>& value);
 

@@ -10,8 +10,14 @@ namespace fulcrum::ui {
 MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y)
     : x_(std::move(x)), y_(std::move(y)) {
     std::size_t kept = 0;
+    bool left_out = false;
     for (std::size_t i = 0; i < std::min(x_.size(), y_.size()); ++i) {
-        if (!std::isfinite(y_[i]) || !std::isfinite(x_[i])) continue;
+        if (!std::isfinite(y_[i]) || !std::isfinite(x_[i])) {
+            left_out = true;
+            continue;
+        }
+        if (left_out && kept > 0) gaps_.emplace_back(x_[kept - 1], x_[i]);
+        left_out = false;
         x_[kept] = x_[i];
         y_[kept] = y_[i];
         ++kept;
@@ -49,6 +55,10 @@ MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y)
 MinMaxPyramid MinMaxPyramid::moved(const std::function<double(double)>& place) const {
     MinMaxPyramid other = *this;
     for (double& x : other.x_) x = place(x);
+    for (auto& [before, after] : other.gaps_) {
+        before = place(before);
+        after = place(after);
+    }
     return other;
 }
 
@@ -56,6 +66,15 @@ double MinMaxPyramid::value_at(double x) const noexcept {
     const auto after = std::upper_bound(x_.begin(), x_.end(), x);
     if (after == x_.begin()) return 0;
     return static_cast<double>(y_[static_cast<std::size_t>(after - x_.begin()) - 1]);
+}
+
+std::optional<double> MinMaxPyramid::at(double x) const noexcept {
+    if (x_.empty() || x < first_x() || x > last_x()) return std::nullopt;
+    const auto gap = std::upper_bound(
+        gaps_.begin(), gaps_.end(), x,
+        [](double place, const std::pair<double, double>& one) { return place < one.second; });
+    if (gap != gaps_.end() && gap->first < x) return std::nullopt;
+    return value_at(x);
 }
 
 std::vector<ChartPoint> MinMaxPyramid::view(double from, double to, std::size_t limit) const {

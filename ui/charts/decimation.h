@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::ui {
@@ -37,6 +39,8 @@ class MinMaxPyramid {
     double highest() const noexcept { return highest_; }
     /// The value of the last sample at or before x; 0 before the first.
     double value_at(double x) const noexcept;
+    /// The same; none before the first and after the last sample, and where values were left out between two.
+    std::optional<double> at(double x) const noexcept;
 
     /// At most `limit` points (limit >= 5) of the samples in [from, to], with one sample beyond each end so
     /// that lines reach the border. Every sample when they are few enough. The lowest and the highest sample
@@ -50,7 +54,8 @@ class MinMaxPyramid {
     static constexpr std::size_t base_width = 16;
     std::vector<double> x_;
     std::vector<float> y_;
-    std::vector<std::vector<Bucket>> levels_;  ///< level k: buckets of base_width * 2^k samples
+    std::vector<std::pair<double, double>> gaps_;  ///< x of the samples before and after what was left out
+    std::vector<std::vector<Bucket>> levels_;      ///< level k: buckets of base_width * 2^k samples
     double lowest_ = 0, highest_ = 0;
 };
 

@@ -99,12 +99,7 @@ std::vector<ChartColumn> TimeChart::columns() const {
 }
 
 void TimeChart::add_values(double time, std::vector<ChartCell>& cells) const {
-    for (const Series& series : series_) {
-        const bool there =
-            series.data->size() > 0 && time >= series.data->first_x() && time <= series.data->last_x();
-        cells.push_back(
-            ChartCell::value(there ? std::optional<double>(series.data->value_at(time)) : std::nullopt));
-    }
+    for (const Series& series : series_) cells.push_back(ChartCell::value(series.data->at(time)));
     for (const Band& band : bands_) {
         const auto next = std::upper_bound(band.data.begin(), band.data.end(), time,
                                            [](double at, const ChartBand& one) { return at < one.time; });

@@ -102,6 +102,25 @@ TEST(PhaseAlignment, MeansOfAnotherAttemptOverThisOnesTime) {
     EXPECT_FLOAT_EQ(some[0], 3);
     EXPECT_FLOAT_EQ(some[1], 4);
     EXPECT_TRUE(std::isnan(some[3]));
+    const PhaseMap same(brief, brief);
+    const std::vector<float> parts = aligned_means(same, 2, 200, {0, 0.05, 0.5}, {3, 4, 5});
+    EXPECT_FLOAT_EQ(parts[3], 3);
+    EXPECT_FLOAT_EQ(parts[12], 4);
+    EXPECT_TRUE(std::isnan(parts[30])) << "the latest sample is older than 0.1 s";
+    EXPECT_FLOAT_EQ(parts[50], 5);
+}
+
+TEST(PhaseAlignment, MeansHaveNoValueWhereTheOtherAttemptHasNone) {
+    const PhaseMoments one = attempt_of(0, {10}, 10, false);
+    std::vector<double> time;
+    for (int i = 0; i <= 200; ++i) time.push_back(i * 0.01);
+    for (int i = 800; i <= 900; ++i) time.push_back(i * 0.01);
+    const std::vector<float> value(time.size(), 1.0F);
+    const std::vector<float> means = aligned_means(PhaseMap(one, one), 10, 100, time, value);
+    EXPECT_FLOAT_EQ(means[15], 1);
+    EXPECT_TRUE(std::isnan(means[50])) << "between 2 and 8 s nothing was measured";
+    EXPECT_FLOAT_EQ(means[85], 1);
+    EXPECT_TRUE(std::isnan(means[95])) << "and nothing after 9 s";
 }
 
 TEST(PhaseAlignment, BandIsMedianAndMiddleHalfWhereEnoughHaveAValue) {

@@ -105,6 +105,21 @@ TEST(Decimation, GivesTheValueAtATime) {
     EXPECT_TRUE(MinMaxPyramid().view(0, 1).empty());
 }
 
+TEST(Decimation, HasNoValueWhereValuesWereLeftOut) {
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const MinMaxPyramid pyramid({0, 1, 2, 3, 4, 5, 6}, {none, 5, none, none, 7, 8, none});
+    EXPECT_EQ(pyramid.size(), 3U);
+    for (const double x : {0.0, 0.5, 1.01, 2.0, 3.99, 5.01, 6.0}) EXPECT_FALSE(pyramid.at(x)) << x;
+    EXPECT_EQ(pyramid.at(1), 5.0);
+    EXPECT_EQ(pyramid.at(4), 7.0);
+    EXPECT_EQ(pyramid.at(4.5), 7.0) << "between two samples the earlier one holds";
+    EXPECT_EQ(pyramid.at(5), 8.0);
+    const MinMaxPyramid moved = pyramid.moved([](double x) { return 10 * x; });
+    EXPECT_FALSE(moved.at(20));
+    EXPECT_EQ(moved.at(40), 7.0);
+    EXPECT_FALSE(MinMaxPyramid().at(0));
+}
+
 TEST(TimeAxis, HasTicksThatItsLabelsShowExactly) {
     EXPECT_DOUBLE_EQ(tick_interval(30), 5);
     EXPECT_DOUBLE_EQ(tick_interval(80), 10);

@@ -204,5 +204,27 @@ TEST(TimeCharts, ShareOneTableOfWhatTheyDraw) {
     EXPECT_NEAR(speed->first_shown(), 100, 1e-9);
 }
 
+TEST(TimeCharts, TheirTableHasNoValueWhereNoneWasMeasured) {
+    TimeCharts charts("Force and speed");
+    auto* force = new TimeChart("force (N)");
+    auto* speed = new TimeChart("mm/s");
+    charts.add(force, "force");
+    charts.add(speed, "speed");
+    charts.resize(500, 500);
+    charts.grab();
+    const float none = std::nanf("");
+    force->add_series("left hand", &Palette::left_hand, Qt::SolidLine,
+                      std::make_shared<MinMaxPyramid>(std::vector<double>{0, 0.5, 1, 1.5, 2, 2.5, 3},
+                                                      std::vector<float>{1, 1, 1, 1, 1, 1, 1}));
+    speed->add_series("left hand", &Palette::left_hand, Qt::SolidLine,
+                      std::make_shared<MinMaxPyramid>(std::vector<double>{0, 1, 2, 3},
+                                                      std::vector<float>{5, none, none, 7}));
+    force->show_all();
+    speed->show_all();
+    QStringList speeds;
+    for (const ChartRow& row : charts.table().rows) speeds << QString::fromStdString(row.cells.at(2).copied);
+    EXPECT_EQ(speeds, (QStringList{"5", "", "", "", "", "", "7"})) << speeds.join("|").toStdString();
+}
+
 }  // namespace
 }  // namespace fulcrum::ui
