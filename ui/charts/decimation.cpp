@@ -52,12 +52,19 @@ MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y)
     highest_ = static_cast<double>(y_[levels_.back().front().high]);
 }
 
-MinMaxPyramid MinMaxPyramid::moved(const std::function<double(double)>& place) const {
-    MinMaxPyramid other = *this;
-    for (double& x : other.x_) x = place(x);
-    for (auto& [before, after] : other.gaps_) {
-        before = place(before);
-        after = place(after);
+MinMaxPyramid MinMaxPyramid::moved(const std::function<std::optional<double>(double)>& place) const {
+    std::vector<double> x;
+    std::vector<float> y;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const std::optional<double> there = place(x_[i]);
+        if (!there) continue;
+        x.push_back(*there);
+        y.push_back(y_[i]);
+    }
+    MinMaxPyramid other(std::move(x), std::move(y));
+    for (const auto& [before, after] : gaps_) {
+        const std::optional<double> from = place(before), to = place(after);
+        if (from && to) other.gaps_.emplace_back(*from, *to);
     }
     return other;
 }

@@ -26,8 +26,8 @@ class MinMaxPyramid {
     /// next to the data.
     MinMaxPyramid(std::vector<double> x, std::vector<float> y);
 
-    /// The same values at other places; `place` never falls.
-    MinMaxPyramid moved(const std::function<double(double)>& place) const;
+    /// The same values at other places; `place` never falls. Those that have none are left out.
+    MinMaxPyramid moved(const std::function<std::optional<double>(double)>& place) const;
 
     const std::vector<double>& x() const noexcept { return x_; }
     const std::vector<float>& y() const noexcept { return y_; }

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
@@ -156,7 +157,14 @@ ComparedSide expert_side(const ExpertAttempt& expert, const std::optional<Scene>
 ComparedPair align(const ComparedSide& own, const ComparedSide& other) {
     ComparedPair pair;
     pair.map = PhaseMap(own.moments, other.moments);
-    const auto place = [&](double t) { return pair.map.to_first(t); };
+    // What the other one did before and after the own record has no place in it.
+    constexpr double same_moment_s = 1e-6;
+    const auto place = [&](double t) -> std::optional<double> {
+        const double here = pair.map.to_first(t);
+        if (here < own.model.begin || std::abs(pair.map.to_second(here) - t) > same_moment_s)
+            return std::nullopt;
+        return here;
+    };
     for (std::size_t h = 0; h < hand_count; ++h) {
         pair.force[h] = std::make_shared<const MinMaxPyramid>(other.model.force[h]->moved(place));
         pair.speed[h] = std::make_shared<const MinMaxPyramid>(other.model.speed[h]->moved(place));

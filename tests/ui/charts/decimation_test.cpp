@@ -117,6 +117,12 @@ TEST(Decimation, HasNoValueWhereValuesWereLeftOut) {
     const MinMaxPyramid moved = pyramid.moved([](double x) { return 10 * x; });
     EXPECT_FALSE(moved.at(20));
     EXPECT_EQ(moved.at(40), 7.0);
+    const MinMaxPyramid part =
+        pyramid.moved([](double x) { return x < 5 ? std::optional<double>(x) : std::nullopt; });
+    EXPECT_EQ(part.size(), 2U);
+    EXPECT_EQ(part.highest(), 7.0);
+    EXPECT_EQ(part.last_x(), 4.0);
+    EXPECT_FALSE(part.at(2));
     EXPECT_FALSE(MinMaxPyramid().at(0));
 }
 

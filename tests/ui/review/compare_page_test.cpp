@@ -58,6 +58,43 @@ TEST_F(Comparing, PracticeFromALaterStepBeginsWhereTheOtherAttemptBeganThatStep)
     EXPECT_EQ(notes(), "Aligned by the 2 steps that were completed in both.");
 }
 
+TEST(ComparedPairs, HaveNothingOfTheOtherAttemptBeyondTheOwnRecord) {
+    const auto side = [](double end, double first, double peak_at) {
+        std::vector<double> time;
+        std::vector<float> force;
+        for (int i = 0; i <= static_cast<int>(std::lround(10 * (end - first))); ++i) {
+            time.push_back(first + 0.1 * i);
+            force.push_back(std::abs(time.back() - peak_at) < 0.01 ? 6.0F : 1.0F);
+        }
+        ComparedSide made;
+        made.model.begin = first;
+        made.model.duration = end;
+        for (std::size_t h = 0; h < hand_count; ++h)
+            made.model.force[h] = made.model.speed[h] = std::make_shared<const MinMaxPyramid>(time, force);
+        made.moments.begin = first;
+        made.moments.end = end;
+        made.moments.met[1] = first + 10;
+        return made;
+    };
+    const ComparedSide own = side(20, 0, -1);
+    const ComparedPair cut_off = align(own, side(90, 0, 80));
+    EXPECT_EQ(cut_off.force[0]->highest(), 1) << "the other one's peak comes after the own end";
+    EXPECT_LE(cut_off.force[0]->last_x(), 20);
+    EXPECT_GE(cut_off.force[0]->last_x(), 19.8);
+    EXPECT_EQ(align(own, side(90, 0, 15)).force[0]->highest(), 6) << "this one is within";
+    // Practice that began 300 s into its attempt, in the second step.
+    ComparedSide later = side(320, 300, -1);
+    later.moments.first_goal = 1;
+    ComparedSide other = side(30, 0, 2);
+    other.moments.met[0] = 8;
+    other.moments.met[1] = 18;
+    const ComparedPair begun = align(later, other);
+    EXPECT_EQ(begun.force[0]->highest(), 1) << "the peak was in the first step";
+    EXPECT_GE(begun.force[0]->first_x(), 300);
+    EXPECT_LE(begun.force[0]->first_x(), 300.2);
+    EXPECT_LE(begun.force[0]->last_x(), 320);
+}
+
 TEST_F(Comparing, APartHasTheMetricsOfBothByTheSameFunction) {
     const std::string earlier = record("tara", {2, 1, "standard", true, 90});
     const std::string own = record("tara", {1, 1.5});
