@@ -12,6 +12,7 @@
 #include "ui/charts/chart_frame.h"
 #include "ui/charts/time_charts.h"
 #include "ui/page/background_job.h"
+#include "ui/reports/void_words.h"
 #include "ui/review/comparison_table.h"
 #include "ui/review/part_choice.h"
 #include "ui/review/replay_panel.h"
@@ -26,13 +27,15 @@ constexpr double play_speeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10};
 
 QString compared_words(const ComparedSide& side) {
     const database::AttemptSummary& attempt = side.model.summary;
+    const bool voided = attempt.state == AttemptState::voided;  // then this is said in place of its result
     const std::optional<bool> passed = side.model.score ? side.model.score->passed : attempt.passed;
     const std::optional<double> points = side.model.score ? side.model.score->points : attempt.points;
     return join_with_dots(
         {attempt.meta.id.empty() ? ComparePage::tr("Expert of the benchmark (simulated)")
                                  : text(attempt.person_name),
          attempt.meta.id.empty() ? QString() : local_time(attempt.meta.started),
-         verdict(passed, attempt.provisional), points && passed ? points_text(*points) : QString(),
+         voided ? attempt_state(attempt.state) : verdict(passed, attempt.provisional),
+         !voided && points && passed ? points_text(*points) : QString(),
          ComparePage::tr("duration %1").arg(clock_text(side.model.duration - side.model.begin))});
 }
 
@@ -293,10 +296,10 @@ void ComparePage::other_loaded() {
         std::unique_ptr<ReplaySource> picture = picture_of(*other_, why);
         other_replay_->set_record(model, std::move(picture), why);
     }
-    QStringList notes;
+    QStringList notes = void_notes(own_->model.summary);
     if (other_ != nullptr)
-        notes = comparison_notes(*own_, *other_, *pair_, context().task(own_->model.summary.meta.task_id));
-    if (cohort_) notes = comparison_notes(*own_, *cohort_);
+        notes += comparison_notes(*own_, *other_, *pair_, context().task(own_->model.summary.meta.task_id));
+    if (cohort_) notes += comparison_notes(*own_, *cohort_);
     notes_->setText(notes.join(QLatin1Char('\n')));
     show_charts();
     show_part();

@@ -174,6 +174,21 @@ TEST_F(Comparing, SaysWhatCannotBeCompared) {
     EXPECT_TRUE(again.is_ready());
 }
 
+TEST_F(Comparing, AVoidedAttemptHasNoResultThere) {
+    record("tara", {2, 1, "standard", true, 90});
+    const std::string own = record("tara", {});
+    database::Attempts(*services.store()).void_attempt(sessions.at("ed"), own, "wrong person");
+    open("ed", own);
+    const QString words = find<QLabel>(*window, "compare_own_words")->text();
+    EXPECT_TRUE(words.contains("voided")) << words.toStdString();
+    EXPECT_FALSE(words.contains("passed")) << words.toStdString();
+    EXPECT_FALSE(words.contains("50 of 100")) << words.toStdString();
+    EXPECT_TRUE(notes().startsWith("Voided by Ed Educator")) << notes().toStdString();
+    EXPECT_TRUE(notes().contains("wrong person"));
+    EXPECT_TRUE(notes().contains("Aligned by the 3 steps")) << notes().toStdString();
+    EXPECT_TRUE(find<QLabel>(*window, "compare_other_words")->text().contains("90 of 100"));
+}
+
 TEST_F(Comparing, AnExpertIsSimulatedInTheBackgroundAndCanBeStopped) {
     const std::string model = record("other0", {0.5, 0.5});
     const std::string own = record("tara", {});
