@@ -185,9 +185,10 @@ void ReplayPanel::show_time() {
 
 void ReplayPanel::tick() {
     const double dt = static_cast<double>(since_.restart()) * 1e-3;
-    if (playing_) {
-        seek(time_ + dt * factor_);
-        if (model_ && time_ >= model_->duration - 1e-9) play(false);
+    if (playing_ && model_) {
+        const double to = time_ + dt * factor_;
+        if (to >= model_->duration - 1e-9) play(false);  // before seek() reports its last moment
+        seek(to);
     }
     if (!source_) return;
     const bool is_new = source_->update();

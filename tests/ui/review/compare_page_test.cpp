@@ -4,6 +4,7 @@
 #include "ui/review/compare_page.h"
 
 #include <QChart>
+#include <QPushButton>
 #include <QSlider>
 
 #include "assessment/assets/assets.h"
@@ -56,6 +57,23 @@ TEST_F(Comparing, PracticeFromALaterStepBeginsWhereTheOtherAttemptBeganThatStep)
     EXPECT_NEAR(page.pair()->map.to_second(2.001), 4, 1e-9) << "the other one had met the first step";
     EXPECT_NEAR(page.pair()->map.to_second(5), 10, 1e-9);
     EXPECT_EQ(notes(), "Aligned by the 2 steps that were completed in both.");
+}
+
+TEST_F(Comparing, TheButtonSaysPlayWhenBothReplaysHaveComeToTheEnd) {
+    const std::string own = record("tara", {});
+    ComparePage& page = open("tara", own);
+    auto* speed = find<QComboBox>(*window, "compare_speed");
+    speed->setFocus();
+    QTest::keyClick(speed, Qt::Key_End);
+    const auto button = [&] { return find<QPushButton>(*window, "compare_play")->text(); };
+    bring(*find<QPushButton>(*window, "compare_play"));
+    click(*window, "compare_play");
+    EXPECT_EQ(button(), "Pause");
+    auto* replay = find<ReplayPanel>(*window, "compare_own_replay");
+    ASSERT_TRUE(wait_for([&] { return page.moment() >= 6 - 1e-6 && !replay->is_playing(); }));
+    EXPECT_EQ(button(), "Play");
+    click(*window, "compare_play");
+    EXPECT_EQ(button(), "Pause") << "it begins again";
 }
 
 TEST(ComparedPairs, HaveNothingOfTheOtherAttemptBeyondTheOwnRecord) {
