@@ -13,9 +13,8 @@
 namespace fulcrum::ui {
 
 void TimeChart::describe() {
-    if (!peaks_shown_) return;
     QStringList peaks;
-    for (std::size_t s = 0; s < series_.size(); ++s)
+    for (std::size_t s = 0; peaks_shown_ && s < series_.size(); ++s)
         if (const auto peak = peak_of(s))
             peaks << tr("%1: highest %2 at %3 s")
                          .arg(series_[s].line->name(), figure_with_unit(peak->y, plain(unit_)),

@@ -152,6 +152,7 @@ TEST(TimeChart, LabelsTheTruePeakOfWhatIsInView) {
     chart.show_peaks(false);
     chart.show_all();
     EXPECT_EQ(painted().count(label), 0);
+    EXPECT_TRUE(chart.accessibleDescription().isEmpty()) << chart.accessibleDescription().toStdString();
 }
 
 TEST(TimeCharts, ShareOneTableOfWhatTheyDraw) {
