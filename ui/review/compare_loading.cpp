@@ -13,9 +13,13 @@
 
 namespace fulcrum::ui {
 
+void ComparePage::stop() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+}
+
 void ComparePage::run(std::function<void(const database::Store&, const Progress&)> work,
                       std::function<void()> done, const QString& line) {
-    if (job_ != nullptr) job_->cancel();
     job_ = BackgroundJob::run(
         this,
         [work = std::move(work), path = context().store().path()](const Progress& progress) {
@@ -54,6 +58,7 @@ std::unique_ptr<ReplaySource> ComparePage::picture_of(const ComparedSide& side, 
 void ComparePage::choose(int index) {
     if (own_ == nullptr || index < 0 || index >= static_cast<int>(choices_.size())) return;
     const ComparisonChoice& chosen = choices_[static_cast<std::size_t>(index)];
+    stop();  // also where this one is refused at once
     own_replay_->play(false);
     play_->setText(tr("Play"));
     other_replay_->close();

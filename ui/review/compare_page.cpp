@@ -230,8 +230,7 @@ void ComparePage::enter() {
 }
 
 void ComparePage::leave() {
-    if (job_ != nullptr) job_->cancel();
-    job_ = nullptr;
+    stop();
     measure_->cancel();
     own_replay_->close();
     other_replay_->close();

@@ -50,7 +50,9 @@ class ComparePage : public Page {
     QLayout* build_steering();
     QWidget* build_tabs();
     void connect_parts();
-    /// Runs `work` in the background in place of what runs; `done` on this thread.
+    /// Stops what runs in the background; its answer is dropped.
+    void stop();
+    /// Runs `work` in the background, where nothing else runs; `done` on this thread.
     void run(std::function<void(const database::Store&, const Progress&)> work, std::function<void()> done,
              const QString& line);
     void own_loaded();

@@ -246,6 +246,29 @@ TEST_F(Comparing, AnExpertIsSimulatedInTheBackgroundAndCanBeStopped) {
     EXPECT_TRUE(find<QLabel>(*window, "compare_other_words")->text().contains("Expert of the benchmark"));
 }
 
+TEST_F(Comparing, AChoiceThatIsRefusedStopsWhatWasReadForTheOneBefore) {
+    record("tara", {2, 1, "standard", true, 90});
+    ComparePage& page = open("ed", record("tara", {}));
+    ASSERT_NE(page.pair(), nullptr);
+    services.expert_waits = true;
+    auto* box = find<QComboBox>(*window, "compare_with");
+    const int row = box->findText("An expert", Qt::MatchStartsWith);
+    ASSERT_GT(row, 0);
+    box->setFocus();
+    for (int i = 0; i < row; ++i) QTest::keyClick(box, Qt::Key_Down);
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "cancel_job"); }));
+    EXPECT_FALSE(page.is_ready());
+    {
+        const database::Store other = database::Store::open(services.store()->path());
+        database::erase_person(other, sessions.at("dora"), sessions.at("tara").person_id(), "asked", false);
+    }
+    QTest::keyClick(box, Qt::Key_Home);
+    EXPECT_TRUE(sees(*window, "message_text")) << "the attempt is gone";
+    EXPECT_TRUE(page.is_ready()) << "and the expert is not waited for";
+    EXPECT_FALSE(sees(*window, "cancel_job"));
+    EXPECT_EQ(page.pair(), nullptr);
+}
+
 TEST_F(Comparing, TheCohortIsABandOfFivePeopleOrMore) {
     for (int i = 0; i < 4; ++i) record("other" + std::to_string(i), {1 + 0.1 * i, 1 + 0.1 * i});
     const std::string own = record("tara", {});
