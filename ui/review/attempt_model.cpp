@@ -202,15 +202,19 @@ AttemptModel model_of_trace(database::AttemptSummary summary, std::optional<data
     return model;
 }
 
+void take_scores(const database::Attempts& attempts, const database::Session& session, AttemptModel& model) {
+    for (database::ScoreRow& score : attempts.scores(session, model.summary.meta.id))
+        (score.in_force ? model.score : model.recomputed) = std::move(score);  // the newest comes last
+    if (model.score) model.pathology = database::pathology_of(*model.score);
+}
+
 std::optional<AttemptModel> load_attempt(const database::Store& store, const database::Session& session,
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
                                          const Progress& progress) {
     AttemptModel model;
     const database::Attempts attempts(store);
     model.summary = attempts.read(session, attempt_id);
-    for (database::ScoreRow& score : attempts.scores(session, attempt_id))
-        (score.in_force ? model.score : model.recomputed) = std::move(score);  // the newest comes last
-    if (model.score) model.pathology = database::pathology_of(*model.score);
+    take_scores(attempts, session, model);
     if (scene) take_scene(*scene, model);
     if (progress && !progress(0.1, {})) return std::nullopt;
     std::vector<ChunkPart> parts;

@@ -66,6 +66,10 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
                                          const Progress& progress);
 
+/// The score in force, the newest recomputed one and the specimen: known also without a recording. Throws
+/// AccessDenied, StoreError.
+void take_scores(const database::Attempts& attempts, const database::Session& session, AttemptModel& model);
+
 /// The same of a trace that is in memory, with it. `summary` and `score`: of that attempt.
 AttemptModel model_of_trace(database::AttemptSummary summary, std::optional<database::ScoreRow> score,
                             std::shared_ptr<const database::Trace> trace, const std::optional<Scene>& scene);

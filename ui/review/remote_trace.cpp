@@ -70,8 +70,10 @@ std::optional<AttemptModel> load_with_trace(const std::string& store_path, const
     const database::Attempts attempts(store);
     database::AttemptSummary summary = attempts.read(session, attempt_id);
     summary.meta.keep_trace = false;
-    return model_of_trace(summary, attempts.score(session, attempt_id),
-                          std::make_shared<const database::Trace>(), scene);
+    AttemptModel model =
+        model_of_trace(std::move(summary), std::nullopt, std::make_shared<const database::Trace>(), scene);
+    take_scores(attempts, session, model);
+    return model;
 }
 
 }  // namespace fulcrum::ui

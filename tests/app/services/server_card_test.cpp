@@ -114,6 +114,8 @@ TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfARevi
     ASSERT_TRUE(wait_for([&] { return !find<QLabel>(window, "join_problem")->text().isEmpty(); }));
     EXPECT_TRUE(find<QLabel>(window, "join_problem")->text().contains("has a programme"));
     const Session& administrator = programme.session("administrator");
+    Attempts(*programme.store)
+        .add_score(*programme.educator, programme.ann.attempt, database::test::example_score(false, 40));
     enrol_station(*programme.store, administrator, server, token());
     EXPECT_TRUE(sync_with_server(*programme.store, administrator, server_of(*programme.store)).complete);
     click(window, "join_confirm");
@@ -138,6 +140,8 @@ TEST(RemoteRecording, AFurtherStationJoinsExchangesAndFetchesTheRecordingOfARevi
     auto* debrief = static_cast<DebriefPage*>(window.current_page());
     ASSERT_TRUE(wait_for([&] { return sees(window, "fetch_recording"); }));
     EXPECT_TRUE(sees(window, "verdict")) << "the result is here";
+    EXPECT_TRUE(debrief->model()->recomputed) << "and so is the score that was recomputed";
+    EXPECT_TRUE(find<QLabel>(window, "debrief_notes")->text().contains("Recomputed on"));
     const QString words = find<QFrame>(window, "no_trace")->findChild<QLabel*>()->text();
     EXPECT_TRUE(words.contains("cannot be reached now")) << words.toStdString();
     bring(*find<QPushButton>(window, "fetch_recording"));
