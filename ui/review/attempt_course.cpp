@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assessment/trace/cut_strokes.h"
+#include "assessment/trace/trace.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -67,6 +68,26 @@ void append_spans(std::vector<ChartSpan>& all, const std::vector<ChartSpan>& lat
         else
             all.push_back(span);
     }
+}
+
+std::vector<ChartSpan> without_pauses(const std::vector<ChartSpan>& spans, const std::vector<Event>& events,
+                                      double tick_period, double end) {
+    Trace times;
+    times.t = {end};
+    times.tick_period = tick_period;
+    split_blocks(times, events);
+    std::vector<ChartSpan> kept;
+    for (ChartSpan span : spans) {
+        for (const TimeInterval& pause : times.pauses) {
+            const double begin =
+                pause.begin + tick_period;  // the sample of the tick that it begins in counts
+            if (pause.end <= span.from || begin >= std::min(span.to, pause.end)) continue;
+            if (span.from < begin) kept.push_back({span.from, begin});
+            span.from = pause.end;
+        }
+        if (span.from < span.to) kept.push_back(span);
+    }
+    return kept;
 }
 
 }  // namespace fulcrum::ui

@@ -31,5 +31,9 @@ std::vector<ChartSpan> spans_of_flag(const std::vector<double>& time, const std:
                                      std::uint32_t flag, double tick_period);
 /// Those of the next part of the record; one that continues at the border stays one.
 void append_spans(std::vector<ChartSpan>& all, const std::vector<ChartSpan>& later);
+/// Without what falls into a pause or the loss of a device: the record holds its last sample there, and the
+/// metric leaves it out. `end`: of the record, s.
+std::vector<ChartSpan> without_pauses(const std::vector<ChartSpan>& spans, const std::vector<Event>& events,
+                                      double tick_period, double end);
 
 }  // namespace fulcrum::ui

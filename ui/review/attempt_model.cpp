@@ -168,6 +168,8 @@ void take_events(const std::vector<Event>& events, AttemptModel& model) {
     }
     model.traction = traction_course(events, model.tick, model.duration);
     model.heat = heat_course(events, model.tick, model.duration);
+    for (std::vector<ChartSpan>& energy : model.energy)
+        energy = without_pauses(energy, events, model.tick, model.duration);
 }
 
 /// The columns of samples that are in memory.

@@ -35,6 +35,7 @@ using database::Session;
 struct AxisRecord {
     bool cutting = true, energy = true, heat = true;
     std::string task = "B2";
+    bool pause = false;  // from 3.1 to 3.4 s, with energy on
 };
 
 class OneTimeAxis : public ::testing::Test {
@@ -103,6 +104,10 @@ class OneTimeAxis : public ::testing::Test {
             happens(3600, EventKind::heat_area, 255, 0, 12.5F);
             happens(4300, EventKind::heat_area, 255, 0, 20.0F);
         }
+        if (like.pause) {
+            happens(3100, EventKind::pause, 255, 0, 0);
+            happens(3400, EventKind::resume, 255, 0, 0);
+        }
         for (std::uint32_t tick = 1; tick <= 6000; ++tick) {
             RigSample input;
             TickSample sample;
@@ -144,6 +149,19 @@ class OneTimeAxis : public ::testing::Test {
         auto* page = static_cast<DebriefPage*>(window->current_page());
         EXPECT_TRUE(wait_for([&] { return page->is_ready(); }));
         return page;
+    }
+    /// s, of the right hand, as the chart and as the metric says.
+    static double energy_drawn(const AttemptModel& model) {
+        double on = 0;
+        for (const ChartSpan& span : model.energy[1]) on += span.to - span.from;
+        return on;
+    }
+    double energy_measured(const std::string& id) {
+        TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
+        task.metrics = {"energy_time"};
+        const auto rows = metrics_of_range(services.scene_for(task, "standard"), task, 7,
+                                           database::Attempts(*services.store()).read_trace(*ed, id), 0, 6);
+        return find_result(rows, "energy_time", "right", "")->value.value();
     }
     TimeChart* chart(const char* name) { return find<TimeChart>(*window, name); }
     static QPoint in_plot(TimeChart& of, double share) {
@@ -209,14 +227,8 @@ TEST_F(OneTimeAxis, ShowsWhatTheRecordHoldsBelowEachOtherAndZoomsTogether) {
     ASSERT_NE(model.heat, nullptr);
     EXPECT_EQ(model.heat->highest(), 20);
     EXPECT_EQ(model.heat->value_at(3.7), 12.5);
-    // The metric says the same.
-    TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
-    task.metrics = {"energy_time"};
-    const auto rows = metrics_of_range(services.scene_for(task, "standard"), task, 7,
-                                       database::Attempts(*services.store()).read_trace(*ed, id), 0, 6);
-    double on = 0;
-    for (const ChartSpan& span : model.energy[1]) on += span.to - span.from;
-    EXPECT_NEAR(find_result(rows, "energy_time", "right", "")->value.value(), on, 1e-9);
+    EXPECT_NEAR(energy_drawn(model), 0.7, 1e-9);
+    EXPECT_NEAR(energy_measured(id), energy_drawn(model), 1e-9);
 
     bring(*charts[0]);
     QWheelEvent wheel(in_plot(*charts[0], 0.5), charts[0]->viewport()->mapToGlobal(in_plot(*charts[0], 0.5)),
@@ -236,6 +248,32 @@ TEST_F(OneTimeAxis, ShowsWhatTheRecordHoldsBelowEachOtherAndZoomsTogether) {
     keep("light");
     emit window->context().theme_wanted(Theme::dark);
     keep("dark");
+}
+
+TEST_F(OneTimeAxis, APauseWithThePedalDownIsNoEnergy) {
+    AxisRecord paused;
+    paused.pause = true;
+    const std::string id = record(paused);
+    const AttemptModel& model = *debrief(*ed, id)->model();
+    ASSERT_EQ(model.energy[1].size(), 3U);
+    EXPECT_NEAR(model.energy[1][0].to, 3.1, 2e-3);
+    EXPECT_NEAR(model.energy[1][1].from, 3.4, 2e-3);
+    EXPECT_NEAR(model.energy[1][1].to, 3.5, 1e-9);
+    EXPECT_NEAR(energy_drawn(model), 0.4, 2e-3);
+    EXPECT_NEAR(energy_measured(id), energy_drawn(model), 1e-6);
+
+    // A device that was lost, and a pause that nobody ended.
+    const std::vector<Event> open{{1500, EventKind::device_lost, 255, -1, 0, 0.0F},
+                                  {2000, EventKind::device_back, 255, -1, 0, 0.0F},
+                                  {4500, EventKind::pause, 255, -1, 0, 0.0F}};
+    const std::vector<ChartSpan> left =
+        without_pauses({{0, 1}, {1, 2.5}, {3, 4}, {4.2, 6}, {6.5, 7}}, open, 1e-3, 7);
+    ASSERT_EQ(left.size(), 5U);
+    EXPECT_NEAR(left[0].to, 1, 1e-9);
+    EXPECT_NEAR(left[1].to, 1.501, 1e-9);
+    EXPECT_NEAR(left[2].from, 2, 1e-9);
+    EXPECT_NEAR(left[3].to, 4, 1e-9);
+    EXPECT_NEAR(left[4].to, 4.501, 1e-9);
 }
 
 TEST_F(OneTimeAxis, LeavesOutWhatWasNotRecorded) {
