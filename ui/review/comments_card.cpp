@@ -4,6 +4,7 @@
 #include <QPlainTextEdit>
 
 #include "database/records/reviews.h"
+#include "ui/review/error_review_bar.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -76,7 +77,8 @@ void CommentsCard::fill() {
         QPushButton* jump = make_button(head, "comment_moment", "link");
         connect(jump, &QPushButton::clicked, this, [this, time = comment.time_s] { emit time_chosen(time); });
         list_->addWidget(jump, 0, Qt::AlignLeft);
-        QLabel* words = make_label(text(comment.text));
+        QLabel* words =
+            make_label(text(reason ? database::begun_reason_mark + begun_words(comment) : comment.text));
         words->setObjectName(QStringLiteral("comment_words"));
         words->setContentsMargins(6, 0, 0, 6);
         list_->addWidget(words);

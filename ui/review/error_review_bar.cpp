@@ -16,6 +16,30 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+constexpr std::size_t begun_mark_size = sizeof(database::begun_reason_mark) - 1;
+
+/// What a reason that was begun begins with: the mark, what names the error, the mark. Several errors can be
+/// of one moment.
+std::string begin_of_draft(const Event& error) {
+    std::string begin = database::begun_reason_mark;
+    for (const std::int64_t number :
+         {static_cast<std::int64_t>(error.kind), std::int64_t{error.tick}, std::int64_t{error.hand},
+          std::int64_t{error.tissue}, std::int64_t{error.detail}})
+        begin += std::to_string(number) + " ";
+    return begin + database::begun_reason_mark;
+}
+
+}  // namespace
+
+std::string begun_words(const database::Comment& draft) {
+    const std::string& kept = draft.text;
+    const std::size_t named = kept.find_first_not_of("0123456789- ", begun_mark_size);
+    const bool names_error = named != std::string::npos && named > begun_mark_size &&
+                             kept.compare(named, begun_mark_size, database::begun_reason_mark) == 0;
+    return kept.substr(names_error ? named + begun_mark_size : begun_mark_size);
+}
 
 QString review_words(const database::ErrorReview& review) {
     return (review.verdict == database::ErrorVerdict::struck ? ErrorReviewBar::tr("struck by %1: %2")
@@ -57,6 +81,7 @@ void ErrorReviewBar::open(const std::string& attempt_id, const std::string& pers
     draft_id_.clear();
     reason_->clear();
     clear();
+    forget_error();
     setVisible(may_review());
     if (!isHidden()) take_up_draft(events);
 }
@@ -74,12 +99,19 @@ void ErrorReviewBar::take_up_draft(const std::vector<EventLine>& events) {
     const auto draft = std::find_if(comments.begin(), comments.end(), database::is_begun_reason);
     if (draft == comments.end()) return;
     draft_id_ = draft->id;
+    const std::string words = begun_words(*draft);
+    about_ = draft->text.substr(0, draft->text.size() - words.size());
+    time_ = draft->time_s;
+    // One that names no error (an older program wrote it) is about the only error of its moment, if it is
+    // one.
+    const bool names_error = about_ != database::begun_reason_mark;
+    std::vector<EventLine> meant;
     for (const EventLine& line : events)
-        if (is_error(line.event.kind) && std::abs(line.time - draft->time_s) < 1e-6) {
-            choose(line);
-            break;
-        }
-    reason_->setText(text(draft->text.substr(sizeof(database::begun_reason_mark) - 1)));
+        if (is_error(line.event.kind) &&
+            (names_error ? begin_of_draft(line.event) == about_ : std::abs(line.time - draft->time_s) < 1e-6))
+            meant.push_back(line);
+    if (meant.size() == 1) choose(meant.front());
+    reason_->setText(text(words));
 }
 
 const database::Comment* ErrorReviewBar::find_draft(const std::vector<database::Comment>& comments) const {
@@ -100,7 +132,7 @@ void ErrorReviewBar::keep_unsent() {
         const database::Reviews reviews(context_.store());
         const std::vector<database::Comment> comments = reviews.comments(context_.session(), attempt_id_);
         const database::Comment* draft = find_draft(comments);
-        const std::string kept = database::begun_reason_mark + reason;
+        const std::string kept = about_ + reason;
         if (reason.empty()) {
             if (draft != nullptr) reviews.delete_draft(context_.session(), draft_id_);
             draft_id_.clear();
@@ -119,11 +151,16 @@ void ErrorReviewBar::forget(const std::string& draft_id) {
     if (draft_id_ != draft_id) return;
     draft_id_.clear();
     reason_->clear();
+    if (!event_) forget_error();
+}
+
+void ErrorReviewBar::forget_error() {
+    about_ = database::begun_reason_mark;
+    time_ = 0;
 }
 
 void ErrorReviewBar::clear() {
     event_.reset();
-    time_ = 0;
     chosen_->setText(tr("Choose an error in the list to confirm or strike it."));
     confirm_->setEnabled(false);
     strike_->setEnabled(false);
@@ -131,10 +168,12 @@ void ErrorReviewBar::clear() {
 
 void ErrorReviewBar::choose(const EventLine& line) {
     if (!is_error(line.event.kind)) {
-        clear();
+        clear();  // a reason that was begun stays with its error
+        if (reason_->text().trimmed().isEmpty()) forget_error();
         return;
     }
     event_ = line.event;
+    about_ = begin_of_draft(line.event);
     time_ = line.time;
     chosen_->setText(tr("Chosen: %1, %2").arg(clock_text(line.time), line.words));
     confirm_->setEnabled(true);
@@ -163,6 +202,7 @@ void ErrorReviewBar::add(database::ErrorVerdict verdict) {
     reason_->clear();
     reason_->setFocus();  // a button that is disabled would hand it on to another card
     clear();
+    forget_error();
     emit reviewed();
 }
 

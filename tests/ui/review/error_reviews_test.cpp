@@ -20,6 +20,7 @@
 #include "ui/charts/time_chart.h"
 #include "ui/language/language.h"
 #include "ui/review/debrief_page.h"
+#include "ui/review/error_review_bar.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/main_window.h"
 
@@ -63,8 +64,8 @@ class ErrorReviewPages : public ::testing::Test {
         apply_theme(*qApp, Theme::light);
         apply_text_size(*qApp, 100);
     }
-    /// Two seconds with a grasp, a slip and too much force.
-    std::string record() {
+    /// Two seconds with a grasp, a slip and too much force. What slipped may have dropped in the same moment.
+    std::string record(bool dropped = false) {
         const Session& tara = sessions.at("tara");
         database::AttemptMeta meta;
         meta.person_id = tara.person_id();
@@ -82,6 +83,7 @@ class ErrorReviewPages : public ::testing::Test {
             recorder.append(sample);
             if (tick == 200) recorder.append(Event{tick, EventKind::grasp, 0, -1, 0, 0.0F});
             if (tick == slip_tick) recorder.append(Event{tick, EventKind::slip, 0, -1, 0, 0.0F});
+            if (dropped && tick == slip_tick) recorder.append(Event{tick, EventKind::drop, 0, -1, 0, 0.0F});
             if (tick == force_tick)
                 recorder.append(Event{tick, EventKind::over_force_begin, 1, -1, 4000, 6.0F});
         }
@@ -334,6 +336,65 @@ TEST_F(ErrorReviewPages, AReasonThatWasBegunIsThereAgain) {
     EXPECT_TRUE(reason()->text().isEmpty());
     debrief("ida");
     EXPECT_TRUE(drafts("ida").empty());
+}
+
+TEST_F(ErrorReviewPages, AReasonThatWasBegunStaysWithItsErrorAmongSeveralOfOneMoment) {
+    attempt = record(true);
+    const auto leave_and_return = [&] {
+        choose_page(*window, "rail_metrics");
+        debrief("ed");
+    };
+    const auto begin = [&](const char* error, const char* words) {
+        choose(error);
+        auto* reason = find<QLineEdit>(*window, "review_error_reason");
+        QTest::mouseClick(reason, Qt::LeftButton);
+        QTest::keyClicks(reason, words);
+    };
+    const auto drafts = [&] {
+        std::vector<database::Comment> all;
+        for (const auto& one : database::Reviews(*services.store()).comments(sessions.at("ed"), attempt))
+            if (is_begun_reason(one)) all.push_back(one);
+        return all;
+    };
+    debrief("ed");
+    begin("dropped", "It fell on its own.");
+    leave_and_return();
+    EXPECT_TRUE(label("review_error_chosen").contains("dropped"))
+        << label("review_error_chosen").toStdString();
+    ASSERT_EQ(drafts().size(), 1U);
+    EXPECT_EQ(begun_words(drafts()[0]), "It fell on its own.");
+    EXPECT_TRUE(label("comment_words").endsWith("It fell on its own."));
+    EXPECT_FALSE(label("comment_words").contains("600")) << "what names the error is not shown";
+    bring(*find<QAbstractButton>(*window, "review_error_strike"));
+    click(*window, "review_error_strike");
+    ASSERT_EQ(reviews().size(), 1U);
+    EXPECT_EQ(reviews()[0].kind, EventKind::drop);
+    EXPECT_EQ(reviews()[0].reason, "It fell on its own.");
+    EXPECT_TRUE(drafts().empty());
+
+    // Another line is looked at, which is no error: the reason stays with the error that it is about.
+    begin("Too much force", "A twitch.");
+    choose("Grasp");
+    EXPECT_FALSE(find<QAbstractButton>(*window, "review_error_strike")->isEnabled());
+    leave_and_return();
+    ASSERT_EQ(drafts().size(), 1U);
+    EXPECT_NEAR(drafts()[0].time_s, 1.2, 1e-9);
+    EXPECT_TRUE(label("review_error_chosen").contains("Too much force"));
+    EXPECT_EQ(find<QLineEdit>(*window, "review_error_reason")->text(), "A twitch.");
+    // Another error that is chosen takes it.
+    choose("slipped");
+    leave_and_return();
+    ASSERT_EQ(drafts().size(), 1U);
+    EXPECT_TRUE(label("review_error_chosen").contains("slipped"));
+
+    // A draft of an older program names no error: of two in its moment none is chosen.
+    choose_page(*window, "rail_metrics");
+    const database::Reviews comments(*services.store());
+    comments.edit_draft(sessions.at("ed"), drafts()[0].id, 0.6,
+                        database::begun_reason_mark + std::string("Old."));
+    debrief("ed");
+    EXPECT_EQ(find<QLineEdit>(*window, "review_error_reason")->text(), "Old.");
+    EXPECT_FALSE(find<QAbstractButton>(*window, "review_error_strike")->isEnabled());
 }
 
 TEST_F(ErrorReviewPages, AVoidTakesNothingBackAndAnErasedAttemptIsRefused) {
