@@ -108,9 +108,11 @@ std::optional<RotatedBackup> backup_into(const Store& store, const Session& sess
                              ".db";
     RotatedBackup done{(files::path(folder) / name).string(), {}};
     if (!store.backup(session, done.path, progress)) return std::nullopt;
-    // The new one counts as the newest, whatever the clock says.
+    // The new one counts as the newest, whatever the clock says: names of a later time were given by another
+    // clock, and go first.
     std::vector<std::string> older = names_in(folder, start).backups;
     older.erase(std::remove(older.begin(), older.end(), name), older.end());
+    std::stable_partition(older.begin(), older.end(), [&](const std::string& one) { return one > name; });
     const std::size_t kept = static_cast<std::size_t>(keep) - 1;
     for (std::size_t i = 0; i + kept < older.size(); ++i) {
         const std::string path = (files::path(folder) / older[i]).string();

@@ -19,8 +19,9 @@ inline constexpr int most_kept_backups = 10000;
 
 /// Store::backup() to a new file of `folder`, which has to exist; when it is complete and checked, the oldest
 /// backups of this station beyond the newest `keep` (1 to most_kept_backups) are removed, never the new one.
-/// Nothing when it was stopped. Throws as Store::backup(), and StoreError (bad_value) for `keep` and where
-/// `folder` is none.
+/// Those with a name of a later time than the new one's were written while the clock was wrong, and count as
+/// the oldest. Nothing when it was stopped. Throws as Store::backup(), and StoreError (bad_value) for `keep`
+/// and where `folder` is none.
 std::optional<RotatedBackup> backup_into(const Store& store, const Session& session,
                                          const std::string& folder, int keep,
                                          const StoreProgress& progress = {});

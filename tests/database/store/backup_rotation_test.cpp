@@ -87,6 +87,23 @@ TEST_F(BackupRotation, TheNewOneStaysWhenTheClockWasSetBack) {
     EXPECT_TRUE(files::exists(second->path));
 }
 
+TEST_F(BackupRotation, TheOneOfTheNightBeforeStaysWhicheverWayTheClockWasSet) {
+    const std::string first = rotate(2)->path, second = rotate(2)->path;
+    programme.clock.set_forward_s(-86400);
+    const auto third = rotate(2);
+    EXPECT_EQ(third->removed, std::vector<std::string>{first});
+    const auto fourth = rotate(2);
+    EXPECT_EQ(fourth->removed, std::vector<std::string>{second}) << "not that of the night before";
+    EXPECT_TRUE(files::exists(third->path));
+    // The clock is a year ahead for a night, and put right.
+    programme.clock.set_forward_s(400 * 86400.0);
+    const auto ahead = rotate(2);
+    EXPECT_EQ(ahead->removed, std::vector<std::string>{third->path});
+    programme.clock.set_forward_s(-400 * 86400.0);
+    EXPECT_EQ(rotate(2)->removed, std::vector<std::string>{ahead->path});
+    EXPECT_TRUE(files::exists(fourth->path));
+}
+
 TEST_F(BackupRotation, ACopyThatDoesNotPassTheCheckGetsNoNameAndRemovesNothing) {
     const std::string good = rotate(2)->path;
     programme.store->connection().execute(
