@@ -149,7 +149,8 @@ ExternalTrace read_external_trace(const std::string& path, const std::string& ma
 database::ExternalAttempt external_attempt(const ExternalTrace& read) {
     database::ExternalAttempt attempt;
     attempt.source = read.source.empty() ? "trace file" : read.source;
-    attempt.duration_s = read.trace.t.back();
+    // A record of practice from a moment begins at that moment.
+    attempt.duration_s = read.trace.t.back() - read.trace.t.front();
     attempt.files = read.files;
     attempt.program_version = program_version;
     attempt.trace = read.text;

@@ -288,7 +288,7 @@ void TraceImportCard::show_preview() {
     const nlohmann::json& document = read_->document;
     const QString rate = read_->rate_hz > 0 ? tr("%1 Hz").arg(figure(read_->rate_hz)) : tr("rate unknown");
     summary_->setText(QStringList{tr("%n samples", nullptr, static_cast<int>(read_->trace.t.size())), rate,
-                                  clock_text(read_->trace.t.back()),
+                                  clock_text(read_->trace.t.back() - read_->trace.t.front()),
                                   tr("%n metrics have a value", nullptr, static_cast<int>(read_->measured))}
                           .join(QStringLiteral(" · ")));
     QStringList notes;

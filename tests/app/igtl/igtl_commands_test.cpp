@@ -163,6 +163,13 @@ TEST_F(IgtlCommands, PracticeFromALateMomentIsSentAtOnce) {
     EXPECT_EQ(recorded["ended_because"], "attempt ended");
     EXPECT_GE(recorded["samples"], 50);
     EXPECT_NEAR(recorded["duration_s"].get<double>(), 1, 0.1);
+    // What is imported lasts as long as it was recorded, whatever its first time.
+    const nlohmann::json imported = run_json({"import", path("taken.csv"), "--exercise", "part", "--person",
+                                              "external-robot", "--db", path("store.db")});
+    const database::Store store = database::Store::open(path("store.db"));
+    const database::AttemptSummary stored =
+        database::Attempts(store).read(store.station_session(), imported["attempt"].get<std::string>());
+    EXPECT_NEAR(stored.duration_s, recorded["duration_s"].get<double>(), 0.1);
 }
 
 TEST_F(IgtlCommands, WhatCannotBeRecordedSaysWhyAndWritesNothing) {
