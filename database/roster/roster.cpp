@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/roster/roster.h"
 
+#include <QString>
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -25,6 +26,13 @@ void check(const RosterPerson& person) {
     } catch (const StoreError& error) {
         throw InputError(person.place, "", error.problem_sentence(), error.hint_sentence());
     }
+}
+
+/// As other programs write it, and spreadsheets that have opened the file: what is not known is a no, since a
+/// yes makes an account.
+bool is_yes(const std::string& cell) {
+    const QString word = QString::fromStdString(cell).toLower();
+    return word.isEmpty() || word == "true" || word == "wahr" || word == "1";
 }
 
 void add_role(std::vector<Role>& roles, Role role) {
@@ -160,7 +168,7 @@ class OneRoster {
         std::map<std::string, std::string> logins;
         for (std::size_t i = 0; i < rows->size(); ++i) {
             if (!active(*rows, i)) continue;
-            if (rows->cell(i, "enabledUser") == "false") {
+            if (!is_yes(rows->cell(i, "enabledUser"))) {
                 leave_out(*rows, i,
                           {QT_TRANSLATE_NOOP("errors", "%1 is not enabled"), rows->cell(i, "username")});
                 continue;

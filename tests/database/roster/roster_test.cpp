@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 
@@ -86,6 +87,27 @@ TEST(Roster, ReadsAOneRosterFolder) {
           "enrollments.csv:8: the role proctor is not imported"})
         EXPECT_NE(all.find(said), std::string::npos) << said << " is not in\n" << all;
     EXPECT_EQ(roster.left_out.size(), 7U) << all;
+}
+
+TEST(Roster, TakesNobodyWhoIsNotEnabledHoweverASpreadsheetWroteIt) {
+    for (const char* no : {"false", "FALSE", "False", "FALSCH", "0", "no"}) {
+        auto saved = school;
+        std::string& users = saved["users.csv"];
+        users.replace(users.find("u4,,false,off"), 13, std::string("u4,,") + no + ",off");
+        saved["roles.csv"] += "r4,u4,primary,student\n";
+        const RosterFiles folder(saved);
+        const Roster roster = read_roster(folder.path());
+        EXPECT_EQ(roster.people.size(), 3U) << no;
+        EXPECT_TRUE(std::any_of(roster.left_out.begin(), roster.left_out.end(), [](const Sentence& line) {
+            return line.words() == "users.csv:5: off is not enabled";
+        })) << no;
+    }
+    for (const char* yes : {"", "TRUE", "WAHR", "1"}) {
+        auto saved = school;
+        std::string& users = saved["users.csv"];
+        users.replace(users.find("u1,,true"), 8, std::string("u1,,") + yes);
+        EXPECT_EQ(read_roster(RosterFiles(saved).path()).people.size(), 3U) << yes;
+    }
 }
 
 TEST(Roster, ReadsRolesOfOneRoster11FromTheUsers) {
