@@ -210,14 +210,22 @@ class OneRoster {
         const std::optional<CsvRows> rows = table("classes.csv");
         if (!rows) return;
         rows->require({"sourcedId", "title"});
+        std::map<std::string, std::string> titles;
         for (std::size_t i = 0; i < rows->size(); ++i) {
             if (!active(*rows, i)) continue;
-            const std::string& id = rows->cell(i, "sourcedId");
-            cohort_named(roster, rows->cell(i, "title"), rows->place(i));
-            if (!classes_.emplace(id, Class{rows->cell(i, "title"), rows->place(i)}).second)
+            const std::string &id = rows->cell(i, "sourcedId"), &title = rows->cell(i, "title");
+            cohort_named(roster, title, rows->place(i));
+            if (!classes_.emplace(id, Class{title, rows->place(i)}).second)
                 throw InputError(rows->place(i), "",
                                  {QT_TRANSLATE_NOOP("errors", "sourcedId '%1' occurs twice"), id},
                                  QT_TRANSLATE_NOOP("errors", "give every row an id of its own"));
+            // They would be one cohort, and the educator of each would see the people of both.
+            const auto [known, fresh] = titles.emplace(title, rows->place(i));
+            if (!fresh)
+                throw InputError(
+                    rows->place(i), "",
+                    {QT_TRANSLATE_NOOP("errors", "the title '%1' is also used by %2"), title, known->second},
+                    QT_TRANSLATE_NOOP("errors", "give every class a title of its own"));
         }
     }
     void read_enrollments() {

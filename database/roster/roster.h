@@ -32,9 +32,9 @@ struct Roster {
 
 /// A folder and a ZIP archive are read as OneRoster, another file as login, name, role, cohort. Throws
 /// InputError with file and line: not readable as above, a login that the store would refuse or that is there
-/// twice with two names, a role that is none, an id that is there twice. Rows of other roles, rows marked to
-/// be deleted, people who are not enabled and enrollments of unknown people or classes are left out, and
-/// `left_out` says so.
+/// twice with two names, a role that is none, an id or a title of a class that is there twice. Rows of other
+/// roles, rows marked to be deleted, people who are not enabled and enrollments of unknown people or classes
+/// are left out, and `left_out` says so.
 Roster read_roster(const std::string& path);
 
 }  // namespace fulcrum::database

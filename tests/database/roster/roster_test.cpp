@@ -160,6 +160,14 @@ TEST(Roster, NamesWhatIsWrongAndWhere) {
     twice = school;
     twice["users.csv"] += "u8,,true,MIA,Mia,Second\r\n";
     EXPECT_NE(refusal(twice).find("login MIA is also used by users.csv:2"), std::string::npos);
+    twice = school;
+    twice["classes.csv"] += "c3,,Year 2\n";
+    EXPECT_NE(refusal(twice).find("classes.csv:4: the title 'Year 2' is also used by classes.csv:2"),
+              std::string::npos)
+        << "one educator would see the people of both";
+    twice = school;
+    twice["classes.csv"] += "c3,tobedeleted,Year 2\n";
+    EXPECT_EQ(refusal(twice), "") << "it is not imported";
 }
 
 TEST(Roster, CsvKeepsLineEndsInQuotesAndCountsLines) {

@@ -5281,6 +5281,14 @@
         <translation>sourcedId „%1“ kommt doppelt vor</translation>
     </message>
     <message>
+        <source>the title &apos;%1&apos; is also used by %2</source>
+        <translation>den Titel „%1“ hat auch %2</translation>
+    </message>
+    <message>
+        <source>give every class a title of its own</source>
+        <translation>geben Sie jeder Klasse einen eigenen Titel</translation>
+    </message>
+    <message>
         <source>login %1 is also used by %2</source>
         <translation>der Anmeldename %1 gehört auch zu %2</translation>
     </message>
