@@ -114,6 +114,10 @@ CsvRows CsvRows::parse(const std::string& text, const std::string& file) {
         for (bool last = false; !last;) row.cells.push_back(cells.next(last));
         if (row.cells.size() == 1 && row.cells[0].empty()) continue;  // an empty line
         if (table.columns_.empty()) {
+            if (row.cells.size() == 1 && row.cells[0].find_first_of(";\t") != std::string::npos)
+                throw InputError(file, std::to_string(row.line),
+                                 QT_TRANSLATE_NOOP("errors", "its cells are separated by semicolons or tabs"),
+                                 QT_TRANSLATE_NOOP("errors", "save it with commas between the cells"));
             for (std::string& cell : row.cells) cell = lower(cell);
             table.columns_ = row.cells;
             std::sort(row.cells.begin(), row.cells.end());

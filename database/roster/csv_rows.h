@@ -11,8 +11,9 @@ namespace fulcrum::database {
 
 class CsvRows {
   public:
-    /// Throws InputError with file and line: cannot be read, larger than 16 MiB, not UTF-8, no header, a
-    /// column named twice, a quote that does not end, a row with another number of cells.
+    /// Throws InputError with file and line: cannot be read, larger than 16 MiB, not UTF-8, no header, no
+    /// commas in it but semicolons or tabs, a column named twice, a quote that does not end, a row with
+    /// another number of cells.
     static CsvRows load(const std::string& path);
     static CsvRows parse(const std::string& text, const std::string& file);
 

@@ -152,6 +152,12 @@ TEST(Roster, NamesWhatIsWrongAndWhere) {
               std::string::npos);
     EXPECT_NE(refusal({{"l.csv", "name\nx\n"}}, "l.csv").find("has no column login"), std::string::npos);
     EXPECT_NE(refusal({{"l.csv", ""}}, "l.csv").find("is empty"), std::string::npos);
+    for (const char* separator : {";", "\t"}) {
+        const std::string rows = std::string("login") + separator + "name\nmia" + separator + "Berg, Mia\n";
+        EXPECT_NE(refusal({{"l.csv", rows}}, "l.csv").find("l.csv:1: its cells are separated by semicolons"),
+                  std::string::npos)
+            << rows;
+    }
     EXPECT_NE(refusal({}, "none.csv").find("cannot be read"), std::string::npos);
     EXPECT_NE(refusal({{"classes.csv", "sourcedId,title\n"}}).find("has no users.csv"), std::string::npos);
     auto twice = school;

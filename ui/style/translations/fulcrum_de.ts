@@ -3713,6 +3713,14 @@
         <translation>beginnen Sie mit einer Zeile der Spaltennamen</translation>
     </message>
     <message>
+        <source>its cells are separated by semicolons or tabs</source>
+        <translation>die Zellen sind durch Semikolons oder Tabulatoren getrennt</translation>
+    </message>
+    <message>
+        <source>save it with commas between the cells</source>
+        <translation>speichern Sie die Datei mit Kommas zwischen den Zellen</translation>
+    </message>
+    <message>
         <source>has no column %1</source>
         <translation>hat keine Spalte %1</translation>
     </message>
