@@ -149,6 +149,15 @@ nlohmann::json error_reviews_json(const database::Store& store, const database::
     return list;
 }
 
+/// As the report on an attempt has it: the record of a voided one may be that of another person.
+void put_void(nlohmann::json& document, const database::AttemptSummary& summary) {
+    document["state"] = row_of(attempt_states, summary.state).name;
+    document["voided"] = nullptr;
+    if (summary.state == AttemptState::voided)
+        document["voided"] = {{"time", database::iso_utc(summary.voided_at)},
+                              {"reason", summary.void_reason}};
+}
+
 /// An attempt that was recorded elsewhere: its trace as it was measured, and the stored metrics.
 std::vector<std::string> export_external(const database::Store& store, const database::Session& session,
                                          const database::AttemptSummary& summary, const std::string& folder) {
@@ -162,9 +171,9 @@ std::vector<std::string> export_external(const database::Store& store, const dat
         metrics_of_trace(read_trace_csv(in, "trace.csv"), "trace.csv")["metrics"], "metrics");
     if (const auto stored = database::Attempts(store).score(session, summary.meta.id))
         take_stored(measured, *stored);
-    return write_files(
-        folder, {{"trace.csv", trace},
-                 {"attempt.json", text_of(attempt_document(summary.meta, summary.meta.id, measured))}});
+    nlohmann::json document = attempt_document(summary.meta, summary.meta.id, measured);
+    put_void(document, summary);
+    return write_files(folder, {{"trace.csv", trace}, {"attempt.json", text_of(document)}});
 }
 
 }  // namespace
@@ -201,6 +210,7 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     put_seed(events, summary.meta.seed);
     write_events_csv(events, labels, loaded.scene.tick_period(), table);
     nlohmann::json document = attempt_document(summary.meta, attempt, scored);
+    put_void(document, summary);
     document["continues"] = origin_json(summary.meta.origin);
     document["error_reviews"] =
         error_reviews_json(store, session, attempt, labels, loaded.scene.tick_period());

@@ -321,6 +321,9 @@ std::string attempt_csv(const AttemptPaper& paper) {
         "attempt_id,login,task,started_utc,figure,version,hand,tissue,level,sector,value,unit,absent_"
         "because,rater\r\n"
         "-,-,-,-,-,-,-,-,-,-,as unit says,-,-,-\r\n";
+    // The values may be those of another person.
+    if (const database::AttemptSummary& attempt = paper.report.attempt; attempt.state == AttemptState::voided)
+        csv_row(csv, paper, "voided", "", "", "", "", "", {}, "-", Statement::plain(attempt.void_reason));
     if (paper.report.score) {
         for (const database::MetricRow& metric : paper.report.score->metrics)
             csv_row(csv, paper, metric.id, std::to_string(metric.version), metric.hand, metric.tissue, "", "",

@@ -120,6 +120,27 @@ TEST_F(ImportCommand, StationStoresItForAnExternalPersonOnly) {
     EXPECT_THROW(run(call("ann")), database::StoreError) << "a real person";
 }
 
+TEST_F(ImportCommand, TheRecordOfAVoidedOneSaysSo) {
+    const std::string id = run(signed_in(call("ann")))["attempt"], folder = path("exported");
+    const auto exported = [&] {
+        run(signed_in({"report", "--attempt", id, "--format", "trace", "-o", folder}));
+        std::ifstream document(folder + "/attempt.json");
+        return nlohmann::json::parse(document);
+    };
+    const nlohmann::json before = exported();
+    EXPECT_EQ(before["state"], "completed");
+    ASSERT_TRUE(before.contains("voided"));
+    EXPECT_TRUE(before["voided"].is_null());
+    programme.open();
+    database::Attempts(*programme.store)
+        .void_attempt(programme.asker(Role::educator), id, "it was somebody else");
+    programme.store.reset();
+    const nlohmann::json after = exported();
+    EXPECT_EQ(after["state"], "voided");
+    EXPECT_EQ(after["voided"]["reason"], "it was somebody else");
+    EXPECT_TRUE(after["voided"]["time"].is_string());
+}
+
 TEST_F(ImportCommand, EveryFormOfReportHoldsIt) {
     const std::string id = run(signed_in(call("ann")))["attempt"];
     for (const char* format : {"pdf", "csv", "xlsx", "json", "xapi"})

@@ -214,6 +214,8 @@ TEST_F(OwnLimits, StayThoseOfTheStartWhenTheSetIsReplaced) {
     EXPECT_EQ(document["passed"], true);
     EXPECT_EQ(document["points"], first["points"]);
     EXPECT_TRUE(document["continues"].is_null());
+    EXPECT_EQ(document["state"], "completed");
+    EXPECT_TRUE(document.at("voided").is_null());
     ASSERT_EQ(document["gates"].size(), first["gates"].size());
     for (std::size_t i = 0; i < first["gates"].size(); ++i)
         for (const char* key : {"metric", "hand", "value", "limit", "points", "passed"})

@@ -227,6 +227,7 @@ TEST(AttemptReport, AVoidedAttemptIsVoidedOnPaperTooAndHasNoResult) {
     write_attempt_pdf(one, path);
     EXPECT_TRUE(pages_of(path).value(0).contains("Passed")) << pages_of(path).value(0).toStdString();
     EXPECT_TRUE(nlohmann::json::parse(attempt_json(one))["voided"].is_null());
+    EXPECT_EQ(attempt_csv(one).find("voided"), std::string::npos);
     attempt.state = AttemptState::voided;
     attempt.recorded_state = AttemptState::completed;
     attempt.voided_by = "Eve Educator";
@@ -246,6 +247,11 @@ TEST(AttemptReport, AVoidedAttemptIsVoidedOnPaperTooAndHasNoResult) {
     EXPECT_EQ(json["voided"]["time"], database::iso_utc(attempt.voided_at));
     EXPECT_EQ(json["voided"]["reason"], "wrong person");
     EXPECT_EQ(json["passed"], true) << "what the score has";
+    std::istringstream csv(attempt_csv(one));
+    std::string line;
+    for (int i = 0; i < 3; ++i) std::getline(csv, line);
+    EXPECT_EQ(line.rfind("a1,ada,C4,", 0), 0U) << line;
+    EXPECT_NE(line.find(",voided,,,,,,,-,wrong person,"), std::string::npos) << line;
 }
 
 TEST(AttemptReport, UsesThePathologistsTerms) {
