@@ -6,7 +6,6 @@
 
 #include "app/cli/commands.h"
 #include "database/research/research_export.h"
-#include "database/sync/enrolment.h"
 #include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::app {
@@ -19,8 +18,6 @@ int run_export(const Arguments& arguments) {
     const std::string folder = arguments.folder("--output", "");
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
-    if (const auto scope = database::station_scope(store, session))
-        std::cerr << "note: " << line_of(*scope) << '\n';
     const database::ResearchExport research = database::research_export(store, session);
     std::vector<std::string> files;
     const auto write = [&](const std::string& name, const std::string& text) {
@@ -65,7 +62,8 @@ Command research_command() {
         "values have three significant digits. What fewer than 5 people did is put together with other rows "
         "or left out, and so is every count from which a smaller one would follow. Somebody who knows a "
         "person's attempts well may still recognise them: give the files to researchers, and do not publish "
-        "them.");
+        "them. Give the same readers no later export without need: next to an earlier one it shows what "
+        "single people did in between. A station of some cohorts of a programme exports nothing.");
     return command;
 }
 

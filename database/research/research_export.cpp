@@ -14,6 +14,7 @@
 #include "database/rows/csv_text.h"
 #include "database/rows/json.h"
 #include "database/store/audit.h"
+#include "database/sync/enrolment.h"
 
 namespace fulcrum::database {
 namespace {
@@ -284,6 +285,7 @@ ResearchExport research_export(const Store& store, const Session& director) {
         scope_of(director.role(), Operation::read_attempt) != Scope::programme)
         throw AccessDenied(operation_name(Operation::export_cohort), role_name(director.role()),
                            QT_TRANSLATE_NOOP("errors", "outside this role's people"));
+    require_whole_programme(store);
     AttemptFilter filter;
     filter.include_voided = filter.include_synthetic = false;
     filter.limit = -1;

@@ -30,7 +30,7 @@ struct ResearchExport {
 };
 
 /// Operation::export_cohort of the whole programme; audited where the store is written. Throws AccessDenied,
-/// StoreError conflict with fewer than least_people people.
+/// StoreError conflict with fewer than least_people people, and at a station of some cohorts.
 ResearchExport research_export(const Store& store, const Session& director);
 
 }  // namespace fulcrum::database

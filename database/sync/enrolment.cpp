@@ -219,6 +219,13 @@ bool is_enrolled_at(const Store& store, const ServerAddress& server) {
 
 namespace {
 
+/// Ids of the cohorts whose people the store has; empty: everybody, as at a station of its own.
+std::vector<std::string> cohorts_held(const Store& store) {
+    if (store.is_demo() || store.connection().is_server()) return {};
+    const std::optional<ServerLink> link = ServerLink::of(store.station_id());
+    return link ? link->cohorts : std::vector<std::string>();
+}
+
 std::string name_of_cohort(const Store& store, const std::string& id) {
     Query name(store.connection(), "SELECT name FROM cohort WHERE id = ?");
     name.bind(id);
@@ -242,10 +249,9 @@ std::optional<LinkedServer> linked_server(const Store& store, const Session& ses
 }
 
 std::optional<Sentence> station_scope(const Store& store, const Session& session) {
-    if (store.is_demo() || store.connection().is_server() || session.role() == Role::trainee)
-        return std::nullopt;
-    const std::optional<ServerLink> link = ServerLink::of(store.station_id());
-    if (!link || link->cohorts.empty()) return std::nullopt;
+    if (session.role() == Role::trainee) return std::nullopt;
+    const std::vector<std::string> held = cohorts_held(store);
+    if (held.empty()) return std::nullopt;
     // The names of cohorts that are not an educator's are none of their concern.
     if (session.role() == Role::educator)
         return Sentence(
@@ -254,7 +260,7 @@ std::optional<Sentence> station_scope(const Store& store, const Session& session
                               "the programme server have all of yours."));
     constexpr std::size_t most_names = 5;
     std::vector<std::string> names;
-    for (const std::string& id : link->cohorts) names.push_back(name_of_cohort(store, id));
+    for (const std::string& id : held) names.push_back(name_of_cohort(store, id));
     std::sort(names.begin(), names.end());
     std::string list;
     for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i)
@@ -265,6 +271,15 @@ std::optional<Sentence> station_scope(const Store& store, const Session& session
                           "This station holds %1 of the programme's cohorts: %2. Reports from the "
                           "programme server have all of them."),
         static_cast<std::int64_t>(names.size()), list);
+}
+
+void require_whole_programme(const Store& store) {
+    if (cohorts_held(store).empty()) return;
+    throw StoreError(StoreErrorKind::conflict,
+                     QT_TRANSLATE_NOOP("errors", "this station holds only some of the programme's cohorts"),
+                     QT_TRANSLATE_NOOP("errors",
+                                       "export from the programme server, or at a station that has the whole "
+                                       "programme: the counts of a part could be subtracted from the whole"));
 }
 
 }  // namespace fulcrum::database

@@ -43,4 +43,8 @@ std::optional<LinkedServer> linked_server(const Store& store, const Session& ses
 /// StoreError (failed).
 std::optional<Sentence> station_scope(const Store& store, const Session& session);
 
+/// For what must be of the whole programme. Throws StoreError: conflict where the station has some cohorts of
+/// it only, failed.
+void require_whole_programme(const Store& store);
+
 }  // namespace fulcrum::database

@@ -124,7 +124,8 @@ QWidget* SchedulesPage::build_research() {
         make_label(tr("All attempts of the programme without names, dates and exact values: five CSV files "
                       "with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a "
                       "person's attempts well might still recognise that person, so give the files to "
-                      "researchers only and do not publish them."),
+                      "researchers only and do not publish them. Give the same readers no later export "
+                      "without need: next to an earlier one it shows what single people did in between."),
                    "muted"));
     auto* row = new FlowRow;
     research_folder_ = new QLineEdit;

@@ -12,7 +12,9 @@
 #include "database/records/person_merge.h"
 #include "database/research/suppression.h"
 #include "database/rows/connection.h"
+#include "database/sync/server_link.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/database/station_keys.h"
 
 namespace fulcrum::database {
 namespace {
@@ -221,6 +223,26 @@ TEST_F(Research, CountsAMergedPersonOnceAndNoSimulatedOrVoidedOne) {
         .merge(programme.session("administrator"), programme.id("fay"), programme.id("hal"), "entered twice");
     EXPECT_EQ(error_kind([&] { research_export(*programme.store, director); }), StoreErrorKind::conflict)
         << "four people are left";
+}
+
+TEST_F(Research, IsRefusedAtAStationOfSomeCohorts) {
+    record_all();
+    const test::KeysOfOneTest keys;
+    ServerLink link;  // as an enrolment leaves it
+    link.address = ServerAddress::parse("postgresql://station_1@server/fulcrum");
+    link.server_id = "server";
+    link.password = "secret";
+    link.cohorts = {programme.cohort};
+    link.finish(programme.store->station_id(), "1");
+    EXPECT_EQ(error_kind([&] { research_export(*programme.store, director); }), StoreErrorKind::conflict)
+        << "the counts of the other cohorts would be the difference to the whole programme's";
+    EXPECT_THROW(research_export(*programme.store, programme.session("educator")), AccessDenied)
+        << "says nothing else to others";
+    EXPECT_NE(Audit(*programme.store).entries(programme.session("administrator")).front().operation,
+              "programme.export_research");
+    link.cohorts.clear();
+    link.finish(programme.store->station_id(), "2");
+    EXPECT_EQ(research_export(*programme.store, director).people, 7) << "it has everybody";
 }
 
 TEST_F(Research, IsTheDirectorsAlone) {

@@ -466,10 +466,6 @@
         <translation>Der Zielordner.</translation>
     </message>
     <message>
-        <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. What fewer than 5 people did is put together with other rows or left out, and so is every count from which a smaller one would follow. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them.</source>
-        <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Was weniger als 5 Personen getan haben, wird mit anderen Zeilen zusammengefasst oder weggelassen, ebenso jede Zahl, aus der eine kleinere folgen würde. Wer die Versuche einer Person gut kennt, erkennt sie vielleicht trotzdem: Geben Sie die Dateien Forschenden, und veröffentlichen Sie sie nicht.</translation>
-    </message>
-    <message>
         <source>Makes accounts for the people of a list; needs --as, an administrator.</source>
         <translation>Legt Konten für die Personen einer Liste an; braucht --as, einen Administrator.</translation>
     </message>
@@ -1396,6 +1392,10 @@
     <message>
         <source>Where two stations gave the same login to two people, neither is transferred until one of them has another login: change it at the station that made the account, and sync. The password, and all that is stored of the person, stay.</source>
         <translation>Wo zwei Stationen zwei Personen denselben Anmeldenamen gegeben haben, wird keine übertragen, bis eine davon einen anderen Anmeldenamen hat: ändern Sie ihn an der Station, die das Konto angelegt hat, und synchronisieren Sie. Das Passwort und alles, was über die Person gespeichert ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. What fewer than 5 people did is put together with other rows or left out, and so is every count from which a smaller one would follow. Somebody who knows a person&apos;s attempts well may still recognise them: give the files to researchers, and do not publish them. Give the same readers no later export without need: next to an earlier one it shows what single people did in between. A station of some cohorts of a programme exports nothing.</source>
+        <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Was weniger als 5 Personen getan haben, wird mit anderen Zeilen zusammengefasst oder weggelassen, ebenso jede Zahl, aus der eine kleinere folgen würde. Wer die Versuche einer Person gut kennt, erkennt sie vielleicht trotzdem: Geben Sie die Dateien Forschenden, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben. Eine Station mit einem Teil der Gruppen eines Programms exportiert nichts.</translation>
     </message>
 </context>
 <context>
@@ -8503,6 +8503,14 @@
     <message>
         <source>run the command as that account (`sudo -u %1 -H fulcrum …`), or name the folder of its keys in FULCRUM_STATION_KEYS</source>
         <translation>führen Sie den Befehl als dieses Benutzerkonto aus (`sudo -u %1 -H fulcrum …`), oder nennen Sie in FULCRUM_STATION_KEYS den Ordner seiner Schlüssel</translation>
+    </message>
+    <message>
+        <source>this station holds only some of the programme&apos;s cohorts</source>
+        <translation>diese Station hat nur einen Teil der Gruppen des Programms</translation>
+    </message>
+    <message>
+        <source>export from the programme server, or at a station that has the whole programme: the counts of a part could be subtracted from the whole</source>
+        <translation>exportieren Sie vom Programmserver oder an einer Station mit dem ganzen Programm: die Zahlen eines Teils ließen sich vom Ganzen abziehen</translation>
     </message>
 </context>
 <context>
@@ -17488,10 +17496,6 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Bericht hinzufügen</translation>
     </message>
     <message>
-        <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a person&apos;s attempts well might still recognise that person, so give the files to researchers only and do not publish them.</source>
-        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Gruppen von weniger als 5 Personen fehlen. Wer die Versuche einer Person gut kennt, könnte sie trotzdem erkennen: Geben Sie die Dateien nur an Forschende, und veröffentlichen Sie sie nicht.</translation>
-    </message>
-    <message>
         <source>Folder that exists</source>
         <translation>Ein vorhandener Ordner</translation>
     </message>
@@ -17506,6 +17510,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Another program is already writing the reports that are due.</source>
         <translation>Ein anderes Programm schreibt die fälligen Berichte bereits.</translation>
+    </message>
+    <message>
+        <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a person&apos;s attempts well might still recognise that person, so give the files to researchers only and do not publish them. Give the same readers no later export without need: next to an earlier one it shows what single people did in between.</source>
+        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Gruppen von weniger als 5 Personen fehlen. Wer die Versuche einer Person gut kennt, könnte sie trotzdem erkennen: Geben Sie die Dateien nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben.</translation>
     </message>
 </context>
 <context>
