@@ -59,11 +59,13 @@ Command research_command() {
         "commands",
         "Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and "
         "attempts have ids that are drawn again at each export, days count from a person's first attempt, "
-        "values have three significant digits. What fewer than 5 people did is put together with other rows "
-        "or left out, and so is every count from which a smaller one would follow. Somebody who knows a "
-        "person's attempts well may still recognise them: give the files to researchers, and do not publish "
-        "them. Give the same readers no later export without need: next to an earlier one it shows what "
-        "single people did in between. A station of some cohorts of a programme exports nothing.");
+        "values have three significant digits. Classes of devices, modes, tasks and metrics of fewer than 5 "
+        "people are put together with others or left out. The two tables of counts, taken alone, give no "
+        "count below 5. attempts and metrics have rows of single people, from which smaller counts follow, "
+        "and somebody who knows a person's attempts well may recognise them: give these files to researchers "
+        "only, and do not publish them. Give the same readers no later export without need: next to an "
+        "earlier one it shows what single people did in between. A station of some cohorts of a programme "
+        "exports nothing.");
     return command;
 }
 

@@ -119,7 +119,9 @@ std::vector<Row> rows_of(const std::vector<AttemptSummary>& by_time) {
 ResearchTable attempts_table(const std::vector<Row>& rows) {
     ResearchTable table{
         "attempts",
-        {{"person", "-", "id drawn for this export; the same person has the same id within it"},
+        {{"person", "-",
+          "id drawn for this export; the same person has the same id within it. These are rows of single "
+          "people: smaller counts follow from these rows than the tables of counts show"},
          {"attempt", "-", "id drawn for this export"},
          {"task", "-", "task"},
          {"devices", "-", "class of the input device; other, any: several classes, each with too few people"},
@@ -188,12 +190,13 @@ std::string shown(const std::optional<long long>& count) {
 /// Of each task, how many people have passed it and how many have not. People do several tasks: no sum of
 /// rows.
 ResearchTable people_table(const std::vector<Row>& rows) {
-    ResearchTable table{"people_by_task",
-                        {{"task", "-", "task"},
-                         {"passed", "people", "passed an attempt that counts"},
-                         {"not_passed", "people", "performed it, and passed none that counts"},
-                         {"people", "people", "both together"}},
-                        {}};
+    ResearchTable table{
+        "people_by_task",
+        {{"task", "-", "task"},
+         {"passed", "people", "passed an attempt that counts; hidden counts follow from attempts.csv"},
+         {"not_passed", "people", "performed it, and passed none that counts"},
+         {"people", "people", "both together"}},
+        {}};
     std::map<std::string, std::pair<PersonSet, PersonSet>> tasks;  // all, passed
     for (const Row& row : rows) {
         auto& [all, passed] = tasks[row.attempt->meta.task_id];

@@ -29,8 +29,10 @@ struct ResearchExport {
     std::string dictionary() const;
 };
 
-/// Operation::export_cohort of the whole programme; audited where the store is written. Throws AccessDenied,
-/// StoreError conflict with fewer than least_people people, and at a station of some cohorts.
+/// The two tables of counts, taken alone, give no count below least_people; attempts and metrics are rows of
+/// single people, from which smaller ones follow. Operation::export_cohort of the whole programme; audited
+/// where the store is written. Throws AccessDenied, StoreError conflict with fewer than least_people people,
+/// and at a station of some cohorts.
 ResearchExport research_export(const Store& store, const Session& director);
 
 }  // namespace fulcrum::database

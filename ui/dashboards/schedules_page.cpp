@@ -120,13 +120,15 @@ QWidget* SchedulesPage::build_research() {
     QFrame* card = make_card(8);
     QVBoxLayout* layout = card_layout(card);
     layout->addWidget(make_label(tr("Files for research"), "heading"));
-    layout->addWidget(
-        make_label(tr("All attempts of the programme without names, dates and exact values: five CSV files "
-                      "with a dictionary. Groups of fewer than 5 people are left out. A reader who knows a "
-                      "person's attempts well might still recognise that person, so give the files to "
-                      "researchers only and do not publish them. Give the same readers no later export "
-                      "without need: next to an earlier one it shows what single people did in between."),
-                   "muted"));
+    layout->addWidget(make_label(
+        tr("All attempts of the programme without names, dates and exact values: five CSV files with a "
+           "dictionary. Devices, modes, tasks and metrics of fewer than 5 people are put together or left "
+           "out, and the two tables of counts, taken alone, give no count below 5. The files attempts and "
+           "metrics have rows of single people, from which smaller counts follow, and a reader who knows a "
+           "person's attempts well might recognise that person: give them to researchers only and do not "
+           "publish them. Give the same readers no later export without need: next to an earlier one it "
+           "shows what single people did in between."),
+        "muted"));
     auto* row = new FlowRow;
     research_folder_ = new QLineEdit;
     research_folder_->setObjectName(QStringLiteral("research_folder"));

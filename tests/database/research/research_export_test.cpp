@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The export for research names nobody, shows no exact day, and no count of fewer than five people can be
-// read from it or computed from the others.
+// read from its tables of counts or computed from them. Rows of single people give smaller ones, and say so.
 #include "database/research/research_export.h"
 
 #include <gtest/gtest.h>
@@ -175,6 +175,14 @@ TEST_F(Research, PutsSmallGroupsTogetherOrLeavesThemOut) {
     EXPECT_EQ(people[0][1], "<5 or hidden") << "three passed";
     EXPECT_EQ(people[0][2], "<5 or hidden") << "it would follow from the total";
     EXPECT_EQ(people[0][3], "7");
+    // The rows of single people give what that table hides. The dictionary, which is with the files, says so.
+    std::set<std::string> passed;
+    for (const auto& row : table(research, "attempts").rows)
+        if (row[9] == "1") passed.insert(row[0]);
+    EXPECT_EQ(passed.size(), 3U);
+    for (const char* words :
+         {"smaller counts follow from these rows", "hidden counts follow from attempts.csv"})
+        EXPECT_NE(research.dictionary().find(words), std::string::npos) << words;
 }
 
 TEST_F(Research, LeavesOutWhatWasRecordedElsewhere) {
