@@ -9,6 +9,7 @@
 #include "database/store/audit.h"
 #include "database/store/kept_frames.h"
 #include "database/store/record_digests.h"
+#include "database/store/recording_lock.h"
 #include "database/store/store_state.h"
 
 namespace fulcrum::database {
@@ -281,13 +282,17 @@ bool erase_at_station(const Store& store, const std::string& person_id, const Se
         if (person.text(0) == "erased-" + person_id && !has_rows_about(connection, person_id)) return false;
     }
     {
-        Query running(connection, "SELECT 1 FROM attempt WHERE person_id = ? AND state = 'running'");
+        Query running(connection, "SELECT id FROM attempt WHERE person_id = ? AND state = 'running'");
         running.bind(person_id);
-        if (running.next())
-            throw StoreError(
-                StoreErrorKind::locked,
-                QT_TRANSLATE_NOOP("errors", "a person who is to be erased is performing at this station"),
-                QT_TRANSLATE_NOOP("errors", "try again when the attempt has ended"));
+        while (running.next()) {
+            const std::string attempt = running.text(0);
+            if (RecordingLock::is_held(store, attempt))
+                throw StoreError(
+                    StoreErrorKind::locked,
+                    QT_TRANSLATE_NOOP("errors", "a person who is to be erased is performing at this station"),
+                    QT_TRANSLATE_NOOP("errors", "try again when the attempt has ended"));
+            RecordingLock::clean(store, attempt);  // of a program that was killed
+        }
     }
     // What the erased payloads say of records that stay is said again.
     std::set<std::string> names = {RecordName{RecordKind::person, person_id}.text()};

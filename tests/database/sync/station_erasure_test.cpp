@@ -98,6 +98,24 @@ TEST_F(StationErasure, ACopyIsKnownAsOneAfterThePersonItWasTakenFromIsErased) {
     expect_sound(*programme.store);
 }
 
+TEST_F(StationErasure, WaitsForAnAttemptThatRunsAndNotForOneWhoseProgramWasKilled) {
+    {
+        Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                          programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.flush();
+        EXPECT_EQ(error_kind([&] { erase("ann"); }), StoreErrorKind::locked);
+        EXPECT_EQ(name_of("ann"), "Ann Trainee");
+    }
+    EXPECT_EQ(attempts(), 3) << "it stays as running until the store is opened again";
+    erase("ann");
+    EXPECT_EQ(name_of("ann"), "Erased person");
+    EXPECT_EQ(attempts(), 1);
+    for (const auto& entry : std::filesystem::directory_iterator(programme.folder.path().toStdString()))
+        EXPECT_EQ(entry.path().filename().string().find(".recording-"), std::string::npos) << entry.path();
+    expect_sound(*programme.store);
+}
+
 TEST_F(StationErasure, TakesTheKeyFramesOfTheirReplaysToo) {
     std::map<std::string, std::string> attempt_of;
     Query rows(programme.store->connection(), "SELECT person_id, id FROM attempt");
