@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
@@ -67,11 +68,10 @@ std::vector<ReportSchedule> all_schedules(Connection& connection) {
     return schedules;
 }
 
-ReportSchedule require_schedule(const Store& store, const std::string& id) {
+std::optional<ReportSchedule> find_schedule(const Store& store, const std::string& id) {
     for (ReportSchedule& one : all_schedules(store.connection()))
         if (one.id == id) return std::move(one);
-    throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no schedule %1"), id},
-                     QT_TRANSLATE_NOOP("errors", "list the schedules and name one of them"));
+    return std::nullopt;
 }
 
 }  // namespace
@@ -138,9 +138,12 @@ std::vector<ReportSchedule> Schedules::list(const Session& director) const {
 void Schedules::remove(const Session& director, const std::string& id) const {
     store_.require(director, Operation::export_cohort);
     Transaction transaction(store_.connection());
-    const ReportSchedule before = require_schedule(store_, id);
+    const std::optional<ReportSchedule> before = find_schedule(store_, id);
+    if (!before)
+        throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no schedule %1"), id},
+                         QT_TRANSLATE_NOOP("errors", "list the schedules and name one of them"));
     Query(store_.connection(), "DELETE FROM setting WHERE key = ?").bind(key_of(id)).run();
-    Audit(store_).append(director, before.cohort_id, "schedule.remove", text_of(before),
+    Audit(store_).append(director, before->cohort_id, "schedule.remove", text_of(*before),
                          {{RecordKind::setting, key_of(id)}});
     transaction.commit();
 }
@@ -149,12 +152,13 @@ void Schedules::note(const Session& director, const std::string& id, const std::
                      const std::string& problem) const {
     store_.require(director, Operation::export_cohort);
     Transaction transaction(store_.connection());
-    ReportSchedule now = require_schedule(store_, id);
-    if (problem.empty()) now.last_period = period;
-    now.problem = problem;
-    write_setting(store_.connection(), key_of(id), text_of(now));
-    Audit(store_).append(director, now.cohort_id, problem.empty() ? "schedule.write" : "schedule.fail",
-                         text_of(now), {{RecordKind::setting, key_of(id)}});
+    std::optional<ReportSchedule> now = find_schedule(store_, id);
+    if (!now) return;
+    if (problem.empty()) now->last_period = period;
+    now->problem = problem;
+    write_setting(store_.connection(), key_of(id), text_of(*now));
+    Audit(store_).append(director, now->cohort_id, problem.empty() ? "schedule.write" : "schedule.fail",
+                         text_of(*now), {{RecordKind::setting, key_of(id)}});
     transaction.commit();
 }
 

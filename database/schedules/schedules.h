@@ -51,7 +51,8 @@ class Schedules {
     std::string add(const Session& director, const ReportSchedule& schedule) const;
     std::vector<ReportSchedule> list(const Session& director) const;
     void remove(const Session& director, const std::string& id) const;
-    /// The report of this period was written, or (`problem`) was not. Audited.
+    /// The report of this period was written, or (`problem`) was not. Audited. Nothing where the schedule was
+    /// removed while its report was written.
     void note(const Session& director, const std::string& id, const std::string& period,
               const std::string& problem) const;
 

@@ -54,6 +54,8 @@ TEST(Schedules, AreTheDirectorsAuditedAndRemembered) {
     schedules.remove(director, id);
     EXPECT_TRUE(schedules.list(director).empty());
     EXPECT_EQ(error_kind([&] { schedules.remove(director, id); }), StoreErrorKind::not_found);
+    for (const char* problem : {"", "the disk is full"}) schedules.note(director, id, "2026-W49", problem);
+    EXPECT_TRUE(schedules.list(director).empty()) << "a run that was writing it does not bring it back";
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
 }
 

@@ -161,6 +161,31 @@ TEST_F(ReportsPage, OfTwoRunsAtOnceOneWritesEachReportOnce) {
     EXPECT_TRUE(after.written.empty());
 }
 
+TEST_F(ReportsPage, AScheduleThatIsRemovedWhileItsReportIsWrittenStopsNoOther) {
+    QTemporaryDir folder;
+    const database::Schedules schedules(*services.store());
+    const std::string id = schedules.add(programme->director, wish(folder, "pdf"));
+    schedules.add(programme->director, wish(folder, "csv"));
+    bool removed = false;
+    const Progress remove_it = [&](double done, const std::string&) {  // pages of people: the PDF alone
+        if (!removed && done > 0.5) {
+            schedules.remove(programme->director, id);
+            removed = true;
+        }
+        return true;
+    };
+    const ScheduledRun run =
+        run_schedules(*services.store(), programme->director,
+                      {services.tasks(), services.curriculum(), services.program_version()}, {}, remove_it);
+    EXPECT_TRUE(removed);
+    EXPECT_TRUE(run.failed.empty()) << run.failed[0].problem;
+    EXPECT_EQ(run.written.size(), 3U) << "the PDF, the CSV and its dictionary";
+    const auto left = schedules.list(programme->director);
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0].format, "csv");
+    EXPECT_FALSE(left[0].last_period.empty());
+}
+
 TEST_F(ReportsPage, FilesForResearchAreWrittenToAFolder) {
     QTemporaryDir folder;
     open();
