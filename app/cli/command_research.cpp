@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum research export: the programme's attempts for research, without names.
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "database/research/research_export.h"
-#include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::app {
 namespace {
@@ -19,14 +17,7 @@ int run_export(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
     const database::ResearchExport research = database::research_export(store, session);
-    std::vector<std::string> files;
-    const auto write = [&](const std::string& name, const std::string& text) {
-        const std::string path = (std::filesystem::path(folder) / (name + ".csv")).string();
-        write_output_file(path, text, OutputFile::Existing::replace, OutputFile::Access::owner_only);
-        files.push_back(path);
-    };
-    for (const database::ResearchTable& table : research.tables) write(table.name, research.csv(table));
-    write("dictionary", research.dictionary());
+    const std::vector<std::string> files = database::write_research_files(research, folder);
     if (arguments.has("--json")) {
         print_json({{"people", research.people},
                     {"attempts", research.attempts},

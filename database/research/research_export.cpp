@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "database/records/attempts.h"
@@ -15,6 +17,7 @@
 #include "database/rows/json.h"
 #include "database/store/audit.h"
 #include "database/sync/enrolment.h"
+#include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::database {
 namespace {
@@ -325,6 +328,25 @@ ResearchExport research_export(const Store& store, const Session& director) {
         transaction.commit();
     }
     return result;
+}
+
+std::vector<std::string> write_research_files(const ResearchExport& research, const std::string& folder) {
+    std::vector<std::unique_ptr<OutputFile>> files;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        files.push_back(
+            std::make_unique<OutputFile>((std::filesystem::path(folder) / (name + ".csv")).string(),
+                                         OutputFile::Existing::replace, OutputFile::Access::owner_only));
+        files.back()->write(text);
+    };
+    for (const ResearchTable& table : research.tables) write(table.name, research.csv(table));
+    write("dictionary", research.dictionary());
+    // Rows of two exports have other ids: tables of both would not fit together.
+    std::vector<std::string> paths;
+    for (const std::unique_ptr<OutputFile>& file : files) {
+        file->commit();
+        paths.push_back(file->path());
+    }
+    return paths;
 }
 
 }  // namespace fulcrum::database

@@ -35,4 +35,8 @@ struct ResearchExport {
 /// and at a station of some cohorts.
 ResearchExport research_export(const Store& store, const Session& director);
 
+/// A file for each table, and the dictionary, in a folder that exists; an export that is there is replaced
+/// when all files of the new one are written. Returns their paths. Throws std::system_error.
+std::vector<std::string> write_research_files(const ResearchExport& research, const std::string& folder);
+
 }  // namespace fulcrum::database

@@ -9,10 +9,8 @@
 #include <QTableWidget>
 #include <QTimer>
 #include <algorithm>
-#include <filesystem>
 
 #include "database/research/research_export.h"
-#include "sim_core/numerics/output_file.h"
 #include "ui/page/background_job.h"
 #include "ui/page/station_note.h"
 #include "ui/reports/scheduled_reports.h"
@@ -307,14 +305,8 @@ void SchedulesPage::export_research() {
             const database::Store store = database::Store::open(path);
             const database::ResearchExport research = database::research_export(store, session);
             if (progress && !progress(0.7, {})) return;
-            const auto put = [&](const std::string& name, const std::string& content) {
-                write_output_file((std::filesystem::path(folder) / (name + ".csv")).string(), content,
-                                  OutputFile::Existing::replace, OutputFile::Access::owner_only);
-                ++written->files;
-            };
-            for (const database::ResearchTable& table : research.tables) put(table.name, research.csv(table));
-            put("dictionary", research.dictionary());
-            *written = {research.people, research.attempts, research.left_out, written->files};
+            const std::size_t files = database::write_research_files(research, folder).size();
+            *written = {research.people, research.attempts, research.left_out, files};
         },
         [this, written] {
             job_ = nullptr;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <set>
 
@@ -251,6 +253,29 @@ TEST_F(Research, IsRefusedAtAStationOfSomeCohorts) {
     link.cohorts.clear();
     link.finish(programme.store->station_id(), "2");
     EXPECT_EQ(research_export(*programme.store, director).people, 7) << "it has everybody";
+}
+
+TEST_F(Research, AFolderKeepsItsExportWholeWhereAFileOfTheNextCannotBeWritten) {
+    record_all();
+    const ResearchExport research = research_export(*programme.store, director);
+    const std::filesystem::path folder = programme.folder.filePath("research").toStdString();
+    std::filesystem::create_directories(folder / "people_by_task.csv");  // no file can have this name
+    std::ofstream(folder / "attempts.csv") << "the export before";
+    EXPECT_THROW(write_research_files(research, folder.string()), std::system_error);
+    std::string kept;
+    std::getline(std::ifstream(folder / "attempts.csv"), kept);
+    EXPECT_EQ(kept, "the export before");
+    const auto names = [&] {
+        std::set<std::string> found;
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            found.insert(entry.path().filename().string());
+        return found;
+    };
+    EXPECT_EQ(names(), (std::set<std::string>{"attempts.csv", "people_by_task.csv"})) << "nothing is left";
+    std::filesystem::remove(folder / "people_by_task.csv");
+    EXPECT_EQ(write_research_files(research, folder.string()).size(), 5U);
+    EXPECT_EQ(names(), (std::set<std::string>{"attempts.csv", "attempts_by_task.csv", "dictionary.csv",
+                                              "metrics.csv", "people_by_task.csv"}));
 }
 
 TEST_F(Research, IsTheDirectorsAlone) {
