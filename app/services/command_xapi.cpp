@@ -93,6 +93,7 @@ int queue(const Arguments& arguments, const database::Store& store, const databa
             OutboxStatement one;
             one.id = std::move(made.id);
             one.person_id = person.person_id;
+            one.attempt_id = std::move(made.attempt_id);
             one.text = std::move(made.text);
             statements.push_back(std::move(one));
         });

@@ -51,11 +51,18 @@ int XapiOutbox::add(const std::vector<OutboxStatement>& statements) const {
     }
     int added = 0;
     for (const OutboxStatement& one : statements) {
+        std::string person = one.person_id;
+        if (!one.attempt_id.empty()) {
+            Query attempt(connection, "SELECT person_id FROM attempt WHERE id = ?");
+            attempt.bind(one.attempt_id);
+            if (!attempt.next()) continue;
+            person = attempt.text(0);
+        }
         // Erased since the statement was made: what an erasure has deleted does not come back.
         Query known(connection,
                     "SELECT 1 FROM xapi_outbox WHERE endpoint = ? AND id = ? UNION ALL SELECT 1 FROM person "
                     "WHERE id = ? AND login = 'erased-' || id");
-        known.bind(endpoint_).bind(one.id).bind(one.person_id);
+        known.bind(endpoint_).bind(one.id).bind(person);
         if (known.next()) continue;
         Query(
             connection,
@@ -63,7 +70,7 @@ int XapiOutbox::add(const std::vector<OutboxStatement>& statements) const {
             "?, ?, ?)")
             .bind(endpoint_)
             .bind(one.id)
-            .bind(one.person_id)
+            .bind(person)
             .bind(++number)
             .bind(one.text)
             .bind(store_.now())

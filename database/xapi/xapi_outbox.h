@@ -26,7 +26,8 @@ static_assert(in_order(outbox_states));
 
 struct OutboxStatement {
     std::string id, person_id;
-    std::string text;  ///< JSON
+    std::string attempt_id;  ///< where it is about one: in the store the person is that of the attempt's row
+    std::string text;        ///< JSON
     OutboxState state = OutboxState::waiting;
     int tries = 0;                           ///< that failed
     std::int64_t next_try = 0, changed = 0;  ///< UTC ms
@@ -48,7 +49,9 @@ class XapiOutbox {
   public:
     XapiOutbox(const Store& store, const Session& session, std::string endpoint);
 
-    /// Those with an id that is there already are left as they are, those of an erased person are left out.
+    /// Those with an id that is there already are left as they are, those of an erased person or attempt are
+    /// left out. One about an attempt of a merged account is that account's, and goes when it is erased, also
+    /// after the merge was undone.
     /// All or none; returns how many are new.
     int add(const std::vector<OutboxStatement>& statements) const;
     /// The first one that waits and whose time has come. One that was put off at a time that has not come

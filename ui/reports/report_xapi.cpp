@@ -263,20 +263,25 @@ void each_xapi_statement(const PersonReport& report, const std::string& home_pag
     require_home_page(home_page);
     Parts parts{report, home_page, {}, {}};
     parts.set_actor();
+    const auto about = [&](const std::string& attempt_id, XapiStatement&& made) {
+        made.attempt_id = attempt_id;
+        visit(std::move(made));
+    };
     for (const database::PersonProgress& progress : report.progress) {
         parts.set_task(progress.task_id);
         for (const database::ProgressSeries& series : progress.series)
             for (const database::ProgressPoint& point : series.points) {
-                if (!awaits_score(point)) visit(statement(parts, series.device_class, point));
+                if (!awaits_score(point))
+                    about(point.attempt_id, statement(parts, series.device_class, point));
                 for (const database::RatingRow& rating : point.ratings)
-                    visit(rating_statement(parts, point, rating));
+                    about(point.attempt_id, rating_statement(parts, point, rating));
             }
         for (const database::VoidedAttempt& attempt : progress.voided) {
-            visit(voiding(parts, "void/" + attempt.attempt_id, statement_id(home_page, attempt.attempt_id),
-                          attempt.at));
+            about(attempt.attempt_id, voiding(parts, "void/" + attempt.attempt_id,
+                                              statement_id(home_page, attempt.attempt_id), attempt.at));
             for (const std::string& rating : attempt.ratings)
-                visit(voiding(parts, "void/rating/" + rating, rating_statement_id(home_page, rating),
-                              attempt.at));
+                about(attempt.attempt_id, voiding(parts, "void/rating/" + rating,
+                                                  rating_statement_id(home_page, rating), attempt.at));
         }
     }
 }

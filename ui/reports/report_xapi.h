@@ -25,7 +25,8 @@ inline constexpr const char* xapi_profile_version = "urn:fulcrum:xapi:profile:1"
 /// Throws InputError unless it is an http or https address.
 void require_home_page(const std::string& home_page);
 struct XapiStatement {
-    std::string id, text;  ///< the text is JSON in one line
+    std::string id, text;         ///< the text is JSON in one line
+    std::string attempt_id = {};  ///< of the attempt that it is about
 };
 /// By task and start.
 void each_xapi_statement(const PersonReport& report, const std::string& home_page,

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "database/records/person_merge.h"
 #include "database/sync/erasure.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/database/processes.h"
@@ -235,6 +236,25 @@ TEST_F(RecordStoreTest, IsSentNothingOfAPersonWhoWasErased) {
     EXPECT_EQ(outbox().counts().waiting + outbox().counts().done, 0);
     EXPECT_EQ(send().sent, 0);
     EXPECT_EQ(lrs.requests.size(), 2U);
+}
+
+TEST_F(RecordStoreTest, IsSentNothingOfAPersonWhoWasErasedAfterAMergeByMistakeWasUndone) {
+    const std::string bens = programme.record("ben");
+    const PersonMerge merge(*programme.store);
+    const Session& administrator = programme.session("administrator");
+    merge.merge(administrator, programme.id("ben"), programme.id("ann"), "entered twice");
+    OutboxStatement one;
+    one.id = example_id(0);
+    one.person_id = programme.id("ann");  // whose attempt it is while they are merged
+    one.attempt_id = bens;
+    one.text = example_statement(0);
+    EXPECT_EQ(outbox().add({one}), 1);
+    merge.undo(administrator, programme.id("ben"), "another person after all");
+    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ben"), programme.store->station_session(),
+                                 "asked for it"));
+    EXPECT_EQ(outbox().counts().waiting, 0);
+    EXPECT_EQ(outbox().add({one}), 0) << "the attempt is gone";
+    EXPECT_EQ(send().sent, 0);
 }
 
 TEST_F(RecordStoreTest, QueuesNothingOfAPersonWhoWasErasedWhileTheStatementsWereMade) {

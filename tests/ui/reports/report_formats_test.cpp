@@ -200,6 +200,16 @@ TEST(XapiStatements, VoidWhatWasTakenOutByTheIdThatItWasSentWith) {
     EXPECT_NE(before[0]["id"], voiding["id"]);
 }
 
+TEST(XapiStatements, NameTheAttemptThatTheyAreAbout) {
+    const PersonReport report = attempts_of_ada();
+    std::vector<std::string> attempts;
+    each_xapi_statement(report, home,
+                        [&](XapiStatement&& made) { attempts.push_back(std::move(made.attempt_id)); });
+    const std::vector<database::ProgressPoint>& points = report.progress[0].series[0].points;
+    EXPECT_EQ(attempts, (std::vector<std::string>{points[0].attempt_id, points[1].attempt_id,
+                                                  report.progress[0].voided[0].attempt_id}));
+}
+
 TEST(XapiStatements, HaveTheSameIdsEachTimeAndOthersAtAnotherAddress) {
     const auto ids = [](const std::string& address) {
         std::set<std::string> found;
