@@ -2,6 +2,7 @@
 // Create programme, sign-in, waiting after wrong tries, passwords, recovery.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "database/access/session_maker.h"
 #include "database/records/people_rows.h"
@@ -96,7 +97,7 @@ void begin_try(const Store& store, const std::string& login) {
 struct Account {
     std::string id, login, name, verifier;
     bool active = false, one_time = false;
-    std::int64_t expires = 0;
+    UtcMilliseconds expires = 0, changed = 0;
     std::string boot;  ///< machine start at which the password was made
     std::int64_t boot_ms = 0;
 };
@@ -107,12 +108,12 @@ Account find_account(const Store& store, const std::string& login) {
     Query row(
         store.connection(),
         "SELECT p.id, p.login, p.display_name, c.verifier, p.active, c.one_time, COALESCE(c.expires, 0), "
-        "c.boot, c.boot_ms "
+        "c.changed, c.boot, c.boot_ms "
         "FROM person p JOIN credential c ON c.person_id = p.id WHERE p.login_key = ? AND p.active = 1");
     row.bind(login_key(login));
     if (!row.next()) return account;
-    account = {row.text(0), row.text(1),    row.text(2), row.text(3),   row.flag(4),
-               row.flag(5), row.integer(6), row.text(7), row.integer(8)};
+    account = {row.text(0), row.text(1),    row.text(2),    row.text(3), row.flag(4),
+               row.flag(5), row.integer(6), row.integer(7), row.text(8), row.integer(9)};
     return account;
 }
 
@@ -138,17 +139,22 @@ struct PasswordRow {
     bool is_received = false;
 };
 
-PasswordRow find_password_row(const Store& store, const std::string& person_id) {
+/// An account that another station changed comes back with the password of this one, so the time at which the
+/// password was made says whether it is the one that was issued here last.
+PasswordRow find_password_row(const Store& store, const Account& account) {
+    constexpr UtcMilliseconds within_one_deed = 10LL * 1000;  // between the password and its audit row
     Query issued(store.connection(),
-                 "SELECT COALESCE(MAX(sequence), 0) FROM audit_entry WHERE station_id = ? AND object_id = ? "
-                 "AND operation IN ('person.create', 'password.issue_one_time')");
-    issued.bind(store.station_id()).bind(person_id);
+                 "SELECT sequence, time FROM audit_entry WHERE station_id = ? AND object_id = ? AND "
+                 "operation IN ('person.create', 'password.issue_one_time') ORDER BY sequence DESC LIMIT 1");
+    issued.bind(store.station_id()).bind(account.id);
+    const bool any = issued.next();
+    const std::int64_t here = any ? issued.integer(0) : 0;
+    if (any && std::abs(issued.integer(1) - account.changed) <= within_one_deed) return {here, false};
     Query received(store.connection(),
                    "SELECT COALESCE(MAX(e.sequence), 0) FROM audit_entry e JOIN audit_payload p ON "
                    "p.station_id = e.station_id AND p.sequence = e.sequence WHERE e.station_id = ? AND "
                    "e.operation = 'sync.receive' AND instr(p.payload, ?) > 0");
-    received.bind(store.station_id()).bind('"' + RecordName{RecordKind::person, person_id}.text() + '"');
-    const std::int64_t here = issued.next() ? issued.integer(0) : 0;
+    received.bind(store.station_id()).bind('"' + RecordName{RecordKind::person, account.id}.text() + '"');
     const std::int64_t elsewhere = received.next() ? received.integer(0) : 0;
     return {std::max(here, elsewhere), elsewhere > here};
 }
@@ -168,7 +174,7 @@ UtcMilliseconds newest_time_since(const Store& store, const PasswordRow& from) {
 /// password that another one issued.
 void require_valid(const Store& store, const Account& account) {
     if (!account.one_time) return;
-    const PasswordRow from = find_password_row(store, account.id);
+    const PasswordRow from = find_password_row(store, account);
     const BootTime now = store.boot_time();
     std::int64_t since_boot = 0;
     if (!from.is_received) since_boot = account.boot == now.boot ? now.ms - account.boot_ms : now.ms;

@@ -104,6 +104,56 @@ TEST_F(SyncConflict, AOneTimePasswordOfAnotherStationEndsAfterADayHoweverLongThi
     EXPECT_THROW(People(*b.store).sign_in("dora", here), SignInRefused);
 }
 
+// Before, the account that came back counted as one whose password another station had issued.
+TEST_F(SyncConflict, AOneTimePasswordOfThisStationEndsByItsMachineAlsoAfterAChangeElsewhere) {
+    constexpr double over_a_day_s = 25 * 3600;
+    *b.clock.since_boot = {"another machine", 0};
+    const auto created = a.people().create(a.session("administrator"), "dora", "Dora of A", {Role::trainee});
+    sync(a);
+    sync(b);
+    People(*b.store).rename(b.sign_in("administrator"), created.person.id, "Dora B");
+    sync(b);
+    sync(a);
+    ASSERT_EQ(name_of(*a.store, created.person.id), "Dora B");
+    const auto sign_in = [&] { a.people().sign_in("dora", created.one_time_password); };
+    EXPECT_NO_THROW(sign_in());
+    const auto run_for_a_day_with_the_clock_set_back = [&] {
+        a.clock.pass_s(over_a_day_s);
+        a.clock.set_forward_s(-over_a_day_s);
+    };
+    run_for_a_day_with_the_clock_set_back();
+    EXPECT_THROW(sign_in(), SignInRefused);
+    a.clock.restart();
+    run_for_a_day_with_the_clock_set_back();
+    EXPECT_THROW(sign_in(), SignInRefused) << "since another start of this machine";
+}
+
+TEST_F(SyncConflict, WhatTheLogSawSinceAOneTimePasswordWasIssuedHereCountsAlsoAfterAChangeElsewhere) {
+    constexpr double over_a_day_s = 25 * 3600;
+    *b.clock.since_boot = {"another machine", 0};
+    const auto created = a.people().create(a.session("administrator"), "dora", "Dora of A", {Role::trainee});
+    sync(a);
+    sync(b);
+    People(*b.store).rename(b.sign_in("administrator"), created.person.id, "Dora B");
+    sync(b);
+    const auto sign_in = [&] { a.people().sign_in("dora", created.one_time_password); };
+    EXPECT_NO_THROW(sign_in());
+    a.clock.set_forward_s(over_a_day_s);
+    a.people().sign_in("administrator", password);
+    a.clock.set_forward_s(-over_a_day_s);
+    EXPECT_THROW(sign_in(), SignInRefused) << "the log has seen the end";
+    sync(a);
+    ASSERT_EQ(name_of(*a.store, created.person.id), "Dora B");
+    EXPECT_THROW(sign_in(), SignInRefused);
+    // Issued at the other station, the clock and the log since it came count.
+    b.clock.pass_s(60);
+    const std::string next =
+        People(*b.store).issue_one_time_password(b.sign_in("administrator"), created.person.id);
+    sync(b);
+    sync(a);
+    EXPECT_NO_THROW(a.people().sign_in("dora", next));
+}
+
 TEST_F(SyncConflict, ALoginThatTwoPeopleHaveWaitsAndEverythingElseIsTransferred) {
     const Session at_a = a.session("administrator"), at_b = b.sign_in("administrator");
     a.people().create(at_a, "carl", "Carl of A", {Role::trainee});
