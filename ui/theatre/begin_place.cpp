@@ -55,6 +55,8 @@ QStringList BeginPlace::look(DeviceService& devices, const Scene& scene, const W
     known_ = true;
     const double motion = devices.motion_scale(device.kind);
     const SlotChoice choice = devices.slot_choice(device.kind);
+    // A fault of any hand of the device takes the force from all, which pauses an attempt.
+    const bool faulty = readings && readings->gives_force && !devices.device_trouble().empty();
     QStringList lines;
     for (int h = 0; h < hand_count; ++h) {
         const auto& needs = reach_[static_cast<std::size_t>(h)];
@@ -62,10 +64,17 @@ QStringList BeginPlace::look(DeviceService& devices, const Scene& scene, const W
         // Without readings its process has ended or does not answer: the hand is nowhere.
         const bool waits = readings ? slot != nullptr : device.drives[h];
         if (!waits || !needs) continue;
+        const bool has_force = (h == 0 ? choice.left : choice.right) < hand_count;
         const QString name = h == 0 ? place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "Left hand"))
                                     : place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "Right hand"));
         if (slot == nullptr || !slot->present || !slot->position.allFinite()) {
             lines << place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place", "%1: does not answer")).arg(name);
+            continue;
+        }
+        if (has_force && faulty) {
+            lines << place_text(QT_TRANSLATE_NOOP("fulcrum::begin_place",
+                                                  "%1: no force, because the device has a fault"))
+                         .arg(name);
             continue;
         }
         const Vector3 step = place_to_begin(*slot->workspace, *needs, motion) - slot->position;

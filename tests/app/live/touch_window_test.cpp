@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <cmath>
 
+#include "assessment/attempt/scene_reach.h"
 #include "sim_core/instrument/instrument.h"
 #include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
@@ -13,6 +14,7 @@
 #include "tests/fakes/fake_touch.h"
 #include "tests/support/built.h"
 #include "ui/shell/idle_watch.h"
+#include "ui/theatre/begin_place.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -39,6 +41,7 @@ class TouchWindow : public FakeTouch, public Window {
   protected:
     QString panel() { return find<QLabel>(window, "panel_text")->text(); }
     AttemptPhase phase() { return theatre().session()->phase(); }
+    QString cover() { return theatre().view()->cover().join(QStringLiteral(" / ")); }
     double force(int hand) {
         double most = 0;
         for (const auto& f : page->device[hand].force) most = std::max(most, std::abs(f.load()));
@@ -123,6 +126,50 @@ TEST_F(TouchWindow, AnAttemptThatBeginsWithoutAnAnswerResumesWhereItsInstruments
     EXPECT_LT((tip() - start).norm(), 1e-3) << "it does not jump";
     abandon();
     expect_replays(newest_attempt().meta.id);
+}
+
+// Before, the attempt began and lost its device at once.
+TEST_F(TouchWindow, AnAttemptWaitsAtTheRingWhileAHandThatNothingUsesTakesTheForceFromTheOther) {
+    struct Usual {
+        ServicesWithRig& of;
+        ~Usual() {
+            of.set_slot_choice("touch", {});
+            of.set_begins_at_ring("touch", false);
+        }
+    };
+    const Usual usual{services};
+    services.set_slot_choice("touch", {-1, 1, -1});
+    services.set_begins_at_ring("touch", true);
+    page->device[0].calibration = 0x5002;  // needs a hand
+    page->device[1].position[0] = 75;      // mm, away from the ring
+    create_programme_and_trainee();
+    ui::window_test::click(window, "briefing_A2");
+    expect_page("briefing_page");
+    ui::window_test::check(window, "mode_practice");
+    ui::window_test::click(window, "start_attempt");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return cover().contains("Right hand: "); })) << cover().toStdString();
+    EXPECT_TRUE(wait_for([&] { return cover().contains("no force, because the device has a fault"); }, 10000))
+        << cover().toStdString();
+    EXPECT_FALSE(cover().contains("Left hand: ")) << cover().toStdString();
+    keep_picture(window, "36-no-force-at-the-ring");
+
+    const auto readings = services.device_readings();
+    ASSERT_TRUE(readings.has_value());
+    const auto* const slot = ui::slot_of_hand(*readings, services.slot_choice("touch"), 1);
+    ASSERT_NE(slot, nullptr);
+    EXPECT_TRUE(slot->present) << "it answers";
+    const SceneReach reach = scene_reach(theatre().session()->scene(), theatre().session()->snapshot());
+    ASSERT_TRUE(reach[1].has_value());
+    const Vector3 ring = place_to_begin(*slot->workspace, *reach[1], services.motion_scale("touch"));
+    for (int axis = 0; axis < 3; ++axis) page->device[1].position[axis] = 1e3 * ring[axis];
+    EXPECT_FALSE(wait_for([&] { return phase() != AttemptPhase::ready; }, 1000));
+
+    page->device[0].calibration = 0x5000;
+    ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }, 20000)) << cover().toStdString();
+    EXPECT_TRUE(wait_for([&] { return theatre().session()->health().ticks > 300; }, 20000));
+    EXPECT_EQ(phase(), AttemptPhase::running) << panel().toStdString();
+    abandon();
 }
 
 TEST_F(TouchWindow, AnAttemptInWhichNoPartOfTheDeviceMovesAnythingIsOneByMouse) {

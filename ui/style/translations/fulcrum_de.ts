@@ -8605,6 +8605,10 @@
         <source>%1: move the handle %2</source>
         <translation>%1: Griff %2 bewegen</translation>
     </message>
+    <message>
+        <source>%1: no force, because the device has a fault</source>
+        <translation>%1: keine Kraft, weil das Gerät eine Störung hat</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::concerns</name>
