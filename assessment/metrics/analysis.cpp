@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "assessment/metrics/signal.h"
 
@@ -360,6 +361,12 @@ std::optional<double> Analysis::first_movement(int h) const {
              }))
             if (static_cast<double>(run.size()) >= rest_time * motion_rate) return block.time(run.first);
     return std::nullopt;
+}
+
+double begin_of(const Analysis& analysis) {
+    for (const Event& event : analysis.events())
+        if (event.kind == EventKind::first_movement) return analysis.trace().time_of(event);
+    return -std::numeric_limits<double>::infinity();
 }
 
 double running_time(const Trace& trace, double begin, double end) {

@@ -187,6 +187,8 @@ class Analysis {
     double mean_rate_ = 0;
 };
 
+/// The first movement as the monitor saw it, s; before everything where it saw none.
+double begin_of(const Analysis& analysis);
 /// Seconds of [begin, end] outside the attempt's pauses.
 double running_time(const Trace& trace, double begin, double end);
 

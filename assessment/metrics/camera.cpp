@@ -26,13 +26,6 @@ CameraPose pose_at(const CameraTrace& camera, std::size_t i) {
     return pose;
 }
 
-/// The first movement as the monitor saw it; the beginning of the trace where it saw none.
-double begin_of(const Analysis& analysis) {
-    for (const Event& event : analysis.events())
-        if (event.kind == EventKind::first_movement) return analysis.trace().time_of(event);
-    return -std::numeric_limits<double>::infinity();
-}
-
 /// Calls `visit(i)` for each sample of the trace's blocks from `begin` to `end`.
 template <typename Visit>
 void each_sample(const Trace& trace, double begin, double end, Visit visit) {

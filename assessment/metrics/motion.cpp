@@ -139,15 +139,18 @@ Figure n_sub(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-/// Share (%) of active samples that fulfil test(block, i); evidence: the longest runs of them.
+/// Share (%) of active samples from the first movement on, as `time`, that fulfil test(block, i): waiting
+/// before it is no work. Evidence: the longest runs of them.
 template <typename Test>
-Figure active_share(const HandAnalysis& hand, Test test) {
+Figure active_share(const Analysis& analysis, int hand, Test test) {
+    const double begin = begin_of(analysis);
     std::size_t active = 0, found = 0;
     std::vector<ScoredInterval> runs;
-    for (const MotionBlock& block : hand.motion) {
-        active += static_cast<std::size_t>(std::count(block.active.begin(), block.active.end(), 1));
+    for (const MotionBlock& block : analysis.hand(hand).motion) {
+        const auto counts = [&](std::size_t i) { return block.active[i] != 0 && block.time(i) >= begin; };
+        for (const Run& run : runs_of(block.size(), counts)) active += run.size();
         for (const Run& run :
-             runs_of(block.size(), [&](std::size_t i) { return block.active[i] != 0 && test(block, i); })) {
+             runs_of(block.size(), [&](std::size_t i) { return counts(i) && test(block, i); })) {
             found += run.size();
             runs.push_back({static_cast<double>(run.size()), block.interval(run)});
         }
@@ -158,13 +161,13 @@ Figure active_share(const HandAnalysis& hand, Test test) {
 }
 
 Figure idle(const Analysis& analysis, const Selection& row) {
-    return active_share(analysis.hand(row.hand), [](const MotionBlock& block, std::size_t i) {
+    return active_share(analysis, row.hand, [](const MotionBlock& block, std::size_t i) {
         return block.speed[i] < rest_speed && block.tissue[i] < 0;
     });
 }
 
 Figure off_screen(const Analysis& analysis, const Selection& row) {
-    return active_share(analysis.hand(row.hand),
+    return active_share(analysis, row.hand,
                         [](const MotionBlock& block, std::size_t i) { return block.in_view[i] == 0; });
 }
 
@@ -343,9 +346,10 @@ void add_movements(std::vector<Metric>& metrics) {
     d = motion(
         {"idle", QT_TRANSLATE_NOOP("fulcrum::metrics", "Idle time"), "%", 1}, D::lower, Scale::raw, A::share,
         E::moderate, "D'Angelo 2015",
-        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time inside the body in which the tip stood still and touched nothing."),
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time inside the body, from the first movement on, in which the tip stood still and touched nothing."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "the instrument was idle for {value} of the time, above the limit of {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "give the waiting hand a job: hold, expose, or get ready")});
+    d.version = 2;  // 2: from the first movement on
     d.channels.push_back(Channel::tissue);
     add(d, idle);
 }
@@ -379,9 +383,10 @@ void add_speed_and_place(std::vector<Metric>& metrics) {
     d = motion(
         {"off_screen", QT_TRANSLATE_NOOP("fulcrum::metrics", "Off screen"), "%", 0.1}, D::lower, Scale::raw,
         A::share, E::strong, "instrument outside the image; a safety habit",
-        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time inside the body in which the tip was outside the image."),
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time inside the body, from the first movement on, in which the tip was outside the image."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "the tip was out of sight for {value} of the time, above the limit of {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "move the camera first, then the instrument")});
+    d.version = 2;  // 2: from the first movement on
     d.channels.push_back(Channel::in_view);
     add(d, off_screen);
 }

@@ -298,6 +298,37 @@ TEST(Shares, CountActiveTimeOnly) {
     EXPECT_EQ(words_of(measure(trace, "off_screen", "left").absent_because), "not recorded: left.in_view");
 }
 
+// A trainee who waits with both tips in the image, turns the camera away and then works; and one who first
+// looks round.
+TEST(Shares, CountFromTheFirstMovementOn) {
+    Trace trace = make_trace(100.0, 100.0);
+    set_position(trace, Hand::left, [](double t) { return Vector3(0.01 * std::max(0.0, t - 40.0), 0, 0); });
+    test::set_tissue(trace, Hand::left, [](double) { return -1; });
+    const std::vector<Event> moved = {make_event(40.0, EventKind::first_movement)};
+    const auto seen_while = [&](auto in_view) {
+        trace.hand[0].in_view.clear();
+        for (const double t : trace.t) trace.hand[0].in_view.push_back(in_view(t) ? 1 : 0);
+    };
+    seen_while([](double t) { return t < 40.0; });
+    const MetricResult away = measure(trace, "off_screen", "left", moved);
+    ASSERT_TRUE(away.value);
+    EXPECT_NEAR(*away.value, 100.0, 1e-9);
+    ASSERT_EQ(away.evidence.size(), 1U);
+    EXPECT_NEAR(away.evidence[0].begin, 40.0, 0.011);
+    EXPECT_NEAR(measure(trace, "idle", "left", moved).value.value_or(-1), 0.0, 1.0);
+    EXPECT_NEAR(measure(trace, "off_screen", "left").value.value_or(-1), 60.0, 0.1)
+        << "a file without events";
+    EXPECT_NEAR(measure(trace, "idle", "left").value.value_or(-1), 40.0, 1.0);
+    seen_while([](double t) { return t >= 40.0; });
+    const MetricResult looked = measure(trace, "off_screen", "left", moved);
+    ASSERT_TRUE(looked.value);
+    EXPECT_NEAR(*looked.value, 0.0, 1e-9);
+    EXPECT_TRUE(looked.evidence.empty());
+    // Nothing of it is left where the instrument was inside only before.
+    for (const double t : trace.t) trace.hand[0].inside.push_back(t < 40.0 ? 1 : 0);
+    EXPECT_EQ(measure(trace, "off_screen", "left", moved).absence, Absence::not_done);
+}
+
 TEST(Speed, PeakOfAReach) {
     Trace trace = make_trace(4.0);
     set_position(trace, Hand::left, reaches(1, 0.1, 2.0, 1.0));

@@ -10276,8 +10276,8 @@
         <translation>Leerlauf</translation>
     </message>
     <message>
-        <source>Share of the time inside the body in which the tip stood still and touched nothing.</source>
-        <translation>Anteil der Zeit im Körper, in der die Spitze stillstand und nichts berührte.</translation>
+        <source>Share of the time inside the body, from the first movement on, in which the tip stood still and touched nothing.</source>
+        <translation>Anteil der Zeit im Körper ab der ersten Bewegung, in der die Spitze stillstand und nichts berührte.</translation>
     </message>
     <message>
         <source>the instrument was idle for {value} of the time, above the limit of {limit}</source>
@@ -10340,8 +10340,8 @@
         <translation>Nicht im Bild</translation>
     </message>
     <message>
-        <source>Share of the time inside the body in which the tip was outside the image.</source>
-        <translation>Anteil der Zeit im Körper, in der die Spitze außerhalb des Bildes war.</translation>
+        <source>Share of the time inside the body, from the first movement on, in which the tip was outside the image.</source>
+        <translation>Anteil der Zeit im Körper ab der ersten Bewegung, in der die Spitze außerhalb des Bildes war.</translation>
     </message>
     <message>
         <source>the tip was out of sight for {value} of the time, above the limit of {limit}</source>
