@@ -90,6 +90,7 @@ void BandMonitor::tick(const TickSample& sample) noexcept {
 }
 
 void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept {
+    clipped_ = {};
     if (!present_ || world.field.empty()) return;
     const FieldView& view = world.field[0];
     for (int hand = 0; hand < hand_count; ++hand) step_hand(hand, view, tick, sink);
@@ -170,6 +171,7 @@ void BandMonitor::step_hand(int hand, const FieldView& view, std::uint32_t tick,
         emit(sink, tick, EventKind::tool_exchanged, hand, -1, tool.index, 0);
     }
     if (tool.clips_fired > clips_fired_[h]) {
+        clipped_[h] = true;
         emit(sink, tick, EventKind::clip_applied, hand, vessel_tissue_, tool.last_clip_outlet,
              static_cast<double>(tool.last_clip_distance));
     }

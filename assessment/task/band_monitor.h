@@ -29,6 +29,8 @@ class BandMonitor {
     int dry() const noexcept { return dry_; }
     double lost_ml() const noexcept { return lost_ml_; }
     int clips_left() const noexcept { return clips_left_; }
+    /// A hand fired a clip in the last step.
+    bool clipped(int hand) const noexcept { return clipped_[static_cast<std::size_t>(hand)]; }
 
     /// All that changes.
     template <typename Visit>
@@ -65,6 +67,7 @@ class BandMonitor {
                 sheet_tissue_ = -1, fat_tissue_ = -1;
     std::array<Span, hand_count> spans_;
     std::array<std::int32_t, hand_count> clips_fired_{}, tool_index_{};
+    std::array<bool, hand_count> clipped_{};  // of the last step, which sets it again: not archived
     std::vector<std::uint8_t> band_parted_, pulled_by_, bleeding_, injured_, nerve_heated_, nerve_divided_;
     std::vector<double> outlet_ml_;
     int divided_ = 0, torn_ = 0, dry_ = 0, clips_left_ = 0;

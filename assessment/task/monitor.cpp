@@ -132,6 +132,8 @@ struct TaskMonitor::State {
     /// Starts the clock with the first movement or work; `h`: a hand, or hand_count for the scope.
     void watch_movement(std::size_t h, double speed, bool at_work, std::uint32_t tick,
                         CriticalFilter& events) noexcept;
+    /// The attempt's clock starts with this tick, or with the movement under way in it.
+    void start_clock(std::size_t h, std::uint32_t tick, CriticalFilter& events) noexcept;
     /// One tick; returns true if it was not paused. `ending` is set where the attempt ends with it.
     bool tick(const TickSample& sample, const WorldSnapshot& world, Ending& ending,
               CriticalFilter& events) noexcept;
@@ -198,6 +200,10 @@ void TaskMonitor::State::watch_movement(std::size_t h, double speed, bool at_wor
                                         CriticalFilter& events) noexcept {
     run_ticks[h] = speed > moving_speed ? run_ticks[h] + 1 : 0;
     if (display.moving_seen || !(at_work || run_ticks[h] * tick_period >= moving_duration)) return;
+    start_clock(h, tick, events);
+}
+
+void TaskMonitor::State::start_clock(std::size_t h, std::uint32_t tick, CriticalFilter& events) noexcept {
     display.moving_seen = true;
     // The movement began earlier; only now is it long enough to count.
     const std::uint32_t age = run_ticks[h] > 0 ? run_ticks[h] - 1 : 0;
@@ -266,6 +272,12 @@ std::array<HoldChange, hand_count> TaskMonitor::State::report(const WorldSnapsho
         goals.tissue_event(world.events[i]);
     }
     bands.step(world, now, events);
+    // A clip is work too, of which only the step tells: its last tick is the first that counts.
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        if (display.moving_seen || !bands.clipped(static_cast<int>(h))) continue;
+        start_clock(h, now, events);
+        ++elapsed_ticks;
+    }
     goals.bands(bands);
     std::array<HoldChange, hand_count> changes{};
     for (std::size_t h = 0; h < hand_count; ++h) {

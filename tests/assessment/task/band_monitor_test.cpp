@@ -53,7 +53,7 @@ struct Stage {
                 sample.tick = ++tick;
                 sample.hand[1].flags = static_cast<std::uint16_t>(hand_inside | (in_view ? hand_in_view : 0) |
                                                                   (view().tools[1].active ? hand_energy : 0));
-                sample.hand[1].tip[0] = static_cast<std::int32_t>(tick) * 500;  // 50 mm/s
+                sample.hand[1].tip[0] = static_cast<std::int32_t>(tick) * per_tick;
             }
             monitor.on_step(ticks, 5, world, sink);
         }
@@ -68,6 +68,7 @@ struct Stage {
     WorldSnapshot world;
     Kept sink;
     bool in_view = true;
+    std::int32_t per_tick = 500;  // 0.1 um that the right tip moves: 50 mm/s
     std::uint32_t tick = 0;
 };
 
@@ -155,6 +156,29 @@ TEST(BandMonitor, AnActivationEndsWhereWhatTheJawsHoldHasPartedOnBothSides) {
     ASSERT_EQ(stage.sink.of(EventKind::activation_end).size(), 5U);
     EXPECT_TRUE(activation_of(ended(3)).safe());
     EXPECT_FALSE(activation_of(ended(4)).on_target);
+}
+
+// Else all clips could be set before the clock runs, slowly and with a second try.
+TEST(BandMonitor, AClipStartsTheClock) {
+    Stage stage;
+    stage.per_tick = 0;
+    stage.step(100);
+    EXPECT_FALSE(stage.monitor.display().moving_seen);
+    stage.view().tools[1].clips_fired = 1;
+    stage.step();
+    EXPECT_TRUE(stage.monitor.display().moving_seen) << "leaving the attempt now fails it";
+    std::vector<Event> begun = stage.sink.of(EventKind::first_movement);
+    ASSERT_EQ(begun.size(), 1U);
+    EXPECT_EQ(begun[0].hand, 1);
+    EXPECT_EQ(begun[0].tick, stage.tick);
+    EXPECT_NEAR(stage.monitor.display().elapsed_s, 0.001, 1e-9);
+    stage.step(200);
+    EXPECT_NEAR(stage.monitor.display().elapsed_s, 1.001, 1e-9);
+    EXPECT_NEAR(stage.monitor.display().remaining_s, stage.task.time_limit_s - 1.001, 1e-9);
+    stage.view().tools[1].clips_fired = 2;
+    stage.step();
+    EXPECT_EQ(stage.sink.of(EventKind::first_movement).size(), 1U);
+    EXPECT_EQ(stage.sink.of(EventKind::clip_applied).size(), 2U);
 }
 
 TEST(BandMonitor, SuctionIsNotAnActivation) {
