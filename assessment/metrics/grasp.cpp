@@ -48,16 +48,34 @@ Figure grasp_kpa(const Analysis& analysis, const Selection& row) {
     return largest_in_grasps(analysis, row, &ForceBlock::pressure, 1e-3);
 }
 
-/// The row's grasps: jaw force over time, N s, by falling product.
+/// Whether a pause, and no gap, divides two blocks of which one ends and the next begins at these times.
+bool only_paused(const Trace& trace, double end, double begin) {
+    constexpr double gap = 0.1, slack = 1e-9;  // s, as split_blocks()
+    const double running = running_time(trace, end, begin);
+    return running <= gap && running < begin - end - slack;
+}
+
+/// The row's grasps: jaw force over time, N s, by falling product. Jaws that are closed before and after a
+/// pause were closed in it: that is one grasp.
 std::vector<ScoredInterval> grasps_of(const Analysis& analysis, const Selection& row) {
     std::vector<ScoredInterval> grasps;
-    for (const ForceBlock& block : analysis.hand(row.hand).force)
+    bool held = false;  // the block before ended in the last of the grasps
+    for (const ForceBlock& block : analysis.hand(row.hand).force) {
+        const bool held_on = held && only_paused(analysis.trace(), grasps.back().interval.end, block.time(0));
+        held = false;
         for (const Run& run :
              runs_of(block.jaw.size(), [&](std::size_t i) { return grasping(block, i, row); })) {
             double product = 0;
             for (std::size_t i = run.first; i < run.last; ++i) product += block.jaw[i] / force_rate;
-            grasps.push_back({product, block.interval(run)});
+            if (held_on && run.first == 0) {
+                grasps.back().score += product;
+                grasps.back().interval.end = block.interval(run).end;
+            } else {
+                grasps.push_back({product, block.interval(run)});
+            }
+            held = run.last == block.jaw.size();
         }
+    }
     std::stable_sort(grasps.begin(), grasps.end(),
                      [](const ScoredInterval& a, const ScoredInterval& b) { return a.score > b.score; });
     return grasps;
@@ -158,11 +176,13 @@ std::vector<Metric> grasp_metrics() {
             {"grasp_ftp", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force-time product of a grasp"), "N·s", 0.1},
             D::lower, Scale::raw, A::maximum, E::moderate, "Barrie 2018",
             {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                               "Jaw force integrated over one grasp, the largest of all grasps."),
+                               "Jaw force integrated over one grasp, the largest of all grasps. A pause does "
+                               "not end a grasp."),
              QT_TRANSLATE_NOOP("fulcrum::metrics",
                                "the force-time product of one grasp was {value}, above the limit of {limit}"),
              QT_TRANSLATE_NOOP("fulcrum::metrics", "let go and take a new hold from time to time")}),
         {Channel::jaw_force}, grasp_ftp);
+    metrics.back().descriptor.version = 3;  // 3: one grasp before and after a pause
     add_grasp(
         describe(
             {"grasp_ftp_patch", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force-time product of a patch"), "N·s",

@@ -187,6 +187,46 @@ TEST(Grasp, ForceTimeProductsAndPressure) {
     EXPECT_EQ(words_of(measure(trace, "grasp_max", "right").absent_because), "not recorded: right.jaw");
 }
 
+TEST(Grasp, APauseDoesNotEndIt) {
+    // 14 N on the bowel from 2 to 36 s, with a pause from 15 to 20 s.
+    const std::vector<Event> paused = {make_event(15, EventKind::pause), make_event(20, EventKind::resume)};
+    const auto held = [](const std::vector<Event>& events) {
+        Trace trace = make_trace(40.0);
+        trace.tissues = {"bowel"};
+        trace.hand[0].jaw_force.assign(trace.t.size(), 14.0);
+        set_tissue(trace, Hand::left, [](double t) { return t >= 2 && t < 36 ? 0 : -1; });
+        split_blocks(trace, events);
+        return trace;
+    };
+    Trace trace = held(paused);
+    ASSERT_EQ(trace.blocks.size(), 2U);
+    for (const char* tissue : {"", "bowel"}) {
+        const MetricResult one = measure(trace, "grasp_ftp", "left", paused, {}, tissue);
+        ASSERT_TRUE(one.value) << tissue;
+        EXPECT_NEAR(*one.value, 14.0 * 29, 0.1) << tissue;
+        EXPECT_EQ(one.count, 1);
+        ASSERT_EQ(one.evidence.size(), 1U);
+        EXPECT_NEAR(one.evidence[0].begin, 2.0, 0.002);
+        EXPECT_NEAR(one.evidence[0].end, 36.0, 0.002);
+    }
+    // A second pause directly after the first, and one while a device is gone.
+    const std::vector<Event> twice = {
+        make_event(15, EventKind::pause),       make_event(20, EventKind::resume),
+        make_event(20.001, EventKind::pause),   make_event(22, EventKind::resume),
+        make_event(30, EventKind::device_lost), make_event(31, EventKind::device_back)};
+    const MetricResult still_one = measure(held(twice), "grasp_ftp", "left", twice);
+    EXPECT_NEAR(still_one.value.value_or(0), 14.0 * 26, 0.1);
+    EXPECT_EQ(still_one.count, 1);
+    // Jaws that opened before the pause took hold again after it.
+    for (std::size_t i = 14990; i <= 15000; ++i) trace.hand[0].jaw_force[i] = 0;
+    const MetricResult two = measure(trace, "grasp_ftp", "left", paused);
+    EXPECT_NEAR(two.value.value_or(0), 14.0 * 16, 0.2);
+    EXPECT_EQ(two.count, 2);
+    // What was between lost samples nobody knows.
+    const std::vector<Event> lost = {make_event(15, EventKind::samples_lost, 255, 1)};
+    EXPECT_EQ(measure(held(lost), "grasp_ftp", "left", lost).count, 2);
+}
+
 TEST(Grasp, JawsClosedOnNothingAreNoGrasp) {
     Trace trace = two_grasps();
     for (auto& tissue : trace.hand[0].tissue) tissue = -1;

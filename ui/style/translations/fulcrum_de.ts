@@ -9984,8 +9984,8 @@
         <translation>Kraft-Zeit-Produkt eines Griffs</translation>
     </message>
     <message>
-        <source>Jaw force integrated over one grasp, the largest of all grasps.</source>
-        <translation>Maulkraft, über einen Griff integriert, das größte Ergebnis aller Griffe.</translation>
+        <source>Jaw force integrated over one grasp, the largest of all grasps. A pause does not end a grasp.</source>
+        <translation>Maulkraft, über einen Griff integriert, das größte Ergebnis aller Griffe. Eine Pause beendet einen Griff nicht.</translation>
     </message>
     <message>
         <source>the force-time product of one grasp was {value}, above the limit of {limit}</source>
