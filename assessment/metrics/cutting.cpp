@@ -224,19 +224,17 @@ Figure area_developed(const Analysis& analysis, const Selection& /*row*/) {
     const CutPlan& plan = *analysis.context().cut;
     if (!(plan.length > 0)) return absent(Absence::not_measured, StatementId::line_without_length);
     // What tore by itself is apart, but not divided; the evidence is where it tore.
-    std::vector<CutStroke> divided;
+    const double divided = divided_length(cut.strokes, plan.length, plan.corridor) -
+                           torn_length(cut.strokes, plan.length, plan.corridor);
     std::vector<ScoredInterval> torn;
     for (const CutStroke& stroke : cut.strokes) {
-        if (stroke.hand >= 0) {
-            divided.push_back(stroke);
-            continue;
-        }
+        if (stroke.hand >= 0) continue;
         double length = 0;
         for (const CutElement& element : stroke.elements) length += element.length;
         torn.push_back({length, {std::max(0.0, stroke.begin - 0.5), stroke.end + 0.5}});
     }
     Figure figure;
-    figure.value = 100.0 * divided_length(divided, plan.length, plan.corridor) / plan.length;
+    figure.value = 100.0 * std::max(0.0, divided) / plan.length;
     figure.evidence = worst_first(std::move(torn));
     return figure;
 }
@@ -358,13 +356,14 @@ std::vector<Metric> cutting_metrics() {
         A::share, line_source,
         {QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
-             "Share of the marked line that was divided with a blade. What tore is not divided."),
+             "Share of the marked line that was divided with a blade. What tore is not divided, also where a "
+             "blade trims it afterwards."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of the line was divided, below the required {limit}"),
          QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
              "apply less traction, and go back along the line and divide the bridges that are left")},
         area_developed);
-    metrics.back().descriptor.version = 2;  // what tore no longer counts
+    metrics.back().descriptor.version = 3;  // 2: what tore does not count; 3: nor once it is trimmed
     return metrics;
 }
 

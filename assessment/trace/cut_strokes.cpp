@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace fulcrum {
 
@@ -30,6 +32,32 @@ void open(Reading& reading, std::vector<CutStroke>& strokes, int hand, double ti
     reading.stroke = strokes.size();
     reading.placed = false;
     strokes.push_back({hand, time, std::max(time, end), {}});
+}
+
+/// The positions that an element passes within `corridor` of the line, clamped to [0, length]; absent where
+/// it is nowhere within.
+std::optional<std::pair<double, double>> span_of(const CutElement& element, double length, double corridor) {
+    const auto [first, last] = part_within(element, corridor);
+    if (last <= first) return std::nullopt;
+    const double a = element.from + first * (element.to - element.from);
+    const double b = element.from + last * (element.to - element.from);
+    return std::pair(std::clamp(std::min(a, b), 0.0, length), std::clamp(std::max(a, b), 0.0, length));
+}
+
+/// Adds [a, b] to disjoint intervals, from begin to end, and returns how much of it was in none of them.
+double add_interval(std::map<double, double>& intervals, double a, double b) {
+    if (!(b > a)) return 0;
+    double fresh = b - a, from = a, to = b;
+    auto next = intervals.upper_bound(a);
+    if (next != intervals.begin() && std::prev(next)->second >= a) --next;
+    while (next != intervals.end() && next->first <= b) {
+        fresh -= std::max(0.0, std::min(b, next->second) - std::max(a, next->first));
+        from = std::min(from, next->first);
+        to = std::max(to, next->second);
+        next = intervals.erase(next);
+    }
+    intervals.emplace(from, to);
+    return std::max(0.0, fresh);
 }
 
 }  // namespace
@@ -154,16 +182,9 @@ std::optional<double> distance_quantile(const std::vector<CutStroke>& strokes, d
 
 double divided_length(const std::vector<CutStroke>& strokes, double length, double corridor) {
     std::vector<std::pair<double, double>> spans;
-    for (const CutStroke& stroke : strokes) {
-        for (const CutElement& element : stroke.elements) {
-            const auto [first, last] = part_within(element, corridor);
-            if (last <= first) continue;
-            const double a = element.from + first * (element.to - element.from);
-            const double b = element.from + last * (element.to - element.from);
-            spans.emplace_back(std::clamp(std::min(a, b), 0.0, length),
-                               std::clamp(std::max(a, b), 0.0, length));
-        }
-    }
+    for (const CutStroke& stroke : strokes)
+        for (const CutElement& element : stroke.elements)
+            if (const auto span = span_of(element, length, corridor)) spans.push_back(*span);
     std::sort(spans.begin(), spans.end());
     double divided = 0, reached = 0;
     for (const auto& [a, b] : spans) {
@@ -171,6 +192,27 @@ double divided_length(const std::vector<CutStroke>& strokes, double length, doub
         reached = std::max(reached, b);
     }
     return divided;
+}
+
+double torn_length(const std::vector<CutStroke>& strokes, double length, double corridor) {
+    struct Passed {
+        double time, from, to;
+        bool torn;
+    };
+    std::vector<Passed> passed;
+    for (const CutStroke& stroke : strokes)
+        for (const CutElement& element : stroke.elements)
+            if (const auto span = span_of(element, length, corridor))
+                passed.push_back({element.end, span->first, span->second, stroke.hand < 0});
+    std::stable_sort(passed.begin(), passed.end(),
+                     [](const Passed& a, const Passed& b) { return a.time < b.time; });
+    std::map<double, double> apart;
+    double torn = 0;
+    for (const Passed& one : passed) {
+        const double fresh = add_interval(apart, one.from, one.to);
+        if (one.torn) torn += fresh;
+    }
+    return torn;
 }
 
 }  // namespace fulcrum

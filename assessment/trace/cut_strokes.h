@@ -45,5 +45,8 @@ std::optional<double> distance_quantile(const std::vector<CutStroke>& strokes, d
 /// Length of the union of the positions that elements pass within `corridor` of the line, clamped to
 /// [0, length], m.
 double divided_length(const std::vector<CutStroke>& strokes, double length, double corridor);
+/// The part of that union which parted by no hand before any blade passed there, m. A blade that trims it
+/// afterwards changes nothing.
+double torn_length(const std::vector<CutStroke>& strokes, double length, double corridor);
 
 }  // namespace fulcrum

@@ -65,17 +65,22 @@ double value_of(const std::vector<Event>& events, const std::string& id,
 
 const auto taut = [](double) { return 6.0; };
 
+/// `count` times half a millimetre of fibres that part one after the other from `begin` on, twenty a second.
+void part_fibres(std::vector<Event>& events, double t0, double begin, int count) {
+    for (int i = 0; i < count; ++i) {
+        const double from = begin + 0.0005 * i, t = t0 + 0.05 * i;
+        events.push_back(cut_event(t, EventKind::fibres_parted, from, 2000, 255));
+        events.push_back(cut_event(t, EventKind::cut_advance, from + 0.0005, 2000, 255));
+        events.push_back(cut_event(t, EventKind::cut_traction, 12, 500, 255));
+    }
+}
+
 // Half is cut in the band on the line, half parts beyond the band and 2 mm next to it.
 TEST(Cutting, WhereFibresPartedNothingIsDivided) {
     std::vector<Event> events;
     stroke(
         events, 1, 11, 0, 0.05, 100, [](double) { return 0.0; }, taut);
-    for (int i = 0; i < 100; ++i) {
-        const double from = 0.05 + 0.0005 * i, t = 12 + 0.05 * i;
-        events.push_back(cut_event(t, EventKind::fibres_parted, from, 2000, 255));
-        events.push_back(cut_event(t, EventKind::cut_advance, from + 0.0005, 2000, 255));
-        events.push_back(cut_event(t, EventKind::cut_traction, 12, 500, 255));
-    }
+    part_fibres(events, 12, 0.05, 100);
     EXPECT_NEAR(value_of(events, "area_developed"), 50, 1e-4);
     EXPECT_NEAR(value_of(events, "traction_eff"), 100, 1e-9) << "time of a blade";
     EXPECT_NEAR(value_of(events, "traction_eff_len"), 50, 1e-4);
@@ -93,6 +98,36 @@ TEST(Cutting, WhereFibresPartedNothingIsDivided) {
     EXPECT_FALSE(measure(make_trace(30.0), "traction_eff", "", torn, plan_context()).value.has_value());
     // Of no hand an advance alone begins nowhere: it is left out.
     EXPECT_TRUE(cut_strokes({cut_event(1, EventKind::cut_advance, 0.01, 0, 255)}, 1e-3, 30).empty());
+}
+
+TEST(Cutting, WhatToreStaysTornWhereABladeTrimsIt) {
+    const auto on_line = [](double) { return 0.0; };
+    const auto off_line = [](double) { return 0.003; };
+    std::vector<Event> trimmed;
+    stroke(trimmed, 1, 11, 0, 0.05, 100, on_line, taut);
+    part_fibres(trimmed, 12, 0.05, 100);
+    stroke(trimmed, 20, 26, 0.05, 0.1, 50, off_line, taut);
+    EXPECT_NEAR(value_of(trimmed, "area_developed"), 50, 1e-4);
+    // Back over it by the other hand, and a blade that cuts where it is still whole.
+    stroke(trimmed, 27, 28, 0.1, 0.04, 7, off_line, taut, 0);
+    EXPECT_NEAR(value_of(trimmed, "area_developed"), 50, 1e-4);
+
+    std::vector<Event> cut_first;
+    stroke(cut_first, 1, 11, 0, 0.05, 100, on_line, taut);
+    stroke(cut_first, 12, 18, 0.05, 0.1, 50, off_line, taut);
+    part_fibres(cut_first, 20, 0.05, 100);
+    EXPECT_NEAR(value_of(cut_first, "area_developed"), 100, 1e-4);
+
+    // 10 mm ahead of a blade under way, which comes there later.
+    std::vector<Event> ahead;
+    stroke(ahead, 1, 11, 0, 0.1, 100, on_line, taut);
+    part_fibres(ahead, 5, 0.06, 20);
+    EXPECT_NEAR(value_of(ahead, "area_developed"), 90, 1e-4);
+    // Behind the blade nothing is left to tear.
+    std::vector<Event> behind;
+    stroke(behind, 1, 11, 0, 0.1, 100, on_line, taut);
+    part_fibres(behind, 8, 0.06, 20);
+    EXPECT_NEAR(value_of(behind, "area_developed"), 100, 1e-4);
 }
 
 TEST(Cutting, OnTheLineUnderTensionIsFlawless) {

@@ -9700,8 +9700,8 @@
         <translation>Linie durchtrennt</translation>
     </message>
     <message>
-        <source>Share of the marked line that was divided with a blade. What tore is not divided.</source>
-        <translation>Anteil der markierten Linie, der mit einer Klinge durchtrennt wurde. Was gerissen ist, gilt nicht als durchtrennt.</translation>
+        <source>Share of the marked line that was divided with a blade. What tore is not divided, also where a blade trims it afterwards.</source>
+        <translation>Anteil der markierten Linie, der mit einer Klinge durchtrennt wurde. Was gerissen ist, gilt nicht als durchtrennt, auch wo es eine Klinge danach beschneidet.</translation>
     </message>
     <message>
         <source>{value} of the line was divided, below the required {limit}</source>
