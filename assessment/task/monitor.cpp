@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "assessment/task/band_monitor.h"
@@ -20,7 +21,7 @@ constexpr double moving_speed = 0.005;      // m/s, docs/METRICS.md, `time`
 constexpr double moving_duration = 0.2;     // s, idem
 constexpr double device_grace = 60;         // s until a lost device interrupts the attempt
 constexpr double regrasp_window = 2;        // s, pauses excluded
-constexpr double drop_height = 0.01;        // m above rest: tissue that falls less was not dropped
+constexpr double drop_height = 0.01;        // m above rest: tissue that slips and falls less was not dropped
 constexpr std::uint32_t fault_outcome = 4;  // StepRecord::outcome
 
 constexpr int no_hand = 255;
@@ -84,8 +85,10 @@ struct TaskMonitor::State {
     BandMonitor bands;
     TaskDisplay display;
     double tick_period = 1e-3, tool_reach = 0.005;
-    std::uint64_t critical_kinds = 0;  // bit by EventKind
+    double let_fall_height = std::numeric_limits<double>::infinity();  // m above rest, of jaws that open
+    std::uint64_t critical_kinds = 0;                                  // bit by EventKind
 
+    bool fallen = false;  // in this step
     bool begun = false, paused = false, lost = false, late = false, colliding = false;
     std::uint32_t unpaused_ticks = 0, elapsed_ticks = 0;  // since the beginning; since the first movement
     std::uint32_t lost_ticks = 0, late_ticks = 0, last_tick = 0;
@@ -112,6 +115,9 @@ struct TaskMonitor::State {
         }
         scope.configure(Hand::left, scene, &tissues, task.warning_margin);
         scope_alone = scene.instruments.empty();
+        for (const Goal& goal : task.goals)
+            if (goal.kind == GoalKind::lift_and_hold)
+                let_fall_height = std::min(let_fall_height, goal.height_m);
         for (const EventKind kind :
              {EventKind::perforation, EventKind::tear, EventKind::drop, EventKind::tool_collision,
               EventKind::vessel_injury, EventKind::nerve_injury}) {
@@ -255,11 +261,14 @@ void TaskMonitor::State::watch_hold(std::size_t h, HoldChange change, const Worl
             break;
         }
     }
-    if (change == HoldChange::slipped && grasp.body != HeldBody::sheet && !world.grasps[1 - h].held &&
-        goals.height(world, grasp) > drop_height) {
-        events.emit(last_tick, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                    grasp.tissue);
-    }
+    const bool slipped = change == HoldChange::slipped;
+    if (!slipped && change != HoldChange::released) return;
+    if (grasp.body == HeldBody::sheet || world.grasps[1 - h].held) return;
+    // Jaws that open put it down; from the height of a lift they let it fall. Both hands may do so at once.
+    const double height = goals.height(world, grasp);
+    if (slipped ? height <= drop_height : fallen || height < let_fall_height) return;
+    fallen = true;
+    events.emit(last_tick, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h), grasp.tissue);
 }
 
 std::array<HoldChange, hand_count> TaskMonitor::State::report(const WorldSnapshot& world,
@@ -279,6 +288,7 @@ std::array<HoldChange, hand_count> TaskMonitor::State::report(const WorldSnapsho
         ++elapsed_ticks;
     }
     goals.bands(bands);
+    fallen = false;
     std::array<HoldChange, hand_count> changes{};
     for (std::size_t h = 0; h < hand_count; ++h) {
         changes[h] = hands[h].hold(world.grasps[h], now, unpaused_ticks, events);

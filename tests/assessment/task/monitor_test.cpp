@@ -362,6 +362,45 @@ TEST(Monitor, LiftMustStayUpForTheWholeHold) {
     EXPECT_EQ(bench.monitor.display().end, EventKind::completed);
 }
 
+TEST(Monitor, BowelThatIsLetGoOfAtTheHeightOfTheLiftIsDropped) {
+    Bench bench("B1.json");
+    const Goal lift = bench.task.goals[1];
+    bench.ticks(10);
+    const auto raise = [&](double height) {
+        for (Vector3& node : bench.world.bowel.nodes) node.z() = -0.05 + height;
+        bench.ticks(10);
+    };
+    bench.grasp(Hand::right, 0.3, 12);
+    raise(lift.height_m - 0.001);
+    bench.let_go(Hand::right);
+    EXPECT_EQ(bench.events.count(EventKind::drop), 0) << "it was put down";
+    bench.grasp(Hand::right, 0.3, 12);
+    raise(lift.height_m + 0.005);
+    bench.let_go(Hand::right);
+    ASSERT_EQ(bench.events.count(EventKind::drop), 1);
+    EXPECT_EQ(bench.events.first(EventKind::drop).hand, 1);
+    EXPECT_EQ(bench.events.first(EventKind::drop).detail, 12);
+    EXPECT_EQ(bench.events.count(EventKind::slip), 0);
+    bench.grasp(Hand::left, 0.3, 12);
+    bench.grasp(Hand::right, 0.34, 13);
+    bench.let_go(Hand::left);
+    EXPECT_EQ(bench.events.count(EventKind::drop), 1) << "the other hand holds it";
+    bench.grasp(Hand::left, 0.3, 12);
+    for (GraspState& grasp : bench.world.grasps) grasp.held = false;
+    bench.ticks(bench.scene.ticks_per_step);
+    EXPECT_EQ(bench.events.count(EventKind::drop), 2) << "both hands at once: it falls once";
+}
+
+TEST(Monitor, JawsThatOpenDropNothingWhereNoGoalLifts) {
+    Bench bench("B1.json", [](Scene&, TaskDefinition& task) { task.goals.pop_back(); });
+    bench.ticks(10);
+    bench.grasp(Hand::right, 0.3, 12);
+    for (Vector3& node : bench.world.bowel.nodes) node.z() = 0.05;
+    bench.let_go(Hand::right);
+    EXPECT_EQ(bench.events.count(EventKind::release), 1);
+    EXPECT_EQ(bench.events.count(EventKind::drop), 0);
+}
+
 TEST(Monitor, SlipWhileTheOtherHandHoldsIsNotADropAndRegraspCountsWithinTwoSeconds) {
     Bench bench("B1.json");
     bench.ticks(5);
