@@ -115,6 +115,7 @@ std::vector<Metric> specimen_metrics() {
     using D = Direction;
     using A = Aggregation;
     std::vector<Metric> metrics;
+    constexpr int of_asked_line = 3;  // 3: of the line as far as the task asks for it
     const auto add = [&](Naming naming, D direction, A aggregation, EvidenceGrade grade, const char* source,
                          Wording wording, Figure (*compute)(const Analysis&, const Selection&)) {
         MetricDescriptor d = describe(std::move(naming), direction, Scale::raw, aggregation, grade, source,
@@ -139,6 +140,7 @@ std::vector<Metric> specimen_metrics() {
                            "stay on the shiny surface of the mesorectum and stop as soon as fat shows in "
                            "front of the blade")},
         tme_grade);
+    metrics.back().descriptor.version = of_asked_line;
     add({"tme_defect", QT_TRANSLATE_NOOP("fulcrum::metrics", "Deepest defect of the mesorectum"), "mm", 0.1},
         D::lower, A::maximum, EvidenceGrade::moderate,
         "event cut_advance: distance beyond the areolar layer, into the fat",
@@ -159,6 +161,7 @@ std::vector<Metric> specimen_metrics() {
                            "the cut passed the tumour at {value}, below the required {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "know where the tumour is and keep to the plane next to it")},
         crm_mm);
+    metrics.back().descriptor.version = of_asked_line;
     add({"drm_mm", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distal reach below the tumour"), "mm", 1},
         D::higher, A::maximum, EvidenceGrade::moderate,
         "tumour's lower edge to the lowest level fully divided; nothing is transected",
@@ -171,6 +174,7 @@ std::vector<Metric> specimen_metrics() {
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "divide every level from side to side before you go deeper, down to the levator")},
         drm_mm);
+    metrics.back().descriptor.version = of_asked_line;
     const char* const sector_source = "event cut_advance, in this third of every level";
     const auto add_sector = [&](Naming naming, Wording wording,
                                 Figure (*compute)(const Analysis&, const Selection&)) {

@@ -51,7 +51,9 @@ CutElement part_of(const CutElement& whole, double first, double last) {
 class Specimen {
   public:
     Specimen(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan)
-        : cells_(static_cast<std::size_t>(plan.levels * sector_count)), width_(plan.line / sector_count) {
+        : cells_(static_cast<std::size_t>(plan.levels * sector_count)),
+          width_(plan.line / sector_count),
+          asked_(plan.asked_length()) {
         for (const CutStroke& stroke : strokes)
             for (const CutElement& element : stroke.elements)
                 if (usable(element) && on_one_level(element, plan)) add(element);
@@ -61,6 +63,24 @@ class Specimen {
         return cells_[static_cast<std::size_t>(level * sector_count + sector)];
     }
     double width() const { return width_; }
+    /// How much of a cell's line the task asks for, from its right end; 0 to 1.
+    double asked_share(int level, int sector) const {
+        const double begin = (level * sector_count + sector) * width_;
+        if (asked_ >= begin + width_ - resolution) return 1;
+        return std::max(0.0, asked_ - begin) / width_;
+    }
+    /// The sum of these shares over a level, and over a sector of all levels.
+    double asked_of_level(int level) const {
+        double sum = 0;
+        for (int sector = 0; sector < sector_count; ++sector) sum += asked_share(level, sector);
+        return sum;
+    }
+    double asked_of_sector(int sector) const {
+        double sum = 0;
+        for (int level = 0; level * sector_count < static_cast<int>(cells_.size()); ++level)
+            sum += asked_share(level, sector);
+        return sum;
+    }
 
   private:
     void add(const CutElement& element) {
@@ -85,7 +105,7 @@ class Specimen {
     }
 
     std::vector<CutStroke> cells_;
-    double width_;
+    double width_, asked_;
 };
 
 PlaneDeviation deviation(const std::vector<CutStroke>& cells, double tolerance) {
@@ -357,25 +377,34 @@ PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const Sp
     std::vector<CutStroke> whole;
     std::array<std::vector<CutStroke>, sector_count> by_sector;
     std::vector<double> divided(static_cast<std::size_t>(plan.levels), 0.0);
+    double levels_asked = 0;
+    for (int level = 0; level < plan.levels; ++level)
+        levels_asked += specimen.asked_of_level(level) / sector_count;
     for (int level = 0; level < plan.levels; ++level) {
+        const double of_level = specimen.asked_of_level(level);
         for (int sector = 0; sector < sector_count; ++sector) {
             const CutStroke& cell = specimen.cell(level, sector);
             SectorFinding finding{level, static_cast<Sector>(sector), deviation({cell}, plan.tolerance), 0,
                                   0};
-            finding.divided = divided_length({cell}, specimen.width(), plan.corridor) / specimen.width();
+            // What is not asked for has no weight in what follows, but is shown.
+            const double share = specimen.asked_share(level, sector);
+            const double length = (share > 0 ? share : 1) * specimen.width();
+            finding.divided = divided_length({cell}, length, plan.corridor) / length;
             for (const CutElement& element : cell.elements)
                 finding.defect = std::max({finding.defect, depth_of(plan, element.from_distance),
                                            depth_of(plan, element.distance)});
-            divided[static_cast<std::size_t>(level)] += finding.divided / sector_count;
             SectorFinding& all = report.sectors[static_cast<std::size_t>(sector)];
-            all.divided += finding.divided / plan.levels;
+            if (share > 0) {
+                divided[static_cast<std::size_t>(level)] += finding.divided * share / of_level;
+                all.divided += finding.divided * share / specimen.asked_of_sector(sector);
+            }
             all.defect = std::max(all.defect, finding.defect);
             report.deepest_defect = std::max(report.deepest_defect, finding.defect);
             report.findings.push_back(std::move(finding));
             by_sector[static_cast<std::size_t>(sector)].push_back(cell);
             whole.push_back(cell);
         }
-        report.divided += divided[static_cast<std::size_t>(level)] / plan.levels;
+        report.divided += divided[static_cast<std::size_t>(level)] * (of_level / sector_count) / levels_asked;
         if (report.lowest_level == level - 1 &&
             divided[static_cast<std::size_t>(level)] >= fully_divided_share)
             report.lowest_level = level;

@@ -42,6 +42,9 @@ struct SpecimenPlan {
     double tolerance = 0;  ///< further from the plane is too deep or too shallow
     double corridor = 0;   ///< further from the plane divides nothing of it
     std::optional<Tumour> tumour;
+    double asked = 0;  ///< of the whole marked line, from its beginning: what the task asks for; 0 all of it
+
+    double asked_length() const { return asked > 0 ? asked : levels * line; }
 };
 
 // Quirke's grades ask for defects deeper than 5 mm, for coning, and for the muscularis; the other limits are
@@ -60,7 +63,8 @@ inline constexpr double coning_limit = 0.003;  ///< m inwards from the first jud
 inline constexpr int least_levels_of_coning = 3;  ///< a trend needs as many levels
 inline constexpr double judged_share = 0.5;       ///< of a level's line: less divided is not in the trend
 inline constexpr double fully_divided_share =
-    0.95;  ///< of a level's line; of the whole line, for a grade; of the tumour's sector, for its margin
+    0.95;  ///< of a level's line; of the whole line, for a grade; of the tumour's sector, for its margin;
+           ///< each as far as the task asks for it
 inline constexpr std::size_t most_defects = 20;  ///< listed, deepest first
 
 /// Distances from the plane over a part of the cut, by length; absent where nothing was cut.
@@ -76,7 +80,7 @@ struct SectorFinding {
     int level = 0;  ///< -1: all levels
     Sector sector = Sector::mid;
     PlaneDeviation plane;
-    double divided = 0;  ///< share of its part of the line, 0 to 1
+    double divided = 0;  ///< share of its part of the line, as far as the task asks for it, 0 to 1
     double defect = 0;   ///< m, deepest into the fat
 };
 
@@ -119,9 +123,9 @@ struct Margin {
 };
 
 struct PathologyReport {
-    int version = 3;  ///< of this function; changes whenever a figure could
+    int version = 4;  ///< of this function; changes whenever a figure could
     SpecimenPlan plan;
-    double divided = 0;  ///< share of the whole line
+    double divided = 0;  ///< share of the whole line that the task asks for
     PlaneDeviation plane;
     std::vector<SectorFinding> findings;              ///< by level, then sector
     std::array<SectorFinding, sector_count> sectors;  ///< all levels together

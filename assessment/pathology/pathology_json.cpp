@@ -107,6 +107,7 @@ Margin margin_from(const Json& node) {
 Json specimen_json(const SpecimenPlan& plan) {
     Json node = {{"levels", plan.levels},
                  {"line_mm", scaled(plan.line, mm)},
+                 {"asked_mm", scaled(plan.asked_length(), mm)},
                  {"spacing_mm", scaled(plan.spacing, mm)},
                  {"plane_mm", scaled(plan.plane, mm)},
                  {"areolar_mm", scaled(plan.areolar, mm)},
@@ -126,6 +127,8 @@ SpecimenPlan specimen_from(const Json& node) {
     SpecimenPlan plan;
     plan.levels = node.at("levels").get<int>();
     plan.line = node.at("line_mm").get<double>() / mm;
+    // Reports before version 4 asked for the whole line.
+    plan.asked = node.contains("asked_mm") ? node.at("asked_mm").get<double>() / mm : plan.asked_length();
     plan.spacing = node.at("spacing_mm").get<double>() / mm;
     plan.plane = node.at("plane_mm").get<double>() / mm;
     plan.areolar = node.at("areolar_mm").get<double>() / mm;

@@ -35,6 +35,7 @@ std::optional<SpecimenPlan> make_specimen_plan(const Scene& scene, const TaskDef
     SpecimenPlan plan;
     plan.levels = septa.count;
     plan.line = septa.width;
+    plan.asked = line->length_m;
     plan.spacing = septa.spacing;
     plan.plane = septa.plane_height;
     plan.areolar = septa.areolar_height;

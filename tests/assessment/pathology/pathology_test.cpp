@@ -249,6 +249,36 @@ TEST(Pathology, IsGradedFromNinetyFivePercentOn) {
     EXPECT_EQ(pathology_report(strokes, plan()).circumferential.absence, MarginAbsence::not_divided);
 }
 
+TEST(Pathology, JudgesTheLineThatTheTaskAsksFor) {
+    const auto in_plane = [](double) { return 0.0; };
+    std::vector<CutStroke> strokes = all_levels([](int, double) { return 0.0; });
+    strokes[3] = across(3, in_plane, 0, 30 * mm);
+    EXPECT_FALSE(pathology_report(strokes, plan()).grade.has_value()) << "87.5 % of the whole line";
+    SpecimenPlan most = plan();
+    most.asked = 210 * mm;
+    const PathologyReport report = pathology_report(strokes, most);
+    EXPECT_EQ(report.grade, 3);
+    EXPECT_NEAR(report.divided, 1, 1e-9);
+    EXPECT_EQ(report.lowest_level, 3);
+    EXPECT_NEAR(report.findings[10].divided, 1, 1e-9) << "half of it is asked for";
+    for (const SectorFinding& sector : report.sectors) EXPECT_NEAR(sector.divided, 1, 1e-9);
+    strokes[3] = across(3, in_plane, 0, 20 * mm);
+    EXPECT_NEAR(pathology_report(strokes, most).divided, 200.0 / 210, 1e-9);
+    EXPECT_NEAR(pathology_report(strokes, most).sectors[1].divided, 60.0 / 70, 1e-9);
+    most.asked = 120 * mm;
+    strokes.resize(2);
+    EXPECT_EQ(pathology_report(strokes, most).grade, 3);
+    EXPECT_EQ(pathology_report(strokes, most).lowest_level, 1) << "of the next nothing is asked";
+    most.asked = 240 * mm;
+    const auto all = all_levels([](int level, double x) { return -3 * mm * level + 0.05 * x; });
+    EXPECT_EQ(pathology_json(pathology_report(all, most)), pathology_json(pathology_report(all, plan())));
+    std::string text = pathology_json(pathology_report(all, plan()));
+    const std::string key = "\"asked_mm\":240.0,";
+    ASSERT_NE(text.find(key), std::string::npos) << text;
+    text.erase(text.find(key), key.size());
+    EXPECT_NEAR(parse_pathology(text, "old.json").plan.asked, 240 * mm, 1e-12) << "version 3";
+}
+
 TEST(Pathology, DefectsCountByDepthAndByShareOfTheLength) {
     // A third of each level 2.5 mm in the fat, that is 5.5 mm inwards of the plane.
     const auto shallow = [](double share) {

@@ -49,11 +49,48 @@ TEST(Posterior, TaskAndSceneAreConsistent) {
     const SpecimenPlan plan = make_specimen_plan(scene, task).value();
     EXPECT_EQ(plan.levels, scene.septa->count);
     EXPECT_EQ(plan.line, scene.septa->width);
+    EXPECT_EQ(plan.asked, task.goals[1].length_m);
     EXPECT_EQ(plan.fat, scene.septa->fat_height);
     EXPECT_EQ(plan.tolerance, task.goals[1].tolerance_m);
     ASSERT_TRUE(plan.tumour.has_value());
     EXPECT_LT(plan.tumour->level, plan.levels - 1) << "there is something to reach below it";
     EXPECT_FALSE(make_specimen_plan(scene, load_task(test::source_path("assets/tasks/B2.json"))).has_value());
+}
+
+// All that the goal asks for but a bridge of 2 mm, which it ignores.
+TEST(Posterior, WhatTheGoalAsksForIsGradedInEveryVariant) {
+    const TaskDefinition task = parse_task(task_text(), "C4.json");
+    const Goal& goal = task.goals[1];
+    ASSERT_GE(task.variants.size(), 3U);
+    for (const TaskVariant& variant : task.variants) {
+        const Scene scene = load_scene(test::source_path("assets/scenes/" + variant.scene));
+        EXPECT_GE(marked_line(scene), goal.length_m - 1e-9) << variant.id;
+        std::vector<Event> events;
+        const auto add = [&](EventKind kind, double place) {
+            Event event;
+            event.tick = static_cast<std::uint32_t>(events.size() + 1);
+            event.kind = kind;
+            event.hand = 1;
+            event.value = static_cast<float>(place);
+            events.push_back(event);
+        };
+        const double width = scene.septa->width;
+        for (int level = 0; level < scene.septa->count; ++level) {
+            const double from = level == 0 ? 0.002 : level * width;
+            const double to = std::min((level + 1) * width, goal.length_m);
+            add(EventKind::cut_begin, from);
+            for (int i = 1; i <= 50; ++i) add(EventKind::cut_advance, from + (to - from) * i / 50);
+            add(EventKind::cut_end, to);
+        }
+        const SpecimenPlan plan = make_specimen_plan(scene, task).value();
+        const PathologyReport report = pathology_of_events(events, 1e-3, 10, plan);
+        EXPECT_EQ(report.grade, 3) << variant.id << ": " << grade_reason_name(report.reasons.at(0));
+        EXPECT_EQ(report.lowest_level, scene.septa->count - 1) << variant.id;
+        const double share =
+            divided_length(cut_strokes(events, 1e-3, 10), goal.length_m, goal.corridor_m) / goal.length_m;
+        EXPECT_NEAR(share, 0.222 / 0.224, 1e-6) << variant.id;
+        EXPECT_NEAR(report.divided, share, 0.005) << variant.id << ": the gate and the grade agree";
+    }
 }
 
 TEST(Posterior, RefusesAnImpossibleReport) {
