@@ -111,7 +111,8 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         if (state.shows_active_hand && !compact) {
             painter.setFont(hud_font(12));
             painter.setPen(p.muted);
-            painter.drawText(line.translated(0, 22), side, HudTexts::tr("T next · B pedal"));
+            painter.drawText(line.translated(0, 22), side | Qt::TextDontClip,
+                             HudTexts::tr("%1 next · %2 pedal").arg(state.next_key, state.pedal_key));
         }
     }
     painter.setFont(hud_font(14, true));

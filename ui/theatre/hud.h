@@ -35,8 +35,9 @@ struct HudState {
     bool has_jaws[hand_count] = {true, true};  ///< a probe has none
     QString tool[hand_count];  ///< what the hand holds where instruments are exchanged, "" elsewhere
     bool tool_active[hand_count] = {false, false};  ///< its energy or suction is on
-    QString health;                                 ///< small line at the foot, "" none
-    QString place;  ///< where it happens: "replay ×0.5" instead of the mode, "" live
+    QString next_key, pedal_key;  ///< names of the person's keys for the next instrument and the pedal
+    QString health;               ///< small line at the foot, "" none
+    QString place;                ///< where it happens: "replay ×0.5" instead of the mode, "" live
 };
 
 /// Sets what the HUD shows of the scope's work in this scene.

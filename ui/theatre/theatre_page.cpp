@@ -468,6 +468,8 @@ void TheatrePage::show_world() {
     if (!demonstrated_.isEmpty()) hud.place = tr("demonstration by a simulated expert");
     hud.active_hand = input_->active_hand();
     hud.shows_active_hand = demonstrated_.isEmpty() && mice_ == nullptr && pad_ == nullptr;
+    hud.next_key = input_->keys().words(KeyAction::exchange);
+    hud.pedal_key = input_->keys().words(KeyAction::pedal);
     hud.force_felt = !demonstrated_.isEmpty() || health.force_felt[0] || health.force_felt[1];
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = session_->scene().instrument(static_cast<Hand>(h));

@@ -37,6 +37,7 @@ class TheatreView : public QWidget {
     /// The world to show next; copied.
     void show_world(const WorldSnapshot& world);
     void set_hud(const HudState& hud);
+    const HudState& hud() const { return hud_; }
     /// Which targets are done (by index) and which is asked for now (-1 none).
     void set_targets(const std::vector<bool>& done, int active, bool touched);
     /// Not empty: the scene is hidden behind black and these words.

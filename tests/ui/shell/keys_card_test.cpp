@@ -81,6 +81,7 @@ TEST_F(KeysOnThePage, TheTheatreUsesAndShowsTheKeysOfThePerson) {
     EXPECT_EQ(shown_key("key_pedal"), "N");
     EXPECT_TRUE(kept().left_handed());
     change("key_left_left", Qt::Key_G);
+    change("key_pedal", Qt::Key_H);
     theatre([&] {
         auto& page = *static_cast<TheatrePage*>(window->current_page());
         ASSERT_NE(page.input(), nullptr);
@@ -88,6 +89,8 @@ TEST_F(KeysOnThePage, TheTheatreUsesAndShowsTheKeysOfThePerson) {
         ASSERT_TRUE(wait_for([&] { return sees(*window, "theatre_keys"); }));
         const QString strip = find<QFrame>(*window, "theatre_keys")->findChild<QLabel*>()->text();
         EXPECT_TRUE(strip.contains("Left&nbsp;button,&nbsp;Backspace")) << strip.toStdString();
+        EXPECT_EQ(page.view()->hud().next_key, "Y") << "the usual one of a mouse in the left hand";
+        EXPECT_EQ(page.view()->hud().pedal_key, "H");
         keep("theatre-keys");
     });
 }

@@ -9,8 +9,10 @@
 
 #include "tests/support/support.h"
 #include "tests/ui/painted_words.h"
+#include "ui/language/language.h"
 #include "ui/style/palette.h"
 #include "ui/theatre/hud.h"
+#include "ui/theatre/key_map.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -29,6 +31,8 @@ void say_all(HudState& hud) {
     hud.tool[0] = QStringLiteral("grasper");
     hud.tool[1] = QStringLiteral("hook, in 1.2 s");
     hud.tool_active[1] = true;
+    hud.next_key = QStringLiteral("T");
+    hud.pedal_key = QStringLiteral("B");
     hud.display.goal_progress = 0.6;
     hud.display.hold_progress = 0.4;
     hud.display.run_covered_m = 0.142;
@@ -191,6 +195,52 @@ TEST(HudLayout, TextsOfEveryTaskDoNotOverlap) {
         }
     }
     EXPECT_GE(goals, 12);
+}
+
+/// The hint at the instruments of both hands: whole, in the picture, on nothing else.
+void expect_hints(Shown& shown, QSize size, const QString& words) {
+    shown.hud.task = &shown.task;
+    WordsDevice device(size);
+    QPainter painter(&device);
+    paint_hud(painter, QRectF(QPointF(0, 0), QSizeF(size)), shown.hud);
+    painter.end();
+    int hints = 0;
+    for (const PaintedWords& hint : device.words()) {
+        if (hint.words != words) continue;
+        ++hints;
+        EXPECT_TRUE(hint.whole) << words.toStdString();
+        EXPECT_TRUE(QRectF(QPointF(0, 0), QSizeF(size)).contains(hint.place)) << words.toStdString();
+        for (const PaintedWords& other : device.words()) {
+            if (&other == &hint) continue;
+            const QRectF both = hint.place & other.place;
+            EXPECT_LE(std::min(both.width(), both.height()), rounding_at(96))
+                << words.toStdString() << " on " << other.words.toStdString();
+        }
+    }
+    EXPECT_EQ(hints, 2) << words.toStdString() << ", " << size.width() << " x " << size.height();
+}
+
+TEST(HudLayout, TheHintNamesTheKeysOfThePerson) {
+    KeyMap longest = KeyMap::standard(false);
+    longest.assign(KeyAction::jaws, Qt::Key_G);
+    longest.assign(KeyAction::pedal, Qt::Key_Space);
+    longest.assign(KeyAction::exchange, Qt::Key_Backspace);
+    const KeyMap maps[] = {KeyMap::standard(false), KeyMap::standard(true), longest};
+    const char* const english[] = {"T next · B pedal", "Y next · N pedal", "Backspace next · Space pedal"};
+    const char* const german[] = {"T nächstes · B Pedal", "Y nächstes · N Pedal",
+                                  "Rücktaste nächstes · Leertaste Pedal"};
+    for (const Language language : {Language::english, Language::german}) {
+        use_language(language);
+        for (std::size_t i = 0; i < std::size(maps); ++i) {
+            Shown shown = everything(GoalKind::divide_bands);
+            shown.hud.next_key = maps[i].words(KeyAction::exchange);
+            shown.hud.pedal_key = maps[i].words(KeyAction::pedal);
+            const QString words = QString::fromUtf8(language == Language::english ? english[i] : german[i]);
+            for (const QSize size : {QSize(1000, 600), QSize(1280, 720), QSize(1920, 1080)})
+                expect_hints(shown, size, words);
+        }
+    }
+    use_language(Language::english);
 }
 
 TEST(HudLayout, ForcesKeepTheirPlaceWhenAWarningAppears) {

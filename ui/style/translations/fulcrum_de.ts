@@ -14450,8 +14450,8 @@ Kennzahlen: %2</translation>
         <translation>Maul offen</translation>
     </message>
     <message>
-        <source>T next · B pedal</source>
-        <translation>T nächstes · B Pedal</translation>
+        <source>%1 next · %2 pedal</source>
+        <translation>%1 nächstes · %2 Pedal</translation>
     </message>
     <message>
         <source>⚠ less</source>
