@@ -126,7 +126,9 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
         mouse_known_ = false;
         return;
     }
-    const QPoint now = event->pos();
+    // Its place on the screen: the view moves under a pointer that rests when a message comes or goes and
+    // when the window is maximised.
+    const QPoint now = event->globalPos();
     if (mouse_known_ && mice_ == nullptr && pad_ == nullptr) {
         const QPoint moved = now - last_mouse_;
         using Use = MouseKeyboardInput::MouseUse;
@@ -137,7 +139,7 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
     }
     mouse_known_ = true;
     last_mouse_ = now;
-    keep_pointer(now);
+    keep_pointer(event->pos());
 }
 
 /// What both mice did since the last call; thrown away while the attempt does not take it.
@@ -214,13 +216,12 @@ void TheatrePage::give_feedback() {
     pad_->rumble(felt.slow, felt.fast);
 }
 
-void TheatrePage::keep_pointer(const QPoint& now) {
-    // The hand's reach must not end at the window's border: from there the pointer is put back into the
-    // middle.
-    if (!view_->rect().adjusted(40, 40, -40, -40).contains(now) && view_->isActiveWindow()) {
-        last_mouse_ = view_->rect().center();
-        QCursor::setPos(view_->mapToGlobal(last_mouse_));
-    }
+/// The hand's reach must not end at the window's border: from there the pointer is put back into the middle.
+/// `place`: in the view.
+void TheatrePage::keep_pointer(const QPoint& place) {
+    if (view_->rect().adjusted(40, 40, -40, -40).contains(place) || !view_->isActiveWindow()) return;
+    last_mouse_ = view_->mapToGlobal(view_->rect().center());
+    QCursor::setPos(last_mouse_);
 }
 
 }  // namespace fulcrum::ui

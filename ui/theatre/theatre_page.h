@@ -102,7 +102,7 @@ class TheatrePage : public Page {
     void read_controller();
     void note_use();
     void give_feedback();
-    void keep_pointer(const QPoint& now);
+    void keep_pointer(const QPoint& place);
 
     std::unique_ptr<AttemptSession> session_;
     std::unique_ptr<MouseKeyboardInput> input_;
@@ -125,7 +125,7 @@ class TheatrePage : public Page {
     Panel shown_ = Panel::none;
     std::vector<bool> done_;
     int active_target_ = -1;
-    QPoint last_mouse_;
+    QPoint last_mouse_;  ///< on the screen
     bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false,
          aligning_ = false, learns_ = false, teaching_begun_ = false, strip_ended_ = false;
     QString demonstrated_;  ///< task, while it is a demonstration

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hands in the theatre: what moves an instrument there, and by how much.
+#include <gtest/gtest.h>
+
+#include <QCursor>
+#include <QMouseEvent>
+
+#include "tests/ui/settings_screens.h"
+#include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class TheatreHands : public SettingsScreens {
+  protected:
+    void begin(const char* task) {
+        emit window->context().attempt_wanted(task, false, 0, false);
+        page = static_cast<TheatrePage*>(window->current_page());
+        ASSERT_TRUE(wait_for(
+            [&] { return page->session() != nullptr && page->session()->phase() == AttemptPhase::running; }));
+        services.control.ticks_per_update = 1;
+    }
+    /// The pointer of the screen too, so that nothing else comes from it.
+    void rest_at(const QPoint& there) {
+        QTest::mouseMove(page->view(), page->view()->mapFromGlobal(there));
+        EXPECT_TRUE(wait_for([&] { return QCursor::pos() == there; }));
+        settle();
+        point_at(there);
+    }
+    void point_at(const QPoint& there) {
+        TheatreView* const view = page->view();
+        QMouseEvent event(QEvent::MouseMove, view->mapFromGlobal(there), there, Qt::NoButton, Qt::NoButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(view, &event);
+    }
+    QPoint corner() { return page->view()->mapToGlobal(QPoint(0, 0)); }
+    QPoint middle() { return page->view()->mapToGlobal(page->view()->rect().center()); }
+    Vector3 handle() {
+        const auto active = static_cast<int>(page->input()->active_hand());
+        return page->input()->targets().hand[active].handle;
+    }
+    TheatrePage* page = nullptr;
+};
+
+TEST_F(TheatreHands, StayWhereTheyAreWhereTheViewMovesUnderThePointer) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    begin("A2");
+    const QPoint there = middle();
+    rest_at(there);
+    const Vector3 held = handle();
+    const QPoint before = corner();
+    window->context().say(QStringLiteral("Saved"));
+    settle();
+    ASSERT_TRUE(wait_for([&] { return corner() != before; })) << "the message is above the view";
+    point_at(there);
+    EXPECT_LT((handle() - held).norm(), 1e-6);
+    const QPoint below = corner();
+    window->move(window->pos() + QPoint(40, 30));
+    ASSERT_TRUE(wait_for([&] { return corner() != below; }));
+    settle();
+    point_at(there);
+    EXPECT_LT((handle() - held).norm(), 1e-6);
+    point_at(there + QPoint(20, 0));
+    EXPECT_GT((handle() - held).norm(), 1e-4) << "the mouse moves it";
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
