@@ -129,6 +129,12 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
     // Its place on the screen: the view moves under a pointer that rests when a message comes or goes and
     // when the window is maximised.
     const QPoint now = event->globalPos();
+    if (!mouse_known_) put_back_to_.reset();
+    // What the mouse did before the pointer was put back comes after it, with places at the border.
+    if (put_back_to_ && (now - *put_back_to_).manhattanLength() < (now - last_mouse_).manhattanLength()) {
+        last_mouse_ = *put_back_to_;
+        put_back_to_.reset();
+    }
     if (mouse_known_ && mice_ == nullptr && pad_ == nullptr) {
         const QPoint moved = now - last_mouse_;
         using Use = MouseKeyboardInput::MouseUse;
@@ -219,9 +225,10 @@ void TheatrePage::give_feedback() {
 /// The hand's reach must not end at the window's border: from there the pointer is put back into the middle.
 /// `place`: in the view.
 void TheatrePage::keep_pointer(const QPoint& place) {
-    if (view_->rect().adjusted(40, 40, -40, -40).contains(place) || !view_->isActiveWindow()) return;
-    last_mouse_ = view_->mapToGlobal(view_->rect().center());
-    QCursor::setPos(last_mouse_);
+    if (put_back_to_ || !view_->isActiveWindow()) return;
+    if (view_->rect().adjusted(40, 40, -40, -40).contains(place)) return;
+    put_back_to_ = view_->mapToGlobal(view_->rect().center());
+    QCursor::setPos(*put_back_to_);
 }
 
 }  // namespace fulcrum::ui

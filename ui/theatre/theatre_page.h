@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "ui/page/context.h"
 #include "ui/theatre/begin_place.h"
@@ -125,7 +126,8 @@ class TheatrePage : public Page {
     Panel shown_ = Panel::none;
     std::vector<bool> done_;
     int active_target_ = -1;
-    QPoint last_mouse_;  ///< on the screen
+    QPoint last_mouse_;                  ///< on the screen
+    std::optional<QPoint> put_back_to_;  ///< of the pointer, until it is seen there
     bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false,
          aligning_ = false, learns_ = false, teaching_begun_ = false, strip_ended_ = false;
     QString demonstrated_;  ///< task, while it is a demonstration

@@ -2,6 +2,7 @@
 // The hands in the theatre: what moves an instrument there, and by how much.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCursor>
 #include <QMouseEvent>
 
@@ -65,6 +66,33 @@ TEST_F(TheatreHands, StayWhereTheyAreWhereTheViewMovesUnderThePointer) {
     EXPECT_LT((handle() - held).norm(), 1e-6);
     point_at(there + QPoint(20, 0));
     EXPECT_GT((handle() - held).norm(), 1e-4) << "the mouse moves it";
+}
+
+// No event loop between the movements: the server's word of the pointer that was put back comes after them.
+TEST_F(TheatreHands, MoveEvenlyWhereThePointerIsPutBackIntoTheMiddle) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    begin("A2");
+    rest_at(middle());
+    QApplication::setActiveWindow(window.get());  // there is no window manager that would do it
+    settle();
+    ASSERT_TRUE(page->view()->isActiveWindow());
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(page->view(), &leave);
+    const QPoint border = middle() + QPoint(page->view()->width() / 2, 0);
+    const auto moved_to = [&](const QPoint& there) {
+        const Vector3 before = handle();
+        point_at(there);
+        return (handle() - before).norm();
+    };
+    EXPECT_EQ(moved_to(border - QPoint(60, 0)), 0) << "where it came in";
+    EXPECT_GT(moved_to(border - QPoint(20, 0)), 1e-3) << "and is put back";
+    const double ten = moved_to(border - QPoint(10, 0));
+    EXPECT_GT(ten, 3e-4);
+    EXPECT_LT(ten, 4e-3) << "10 px, not half a window";
+    EXPECT_GT(moved_to(border - QPoint(2, 0)), 1e-4) << "is not put back twice";
+    EXPECT_LT(moved_to(middle()), 1e-9) << "the pointer moves, the hand does not";
+    EXPECT_NEAR(moved_to(middle() + QPoint(10, 0)), ten, 1e-3);
 }
 
 }  // namespace
