@@ -144,7 +144,10 @@ void KeysCard::take_key(int key) {
     const QString pressed = QKeySequence(key).toString(QKeySequence::NativeText);
     if (!KeyMap::can_be_used(key)) {
         set_role(message_, "bad");
-        message_->setText(tr("This key is needed for something else. Press another one, or Escape."));
+        message_->setText(
+            KeyMap::is_needed(key)
+                ? tr("This key is needed for something else. Press another one, or Escape.")
+                : tr("This key has no name under which it could be kept. Press another one, or Escape."));
         show_keys();
         return;
     }

@@ -148,7 +148,7 @@ KeyMap KeyMap::of_person(const std::string& person_id) {
         const QString words = kept(row.name);
         if (words.isEmpty()) continue;
         const QKeySequence sequence = QKeySequence::fromString(words, QKeySequence::PortableText);
-        if (sequence.count() != 1 || !can_be_used(sequence[0])) return usual;
+        if (sequence.count() != 1 || !can_be_used(sequence[0])) continue;
         map.keys_[static_cast<std::size_t>(row.action)] = sequence[0];
     }
     // Where a person chose the usual key of the sound before it had one, it takes the next that is free.
@@ -190,10 +190,8 @@ QString KeyMap::words(std::initializer_list<KeyAction> actions) const {
     return all.join(QLatin1Char(' '));
 }
 
-bool KeyMap::can_be_used(int key) {
+bool KeyMap::is_needed(int key) {
     switch (key) {
-        case 0:
-        case Qt::Key_unknown:
         case Qt::Key_Escape:
         case Qt::Key_F1:
         case Qt::Key_Return:
@@ -205,10 +203,17 @@ bool KeyMap::can_be_used(int key) {
         case Qt::Key_Meta:
         case Qt::Key_CapsLock:
         case Qt::Key_NumLock:
-            return false;
+            return true;
         default:
-            return (key & static_cast<int>(Qt::KeyboardModifierMask)) == 0;
+            return (key & static_cast<int>(Qt::KeyboardModifierMask)) != 0;
     }
+}
+
+bool KeyMap::can_be_used(int key) {
+    if (key == 0 || key == Qt::Key_unknown || is_needed(key)) return false;
+    // Qt has no name for a dead key, and another key's for a few letters.
+    constexpr auto kept_as = QKeySequence::PortableText;
+    return QKeySequence::fromString(QKeySequence(key).toString(kept_as), kept_as) == QKeySequence(key);
 }
 
 std::optional<KeyAction> KeyMap::assign(KeyAction action, int key) {

@@ -65,7 +65,8 @@ class KeyMap {
     /// The usual keys. With the mouse in the left hand, the keys of the active hand are on the right side of
     /// the keyboard, and the mouse's buttons change places.
     static KeyMap standard(bool left_handed);
-    /// What this person chose here, else the usual keys; also where the settings are damaged.
+    /// What this person chose here, else the usual keys. Of damaged settings an action that cannot be read
+    /// has its usual key, and all have where two would have the same.
     static KeyMap of_person(const std::string& person_id);
     void keep_for(const std::string& person_id) const;
 
@@ -75,7 +76,9 @@ class KeyMap {
     QString words(KeyAction action) const;
     /// Several keys, for a line of help.
     QString words(std::initializer_list<KeyAction> actions) const;
-    /// Nothing needs this key for something else: not Escape, F1, Enter or a key that changes others.
+    /// Escape, F1, Enter or a key that changes others.
+    static bool is_needed(int key);
+    /// Nothing needs this key for something else, and it has a name under which it is kept.
     static bool can_be_used(int key);
     /// Refused where another action has the key, which is returned, or where the key cannot be used.
     std::optional<KeyAction> assign(KeyAction action, int key);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
@@ -56,6 +57,21 @@ TEST_F(KeysOnThePage, AKeyIsChangedByPressingItAndKeptForThePerson) {
     click(*window, "reset_keys");
     EXPECT_EQ(shown_key("key_left_left"), "A");
     EXPECT_EQ(kept(), KeyMap::standard(false));
+}
+
+TEST_F(KeysOnThePage, ADeadKeyIsRefusedInWordsOfItsOwnAndTheOthersStay) {
+    open_page();
+    change("key_left_left", Qt::Key_G);
+    click(*window, "key_pedal");
+    QKeyEvent dead(QEvent::KeyPress, Qt::Key_Dead_Acute, Qt::NoModifier);
+    QCoreApplication::sendEvent(window->focusWidget(), &dead);
+    EXPECT_TRUE(message().contains("has no name under which it could be kept")) << message().toStdString();
+    EXPECT_EQ(shown_key("key_pedal"), "…") << "waits for another one";
+    QTest::keyClick(window->focusWidget(), Qt::Key_Escape);
+    go_to("rail_home");
+    go_to("rail_settings");
+    EXPECT_EQ(shown_key("key_pedal"), "B");
+    EXPECT_EQ(shown_key("key_left_left"), "G");
 }
 
 TEST_F(KeysOnThePage, OnlyTheKeyThatWasClickedLastWaits) {

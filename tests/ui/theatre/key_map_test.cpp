@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QKeySequence>
 #include <QSettings>
 #include <cmath>
 #include <set>
@@ -69,6 +70,31 @@ TEST_F(Keys, AreKeptForEachPersonAndSurviveADamagedFile) {
     KeyMap::standard(false).keep_for("tara");
     EXPECT_EQ(KeyMap::of_person("tara"), KeyMap::standard(false));
     EXPECT_TRUE(QSettings().allKeys().filter("keys/").isEmpty()) << "nothing is left where all is usual";
+}
+
+TEST_F(Keys, AKeyWithoutANameIsRefusedAndOneThatCannotBeReadLeavesTheOthers) {
+    KeyMap map = KeyMap::standard(false);
+    map.assign(KeyAction::left_left, Qt::Key_G);
+    const KeyMap before = map;
+    for (const Qt::Key nameless :
+         {Qt::Key_Dead_Acute, Qt::Key_Dead_Circumflex, Qt::Key_Multi_key, Qt::Key_mu}) {
+        EXPECT_FALSE(KeyMap::is_needed(nameless)) << nameless;
+        EXPECT_EQ(map.assign(KeyAction::pedal, nameless), std::nullopt);
+        EXPECT_EQ(map, before) << nameless;
+        map.keep_for("tara");
+        EXPECT_EQ(KeyMap::of_person("tara"), map) << nameless;
+    }
+    for (const Qt::Key named : {Qt::Key_Plus, Qt::Key_NumberSign, Qt::Key_Adiaeresis, Qt::Key_ssharp,
+                                Qt::Key_Less, Qt::Key_Slash, Qt::Key_F13, Qt::Key_Menu}) {
+        EXPECT_EQ(map.assign(KeyAction::pedal, named), std::nullopt);
+        EXPECT_EQ(map.key(KeyAction::pedal), named);
+        map.keep_for("tara");
+        EXPECT_EQ(KeyMap::of_person("tara"), map) << named;
+    }
+    // As an earlier version kept a dead key.
+    QSettings().setValue("keys/tara/pedal",
+                         QKeySequence(Qt::Key_Dead_Acute).toString(QKeySequence::PortableText));
+    EXPECT_EQ(KeyMap::of_person("tara"), before);
 }
 
 TEST_F(Keys, AKeyThatAPersonChoseBeforeTheSoundHadItStaysAndTheSoundTakesTheNext) {

@@ -14886,6 +14886,10 @@ Kennzahlen: %2</translation>
         <source>Reset all keys</source>
         <translation>Alle Tasten zurücksetzen</translation>
     </message>
+    <message>
+        <source>This key has no name under which it could be kept. Press another one, or Escape.</source>
+        <translation>Diese Taste hat keinen Namen, unter dem sie gespeichert werden könnte. Drücken Sie eine andere, oder Escape.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::Ladder</name>
