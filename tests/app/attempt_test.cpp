@@ -5,6 +5,7 @@
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
 #include "ui/shell/idle_watch.h"
+#include "ui/theatre/key_map.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -298,6 +299,47 @@ TEST_F(Window, DemonstrationByAnExpertIsNotStored) {
     QTest::keyClick(theatre().view(), Qt::Key_Escape);
     expect_page("briefing_page");
     EXPECT_TRUE(database::Attempts(*services.store()).list(window.context().session()).empty());
+}
+
+// Who watches learns with the keys that the next attempt has.
+TEST_F(Window, DemonstrationShowsAndHeedsTheKeysOfThePerson) {
+    create_programme_and_trainee();
+    const std::string person = window.context().session().person_id();
+    KeyMap keys = KeyMap::standard(true);
+    keys.assign(KeyAction::sound, Qt::Key_F9);
+    keys.keep_for(person);
+    click(window, "briefing_A2");
+    expect_page("briefing_page");
+    click(window, "watch_demonstration");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }));
+    EXPECT_TRUE(find<QAbstractButton>(window, "theatre_sound")->text().contains("F9"));
+    EXPECT_TRUE(sees(window, "theatre_help"));
+    QTest::keyClick(theatre().view(), Qt::Key_F1);
+    const QString help = theatre().view()->cover().join('\n');
+    EXPECT_TRUE(help.contains("Right button\tcloses the jaws while held")) << help.toStdString();
+    EXPECT_TRUE(help.contains("F9\tsound off, on")) << help.toStdString();
+    QTest::keyClick(theatre().view(), Qt::Key_F1);
+    EXPECT_TRUE(theatre().view()->cover().isEmpty());
+    const bool sounds = services.sound_choice().wanted;
+    QTest::keyClick(theatre().view(), Qt::Key_F2);
+    EXPECT_EQ(services.sound_choice().wanted, sounds) << "no key of this person";
+    QTest::keyClick(theatre().view(), Qt::Key_F9);
+    EXPECT_NE(services.sound_choice().wanted, sounds);
+    QTest::keyClick(theatre().view(), Qt::Key_F9);
+    QTest::keyClick(theatre().view(), Qt::Key_Escape);
+    expect_page("briefing_page");
+    services.choose_device("two-mice");  // are opened by an attempt only
+    click(window, "watch_demonstration");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }));
+    EXPECT_FALSE(sees(window, "theatre_help"));
+    QTest::keyClick(theatre().view(), Qt::Key_F1);
+    EXPECT_TRUE(theatre().view()->cover().isEmpty()) << "these are not the keys of the next attempt";
+    QTest::keyClick(theatre().view(), Qt::Key_Escape);
+    expect_page("briefing_page");
+    services.choose_device("mouse-keyboard");
+    KeyMap::standard(false).keep_for(person);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the theatre's page does with keys, mouse and wheel.
+// What the theatre's page does with keys, mouse and wheel, and with another size.
 #include <QCursor>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
+#include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
@@ -229,6 +231,20 @@ void TheatrePage::keep_pointer(const QPoint& place) {
     if (view_->rect().adjusted(40, 40, -40, -40).contains(place)) return;
     put_back_to_ = view_->mapToGlobal(view_->rect().center());
     QCursor::setPos(*put_back_to_);
+}
+
+void TheatrePage::place_panel() {
+    const int width = std::min(560, this->width() - 40);
+    panel_->setFixedWidth(width);
+    // adjustSize() reserves too little for lines that are wrapped.
+    panel_->resize(width, panel_->layout()->totalHeightForWidth(width));
+    panel_->move((this->width() - width) / 2, std::max(20, (height() - panel_->height()) / 2 - 30));
+}
+
+void TheatrePage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    place_panel();
+    place_strip();
 }
 
 }  // namespace fulcrum::ui

@@ -154,8 +154,13 @@ bool TheatrePage::demonstrate(const std::string& task_id, const std::string& var
                mice_.reset();
                pad_.reset();
                watch_.reset();
+               const Scene scene = context().services().scene_for(*task, variant);
                session_ = context().services().start_demonstration(context().session(), task_id, variant);
-               input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
+               input_ = std::make_unique<MouseKeyboardInput>(scene);
+               input_->set_keys(KeyMap::of_person(context().session().person_id()));
+               // What moves nothing here has the title of mouse and keyboard, as in an attempt.
+               const DeviceInUse device = device_in_scene(context().services().device_in_use(), scene);
+               help_fits_ = device.title == DeviceInUse().title;
                demonstrated_ = text(task_id);
            });
 }
@@ -312,6 +317,7 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     leave_->setEnabled(!hides);
     view_->setCursor(hides || !demonstrated_.isEmpty() ? Qt::ArrowCursor : Qt::BlankCursor);
     pause_->setVisible(demonstrated_.isEmpty());
+    help_->setVisible(demonstrated_.isEmpty() || help_fits_);
     leave_->setText(demonstrated_.isEmpty() ? tr("Abandon …") : tr("End the demonstration (Esc)"));
     if (!hides) return;
     help_shown_ = false;
@@ -325,20 +331,6 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     place_panel();
     panel_->raise();
     if (can_choose && isVisible()) resume_->setFocus();
-}
-
-void TheatrePage::place_panel() {
-    const int width = std::min(560, this->width() - 40);
-    panel_->setFixedWidth(width);
-    // adjustSize() reserves too little for lines that are wrapped.
-    panel_->resize(width, panel_->layout()->totalHeightForWidth(width));
-    panel_->move((this->width() - width) / 2, std::max(20, (height() - panel_->height()) / 2 - 30));
-}
-
-void TheatrePage::resizeEvent(QResizeEvent* event) {
-    Page::resizeEvent(event);
-    place_panel();
-    place_strip();
 }
 
 void TheatrePage::tick() {

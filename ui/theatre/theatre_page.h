@@ -130,7 +130,8 @@ class TheatrePage : public Page {
     std::optional<QPoint> put_back_to_;  ///< of the pointer, until it is seen there
     bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false,
          aligning_ = false, learns_ = false, teaching_begun_ = false, strip_ended_ = false;
-    QString demonstrated_;  ///< task, while it is a demonstration
+    QString demonstrated_;   ///< task, while it is a demonstration
+    bool help_fits_ = true;  ///< to the device in use, while it is a demonstration
 };
 
 }  // namespace fulcrum::ui

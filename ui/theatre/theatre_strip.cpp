@@ -155,6 +155,7 @@ void TheatrePage::place_strip() {
 }
 
 void TheatrePage::toggle_help() {
+    if (!demonstrated_.isEmpty() && !help_fits_) return;
     help_shown_ = !help_shown_;
     if (!help_shown_) {
         view_->set_cover({}, {});
