@@ -100,7 +100,8 @@ AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, M
     // Known once it is open.
     const DeviceInUse device = device_in_scene(context().services().device_in_use(), scene);
     mice_ = device.two_mice ? TwoMice::open(device.virtual_mice) : nullptr;
-    input.set_sensitivity(context().services().motion_scale(device.kind));
+    // A device of the daemon moves its parts with a scale of its own; the mouse next to it keeps the mouse's.
+    input.set_sensitivity(context().services().motion_scale(pad_ != nullptr ? device.kind : std::string()));
     input.set_keys(KeyMap::of_person(context().session().person_id()));
     take_up(device, input);
     if (input.keys().left_handed()) input.take_hand(Hand::left);

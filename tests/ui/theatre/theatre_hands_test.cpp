@@ -95,5 +95,30 @@ TEST_F(TheatreHands, MoveEvenlyWhereThePointerIsPutBackIntoTheMiddle) {
     EXPECT_NEAR(moved_to(middle() + QPoint(10, 0)), ten, 1e-3);
 }
 
+// A SpaceMouse moves the scope, the mouse both hands.
+TEST_F(TheatreHands, MoveByTheScaleOfTheMouseNextToADeviceThatHasAScaleOfItsOwn) {
+    services.in_use.kind = "space-mouse";
+    services.in_use.title = "SpaceMouse";
+    services.in_use.drives[2] = true;
+    services.motions["space-mouse"] = 2;
+    open({1280, 800});
+    sign_in(Role::trainee);
+    double moved[2] = {};
+    for (int i = 0; i < 2; ++i) {
+        services.motions[""] = i == 0 ? 1 : 0.5;
+        begin("C4");
+        const QPoint there = middle();
+        rest_at(there);
+        const Vector3 before = handle();
+        point_at(there + QPoint(20, 0));
+        moved[i] = (handle() - before).norm();
+        emit window->context().home_wanted();
+        settle();
+    }
+    EXPECT_GT(moved[0], 1e-3);
+    EXPECT_LT(moved[0], 7.5e-3) << "20 px at 100 %";
+    EXPECT_NEAR(moved[1], moved[0] / 2, 2e-4) << "what was set for the mouse";
+}
+
 }  // namespace
 }  // namespace fulcrum::ui::window_test
