@@ -89,7 +89,8 @@ class TheatrePage : public Page {
     void teach_again();
     HandDeeds needed() const;
     QString strip_words() const;
-    void show_strip();
+    /// `dt`: s since the last call.
+    void show_strip(double dt);
     void place_strip();
     void resume();
     void abandon();
@@ -122,7 +123,8 @@ class TheatrePage : public Page {
     QLabel *panel_heading_, *panel_text_, *strip_text_;
     QPushButton *resume_, *abandon_, *pause_, *help_, *sound_, *leave_;
     QTimer timer_;
-    QElapsedTimer since_tick_, since_picture_, since_moved_;
+    QElapsedTimer since_tick_, since_picture_;
+    double since_moved_ = -1;  ///< s of work since a hand moved; negative: none has
     Panel shown_ = Panel::none;
     std::vector<bool> done_;
     int active_target_ = -1;

@@ -13,7 +13,7 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr qint64 needed_ms = 8000, learning_ms = 120000;
+constexpr double needed_s = 8, learning_s = 120;
 constexpr int most_lines = 5;  // at a time
 
 QString strip_line(const QString& line, bool done) {
@@ -91,7 +91,7 @@ void TheatrePage::teach_again() {
     known_.reset();
     learns_ = true;
     strip_ended_ = false;
-    since_moved_.start();
+    since_moved_ = 0;
 }
 
 QString TheatrePage::strip_words() const {
@@ -114,24 +114,24 @@ QString TheatrePage::strip_words() const {
 }
 
 /// From the beginning until a hand has moved for some seconds; in practice, where something is new to the
-/// person, until each line was done, two minutes at most.
-void TheatrePage::show_strip() {
+/// person, until each line was done, two minutes at most. Only work counts: no pause, no lock, no
+/// lost device, and not while the help is shown.
+void TheatrePage::show_strip(double dt) {
     const bool begun = has_begun() && demonstrated_.isEmpty() && watch_ != nullptr;
     if (begun && !teaching_begun_) begin_teaching();
-    if (begun && session_->display().moving_seen && !since_moved_.isValid()) since_moved_.start();
+    if (begun && session_->display().moving_seen && since_moved_ < 0) since_moved_ = 0;
     const bool live =
         begun && shown_ == Panel::none && !help_shown_ && session_->phase() == AttemptPhase::running;
+    if (live && since_moved_ >= 0) since_moved_ += dt;
     if (learns_ && live) {
         const HandDeeds done = deeds();
         keep_learnt(done);
         if ((needed() & ~(done | known_)).none()) {
             learns_ = false;
-            since_moved_.start();
+            since_moved_ = 0;
         }
     }
-    const bool shown =
-        live && !strip_ended_ &&
-        !(since_moved_.isValid() && since_moved_.elapsed() > (learns_ ? learning_ms : needed_ms));
+    const bool shown = live && !strip_ended_ && since_moved_ <= (learns_ ? learning_s : needed_s);
     if (shown) {
         const QString words = strip_words();
         if (words != strip_text_->text()) {

@@ -282,6 +282,22 @@ TEST_F(FirstSteps, EndWithEnterAndAreShownAgainFromTheHelp) {
     EXPECT_FALSE(strip().contains("Enter")) << "ended is as good as learnt";
 }
 
+TEST_F(FirstSteps, AreStillThereAfterALongPause) {
+    open({1280, 800});
+    sign_in(Role::trainee);
+    emit window->context().attempt_wanted("A2", true, 0, false);
+    page = static_cast<TheatrePage*>(window->current_page());
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "theatre_keys"); }));
+    QTest::keyPress(page->view(), Qt::Key_D);
+    ASSERT_TRUE(wait_for([&] { return page->session()->display().moving_seen; }));
+    QTest::keyRelease(page->view(), Qt::Key_D);
+    page->pause();
+    ASSERT_TRUE(wait_for([&] { return !sees(*window, "theatre_keys"); }, 3000));
+    QTest::qWait(8500);  // the lines stay for 8 s of work
+    click(*window, "panel_resume");
+    EXPECT_TRUE(wait_for([&] { return sees(*window, "theatre_keys"); }, 3000));
+}
+
 // On a German keyboard the semicolon is Shift and the comma.
 TEST_F(FirstSteps, AKeyIsReleasedUnderTheNameThatShiftGaveIt) {
     open({1280, 800});
