@@ -81,7 +81,7 @@ TheatrePage::~TheatrePage() {
 bool TheatrePage::open(const std::function<void()>& work) {
     if (is_running()) return false;
     demonstrated_.clear();
-    return context().guarded([&] {
+    const bool opened = context().guarded([&] {
         work();
         world_loading_ = aligning_ = false;
         done_.clear();
@@ -90,6 +90,12 @@ bool TheatrePage::open(const std::function<void()>& work) {
         mouse_known_ = false;
         view_->unload();
     });
+    if (!opened) {  // nothing reads them
+        mice_.reset();
+        pad_.reset();
+        watch_.reset();
+    }
+    return opened;
 }
 
 AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,

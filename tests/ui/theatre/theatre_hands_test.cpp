@@ -5,7 +5,9 @@
 #include <QApplication>
 #include <QCursor>
 #include <QMouseEvent>
+#include <memory>
 
+#include "tests/ui/four_people.h"
 #include "tests/ui/settings_screens.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
@@ -118,6 +120,30 @@ TEST_F(TheatreHands, MoveByTheScaleOfTheMouseNextToADeviceThatHasAScaleOfItsOwn)
     EXPECT_GT(moved[0], 1e-3);
     EXPECT_LT(moved[0], 7.5e-3) << "20 px at 100 %";
     EXPECT_NEAR(moved[1], moved[0] / 2, 2e-4) << "what was set for the mouse";
+}
+
+class ServicesWithPad : public FakeServices {
+  public:
+    std::shared_ptr<GameController> game_controller() override { return pad; }
+    /// Nothing is behind it: whoever has a share of it only holds it.
+    std::shared_ptr<void> owner = std::make_shared<int>(0);
+    std::shared_ptr<GameController> pad{owner, static_cast<GameController*>(owner.get())};
+};
+
+TEST(TheatreDevices, AreLetGoOfWhereTheAttemptIsRefused) {
+    ServicesWithPad services;
+    services.open_store(false);
+    const auto sessions = make_four_people(*services.store());
+    MainWindow window(services);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.start();
+    window.context().set_session(sessions.at(Role::administrator));
+    const long before = services.owner.use_count();
+    emit window.context().attempt_wanted("A2", false, 0, false);
+    EXPECT_TRUE(wait_for([&] { return sees(window, "message_text"); }))
+        << "an administrator performs nothing";
+    EXPECT_EQ(services.owner.use_count(), before);
 }
 
 }  // namespace
