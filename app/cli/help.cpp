@@ -95,14 +95,15 @@ constexpr const char* placeholder_words[] = {
     QT_TRANSLATE_NOOP("commands", "KIND"),    QT_TRANSLATE_NOOP("commands", "HAND"),
     QT_TRANSLATE_NOOP("commands", "LEVEL"),   QT_TRANSLATE_NOOP("commands", "LIST"),
     QT_TRANSLATE_NOOP("commands", "LOGIN"),   QT_TRANSLATE_NOOP("commands", "MAPPING"),
-    QT_TRANSLATE_NOOP("commands", "NAME"),    QT_TRANSLATE_NOOP("commands", "PATH"),
-    QT_TRANSLATE_NOOP("commands", "PERSON"),  QT_TRANSLATE_NOOP("commands", "RATINGS"),
-    QT_TRANSLATE_NOOP("commands", "ROLE"),    QT_TRANSLATE_NOOP("commands", "RULE"),
-    QT_TRANSLATE_NOOP("commands", "SCALE"),   QT_TRANSLATE_NOOP("commands", "SHELL"),
-    QT_TRANSLATE_NOOP("commands", "TASK"),    QT_TRANSLATE_NOOP("commands", "TEXT"),
-    QT_TRANSLATE_NOOP("commands", "TIME"),    QT_TRANSLATE_NOOP("commands", "TO"),
-    QT_TRANSLATE_NOOP("commands", "TOKEN"),   QT_TRANSLATE_NOOP("commands", "TRACE"),
-    QT_TRANSLATE_NOOP("commands", "VALUES"),  QT_TRANSLATE_NOOP("commands", "VERSION")};
+    QT_TRANSLATE_NOOP("commands", "NAME"),    QT_TRANSLATE_NOOP("commands", "NEW"),
+    QT_TRANSLATE_NOOP("commands", "PATH"),    QT_TRANSLATE_NOOP("commands", "PERSON"),
+    QT_TRANSLATE_NOOP("commands", "RATINGS"), QT_TRANSLATE_NOOP("commands", "ROLE"),
+    QT_TRANSLATE_NOOP("commands", "RULE"),    QT_TRANSLATE_NOOP("commands", "SCALE"),
+    QT_TRANSLATE_NOOP("commands", "SHELL"),   QT_TRANSLATE_NOOP("commands", "TASK"),
+    QT_TRANSLATE_NOOP("commands", "TEXT"),    QT_TRANSLATE_NOOP("commands", "TIME"),
+    QT_TRANSLATE_NOOP("commands", "TO"),      QT_TRANSLATE_NOOP("commands", "TOKEN"),
+    QT_TRANSLATE_NOOP("commands", "TRACE"),   QT_TRANSLATE_NOOP("commands", "VALUES"),
+    QT_TRANSLATE_NOOP("commands", "VERSION")};
 
 const char* const usage_heading = QT_TRANSLATE_NOOP("commands", "usage:");
 

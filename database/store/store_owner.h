@@ -24,7 +24,7 @@ bool is_service_account(const StoreOwner& owner);
 /// A programme server's tables belong to a role with which nobody signs in.
 bool owned_by_service_account(const Store& store);
 
-/// The file belongs to another account than the one that runs this program. False where there is no file.
+/// The file belongs to another account than the one that runs this program. False where the file is missing.
 bool belongs_to_another_account(const std::string& path);
 /// Throws StoreError failed, with the account that the file belongs to and what to do.
 [[noreturn]] void fail_as_of_another_account(const std::string& path);

@@ -236,7 +236,7 @@ TEST(Wrench, OfTheClosestPointWhereTheWalkIsLostIsThatOfTheTip) {
     EXPECT_LT((result.torque - arm.cross(result.wall_force)).norm(), 1e-9);
 }
 
-// On a fine mesh the walk crosses more triangles than one tick allows: it goes on from where it was.
+// On a fine mesh the walk crosses more triangles than one tick allows: it continues from where it was.
 TEST(Wrench, OfAShaftOnAFineWallStaysFromTickToTick) {
     test::ContactRig rig;
     const CavityModel ball(test::make_bowl(Vector3(0.02, 0.02, 0.02), 60, 80, 0.0), FreeSide::front);

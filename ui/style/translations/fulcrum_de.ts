@@ -1066,6 +1066,10 @@
         <translation>ZUORDNUNG</translation>
     </message>
     <message>
+        <source>NEW</source>
+        <translation>NEU</translation>
+    </message>
+    <message>
         <source>PATH</source>
         <translation>PFAD</translation>
     </message>
