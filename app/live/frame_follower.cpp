@@ -17,11 +17,16 @@ void move_to(std::vector<Type>& from, std::vector<Type>& to) {
     from.clear();
 }
 
+template <typename Record>
+std::size_t bytes_of(const Record& record) noexcept {
+    return record.inputs.size() * sizeof(RigSample) + record.samples.size() * sizeof(TickSample) +
+           record.steps.size() * sizeof(StepRecord);
+}
+
 }  // namespace
 
 std::size_t FrameFollower::Waiting::bytes() const noexcept {
-    return inputs.size() * sizeof(RigSample) + samples.size() * sizeof(TickSample) +
-           steps.size() * sizeof(StepRecord);
+    return bytes_of(*this);
 }
 
 FrameFollower::~FrameFollower() {
@@ -78,6 +83,7 @@ void FrameFollower::hand_on() noexcept {
                 give_up();
             }
             if (waiting_.bytes() > most_) give_up();
+            waiting_bytes_.store(waiting_.bytes());
         }
     }
     if (appended_.bytes() > most_) give_up();
@@ -139,6 +145,7 @@ void FrameFollower::make_or_give_up() noexcept {
         player_.reset();
         const std::lock_guard<std::mutex> lock(mutex_);
         frames_.reset();
+        made_bytes_.store(0);
     }
 }
 
@@ -163,6 +170,7 @@ void FrameFollower::make() {
             frames_->add(player_->cursor);
         }
         const std::uint32_t until = whole_ ? newest_ : newest_ - std::min(newest_, behind_ticks);
+        made_bytes_.store(frames_->bytes() + bytes_of(record_));
         if (player_ && player_->cursor.tick() < until) {
             make_slice(until);
         } else if (whole_) {

@@ -45,6 +45,8 @@ class FrameFollower {
     /// After complete(): makes what is missing in the calling thread, which waits for the follower's first.
     /// False where there are no frames.
     bool finish_here() noexcept;
+    /// Memory that the frames and what waits to be made take; any thread.
+    std::size_t bytes() const noexcept { return waiting_bytes_.load() + made_bytes_.load(); }
     /// Stops soon, and gives the frames made so far, of the record's beginning; none where this is another
     /// attempt, where the file is written already, or where there are none. Does not wait.
     std::vector<PackedFrame> take(const std::string& attempt_id) noexcept;
@@ -71,6 +73,8 @@ class FrameFollower {
     std::thread thread_;
     Signal there_is_more_;
     std::atomic<bool> stop_{false}, given_up_{false}, written_{false};
+    std::atomic<std::size_t> waiting_bytes_{0};  ///< of what is appended; the recorder's thread writes it
+    std::atomic<std::size_t> made_bytes_{0};     ///< of frames and record; the follower's thread writes it
 
     Waiting appended_;  ///< recorder's thread
 

@@ -8,6 +8,7 @@
 #include "app/live/device_rig.h"
 #include "app/live/device_watch.h"
 #include "app/live/force_release.h"
+#include "app/live/frame_follower.h"
 #include "app/live/real_time.h"
 #include "app/live/scope_hold.h"
 #include "app/live/world_products.h"
@@ -62,13 +63,11 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<std::uint32_t> tick_count{0};
     std::atomic<std::int64_t> gap_ns{0};  // longest gap above longest_gap_ns, not yet recorded
     std::atomic<bool> ended{false}, finished{false}, failed{false};
-
     mutable std::mutex end_mutex;  // guards message and result, which the recorder thread passes to the owner
     Sentence trouble;
     std::exception_ptr error;
     std::optional<ui::AttemptOutcome> result;
     std::optional<ScoredAttempt> scored;
-
     LoopCounters counters;
     std::thread haptic_thread, world_thread, recorder_thread;
 
@@ -494,6 +493,7 @@ LoopStatistics LiveAttempt::statistics() const {
     statistics.lost_samples =
         state_->world_ring.lost() + state_->record_ring.lost() + state_->record_world_ring.lost();
     if (state_->request.device != nullptr) statistics.device = state_->request.device->timing();
+    if (state_->request.follower != nullptr) statistics.replay_bytes = state_->request.follower->bytes();
     return statistics;
 }
 

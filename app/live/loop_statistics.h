@@ -33,10 +33,11 @@ struct LoopStatistics {
     std::uint64_t page_faults_in_ticks = 0;
     std::uint64_t late_steps = 0;
     std::uint64_t lost_samples = 0;
-    Durations wake;  ///< delay of waking
-    Durations tick;  ///< duration of a tick
-    Durations own;   ///< processor time of a tick
-    Durations step;  ///< duration of a world step
+    std::uint64_t replay_bytes = 0;  ///< memory of the key frames that are made for its replay
+    Durations wake;                  ///< delay of waking
+    Durations tick;                  ///< duration of a tick
+    Durations own;                   ///< processor time of a tick
+    Durations step;                  ///< duration of a world step
     bool real_time_priority = false;
     std::optional<DeviceTiming> device;  ///< none: the hands' device is read by the program itself
 };

@@ -160,7 +160,7 @@ struct Seen {
     LoopStatistics statistics;
     std::vector<double> frames;  // ms
     int held_pictures = 0;
-    double grown = 0, withheld = 0;  // bytes, s
+    double grown = 0, of_replay = 0, withheld = 0;  // bytes, bytes, s
 };
 
 class Soak : public Window {
@@ -183,7 +183,7 @@ void Soak::watch(const SoakKind& kind, Seen& seen) {
     const ClockWitness witness;
     QElapsedTimer clock;
     clock.start();
-    double settled = 0, resident = 0;
+    double settled = 0, resident = 0, of_replay = 0;
     int pictures = view->pictures();
     kind.work(
         mind,
@@ -195,12 +195,14 @@ void Soak::watch(const SoakKind& kind, Seen& seen) {
                 for (const GraspState& grasp : theatre().session()->snapshot().grasps)
                     seen.held_pictures += grasp.held ? 1 : 0;
             }
-            resident = resident_bytes();
+            of_replay = static_cast<double>(seen.statistics.replay_bytes);
+            resident = resident_bytes() - of_replay;
             if (settled == 0 && clock.elapsed() > seconds_ * 250LL) settled = resident;
             return clock.elapsed() >= seconds_ * 1000LL;
         },
         seconds_ * 1000 + 60000);
     seen.grown = resident - settled;
+    seen.of_replay = of_replay;
     seen.withheld = witness.withheld();
     std::sort(seen.frames.begin(), seen.frames.end());
 }
@@ -241,20 +243,25 @@ lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
                            {"real-time priority granted to the device process",
                             device->real_time_priority ? "yes" : "no"}});
     }
-    table.rows.insert(table.rows.end(),
-                      {{"processor time withheld from a thread that only reads the clock, s",
-                        number(seen.withheld, "%.2f")},
-                       {"late world steps", number(static_cast<double>(statistics.late_steps))},
-                       {"samples lost", number(static_cast<double>(attempt.lost_samples))},
-                       {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
-                       {"memory grown after the first quarter, MiB", number(seen.grown / 1048576.0, "%.1f")},
-                       {"pictures", number(static_cast<double>(seen.frames.size()))},
-                       {"picture, ms: p50, p99, worst", list({frame(0.5), frame(0.99), frame(1.0)}, "%.1f")},
-                       {"grasps of bowel", number(grasps)},
-                       {"pictures with bowel held", number(seen.held_pictures)},
-                       {"inputs", number(kind.events())},
-                       {"real-time priority granted", statistics.real_time_priority ? "yes" : "no"},
-                       {"how it ended", row_of(attempt_states, attempt.state).name}});
+    table.rows.insert(
+        table.rows.end(),
+        {{"processor time withheld from a thread that only reads the clock, s",
+          number(seen.withheld, "%.2f")},
+         {"late world steps", number(static_cast<double>(statistics.late_steps))},
+         {"samples lost", number(static_cast<double>(attempt.lost_samples))},
+         {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
+         {"waits and page faults within ticks", list({static_cast<double>(statistics.waits_in_ticks),
+                                                      static_cast<double>(statistics.page_faults_in_ticks)})},
+         {"processor time of a tick, us: p50, p99, p99.9, worst", durations(statistics.own)},
+         {"memory of the replay's key frames at the end, MiB", number(seen.of_replay / 1048576.0, "%.1f")},
+         {"other memory grown after the first quarter, MiB", number(seen.grown / 1048576.0, "%.1f")},
+         {"pictures", number(static_cast<double>(seen.frames.size()))},
+         {"picture, ms: p50, p99, worst", list({frame(0.5), frame(0.99), frame(1.0)}, "%.1f")},
+         {"grasps of bowel", number(grasps)},
+         {"pictures with bowel held", number(seen.held_pictures)},
+         {"inputs", number(kind.events())},
+         {"real-time priority granted", statistics.real_time_priority ? "yes" : "no"},
+         {"how it ended", row_of(attempt_states, attempt.state).name}});
     return table;
 }
 
