@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "database/records/people_rows.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/schema/server_version.h"
@@ -233,109 +232,6 @@ void Exchange::pull(const Units& units, const Keys& keys) {
     });
 }
 
-bool Exchange::is_changed_here(const std::string& key) {
-    Query row(
-        station_,
-        "SELECT 1 FROM audit_entry WHERE station_id = ? AND object_id = ? AND (operation LIKE 'person.%' OR "
-        "operation LIKE 'password.%' OR operation LIKE 'cohort.%') AND sequence > COALESCE((SELECT "
-        "MAX(sequence) FROM audit_entry WHERE station_id = ? AND operation = ?), 0)");
-    row.bind(store_.station_id()).bind(key).bind(store_.station_id()).bind("sync.finish");
-    return row.next();
-}
-
-std::set<std::string> Exchange::names_of_hidden(const Units& units,
-                                                const std::map<std::string, UnitState>& here,
-                                                const std::map<std::string, UnitState>& there) {
-    std::set<std::string> taken;
-    if (!is_limited_ || units.table().unique == nullptr) return taken;
-    std::string names;
-    for (const auto& [key, state] : here) {
-        if (there.count(key) != 0) continue;
-        // As an element of an array: in quotes, with those within it escaped.
-        names += names.empty() ? "\"" : ",\"";
-        for (const char c : state.unique) names += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-        names += '"';
-    }
-    if (names.empty()) return taken;
-    const bool is_person = std::string(units.table().table) == "person";
-    Query rows(server_, "SELECT t FROM names_taken(?::text[], ?::text[]) t");
-    rows.bind(is_person ? "{" + names + "}" : "{}").bind(is_person ? "{}" : "{" + names + "}");
-    while (rows.next()) taken.insert(rows.text(0));
-    return taken;
-}
-
-void Exchange::exchange_versioned(const Units& units) {
-    const std::map<std::string, UnitState> here = units.states(station_), there = units.states(server_);
-    const auto owners = [](const std::map<std::string, UnitState>& states) {
-        std::map<std::string, std::string> owner;
-        for (const auto& [key, state] : states) owner[state.unique] = key;
-        return owner;
-    };
-    const auto owners_here = owners(here);
-    auto owners_there = owners(there);
-    for (const std::string& name : names_of_hidden(units, here, there)) owners_there.emplace(name, "");
-    Keys up, down;
-    // Another unit of the receiving side has this login or name already.
-    const auto taken = [&](const std::string& key, const UnitState& state,
-                           const std::map<std::string, std::string>& owner) {
-        if (units.table().unique == nullptr) return false;
-        const auto found = owner.find(state.unique);
-        if (found == owner.end() || found->second == key) return false;
-        // Found once for each side.
-        if (!names_taken_.insert(std::string(units.table().table) + " " + state.unique).second) return true;
-        if (std::string(units.table().table) == "person")
-            result.conflicts.push_back(
-                {QT_TRANSLATE_NOOP("errors",
-                                   "%1: \"%2\" is the login of one at this station and of another one on the "
-                                   "server; neither is transferred until one of them gets another login "
-                                   "(page People, or `fulcrum people login`)"),
-                 units.table().title, state.unique});
-        else
-            result.conflicts.push_back(
-                {QT_TRANSLATE_NOOP("errors",
-                                   "%1: \"%2\" is the name of one at this station and of another one on the "
-                                   "server; neither is transferred until one of them is renamed"),
-                 units.table().title, state.unique});
-        return true;
-    };
-    for (const auto& [key, state] : here) {
-        const auto other = there.find(key);
-        if (other != there.end() && other->second.content == state.content) continue;
-        if (refused_.count(key) != 0) {
-            result.conflicts.push_back(
-                {QT_TRANSLATE_NOOP(
-                     "errors",
-                     "%1: \"%2\" is on the server, but the server never gave it to this station: it is not "
-                     "transferred, and the server's log has this; have the person added to a cohort "
-                     "of this station, or ask the server's owner for another token"),
-                 units.table().title, state.unique.empty() ? key : state.unique});
-            continue;
-        }
-        if (other == there.end() || state.version > other->second.version) {
-            if (!taken(key, state, owners_there)) up.push_back(key);
-            continue;
-        }
-        if (taken(key, other->second, owners_here)) continue;
-        down.push_back(key);
-        if (is_changed_here(key))
-            result.conflicts.push_back(
-                {QT_TRANSLATE_NOOP("errors",
-                                   "%1: \"%2\" was changed here and on the server; the server's is kept, and "
-                                   "the audit log has both"),
-                 units.table().title, state.unique.empty() ? key : state.unique});
-    }
-    for (const auto& [key, state] : there)
-        if (here.count(key) == 0 && !taken(key, state, owners_here)) down.push_back(key);
-    if (std::string(units.table().table) == "person" && !down.empty()) {
-        Transaction transaction(station_);
-        for (const std::string& key : down)
-            make_room_for(store_, store_.station_session(), there.at(key).unique);
-        transaction.commit();
-    }
-    push(units, up);
-    pull(units, down);
-}
-
 void Exchange::add_missing(const Units& units, Way way) {
     Connection& from = way == Way::up ? station_ : server_;
     Connection& to = way == Way::up ? server_ : station_;
@@ -423,7 +319,7 @@ void Exchange::run() {
     steps_ = 2 * all.size() + 2;
     for (const Units& units : all) {
         if (units.table().rule == SyncRule::versioned) {
-            exchange_versioned(units);
+            exchange_until_settled(units);
         } else {
             add_missing(units, Way::up);
         }

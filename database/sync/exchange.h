@@ -41,7 +41,12 @@ class Exchange {
     void apply_erasures();
     /// Enters the first exchange of the store in its log, before anything is sent.
     void begin();
-    void exchange_versioned(const Units& units);
+    void exchange_until_settled(const Units& units);
+    /// Returns how many units were left because another one has their login or name there and gives it up in
+    /// this exchange. With `last` that is a conflict.
+    std::size_t exchange_versioned(const Units& units, bool last);
+    /// Once, however often it is found.
+    void add_conflict(Sentence one);
     void add_missing(const Units& units, Way way);
     void push(const Units& units, const Keys& keys);
     void pull(const Units& units, const Keys& keys);
@@ -67,7 +72,7 @@ class Exchange {
         refused_;  ///< people and cohorts here that the server has, but not for this station
     std::map<std::string, std::set<std::string>> known_[2];  ///< by table: keys that the receiving side has
     std::map<std::pair<std::string, Way>, std::int64_t> waiting_;  ///< by title
-    std::set<std::string> names_taken_;
+    std::set<std::string> conflicts_said_;
     std::size_t step_ = 0, steps_ = 1;
 };
 

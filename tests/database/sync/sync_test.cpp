@@ -144,5 +144,57 @@ TEST_F(Sync, SimulatedPeopleAndDraftsStayAtTheStation) {
     EXPECT_EQ(count("SELECT COUNT(*) FROM rating"), 0);
 }
 
+TEST_F(Sync, ALoginThatWasFreedAndGivenToSomebodyElseIsNoConflict) {
+    sync(a);
+    const Station b;
+    sync(b);
+    const Session& at_a = a.session("administrator");
+    const auto create = [&](const std::string& login, const std::string& name) {
+        return a.people().create(at_a, login, name, {Role::trainee}).person.id;
+    };
+    const std::string first = create("carl", "Carl the first"), third = create("dora", "Dora");
+    sync(a);
+    sync(b);
+    // Down a row: Dora leaves, Carl gets her login, and somebody new gets his.
+    a.people().set_login(at_a, third, "dora.old");
+    a.people().set_login(at_a, first, "dora");
+    const std::string second = create("carl", "Carl the second");
+    for (const SyncResult& one : {sync(a), sync(b)})
+        EXPECT_TRUE(one.conflicts.empty()) << one.conflicts.front().words();
+    for (const Store* store : {a.store.get(), b.store.get()}) {
+        Query all(store->connection(),
+                  "SELECT COUNT(*) FROM person WHERE (id = ? AND login = 'dora.old') OR (id = ? AND login = "
+                  "'dora') OR (id = ? AND login = 'carl' AND display_name = 'Carl the second')");
+        all.bind(third).bind(first).bind(second);
+        EXPECT_TRUE(all.next() && all.integer(0) == 3);
+        expect_sound(*store);
+    }
+    EXPECT_EQ(sync(a).transferred() + sync(b).transferred(), 0);
+    expect_sound(server);
+}
+
+TEST_F(Sync, TwoLoginsThatWereExchangedBetweenTwoSyncsWaitForAThirdOne) {
+    sync(a);
+    const Station b;
+    sync(b);
+    const Session& at_a = a.session("administrator");
+    const std::string ann = a.id("ann"), ben = a.id("ben");
+    a.people().set_login(at_a, ann, "ann.old");
+    a.people().set_login(at_a, ben, "ann");
+    a.people().set_login(at_a, ann, "ben");
+    EXPECT_EQ(sync(a).conflicts.size(), 2U) << "one for each login";
+    for (const char* login : {"ann.new", "ben"}) {
+        a.people().set_login(at_a, ann, login);
+        EXPECT_TRUE(sync(a).conflicts.empty());
+        EXPECT_TRUE(sync(b).conflicts.empty());
+    }
+    Query both(b.store->connection(),
+               "SELECT COUNT(*) FROM person WHERE (id = ? AND login = 'ben') OR (id = ? AND login = 'ann')");
+    both.bind(ann).bind(ben);
+    EXPECT_TRUE(both.next() && both.integer(0) == 2);
+    expect_sound(*b.store);
+    expect_sound(server);
+}
+
 }  // namespace
 }  // namespace fulcrum::database::test
