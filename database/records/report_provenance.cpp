@@ -9,14 +9,29 @@
 
 namespace fulcrum::database {
 
+const std::set<std::string>& MetricVersions::copies() {
+    if (copies_) return *copies_;
+    copies_.emplace();
+    Query rows(store_.connection(),
+               "SELECT a.id FROM attempt a JOIN attempt_asset c ON c.attempt_id = a.id AND c.file "
+               "= " FULCRUM_COPIED_FROM " WHERE " +
+                   whose_ +
+                   " UNION SELECT a.id FROM attempt a JOIN attempt_reassignment c ON c.to_id = a.id WHERE " +
+                   whose_);
+    rows.bind(value_).bind(value_);
+    while (rows.next()) copies_->insert(rows.text(0));
+    return *copies_;
+}
+
 MetricVersions::Group MetricVersions::group_of(const AttemptSummary& attempt) {
     const AttemptMeta& meta = attempt.meta;
+    const bool is_alone = is_cut_off(attempt.recorded_state) || copies().count(meta.id) != 0;
     return {attempt.station_id,
             meta.program_version,
             meta.task_id,
             std::to_string(meta.task_version),
             row_of(device_classes, meta.device_class).name,
-            is_cut_off(attempt.recorded_state) ? meta.id : std::string()};
+            is_alone ? meta.id : std::string()};
 }
 
 const MetricVersions::Set& MetricVersions::of(const AttemptSummary& attempt) {
@@ -61,7 +76,7 @@ void Provenance::add_basis(const AttemptMeta& meta) {
 void Provenance::add(const AttemptSummary& attempt) {
     add_basis(attempt.meta);
     if (attempt.passed || !attempt.not_scored_because.empty())
-        to_look_up_[MetricVersions::group_of(attempt)].emplace_back(attempt.meta.started, &attempt);
+        to_look_up_[versions_.group_of(attempt)].emplace_back(attempt.meta.started, &attempt);
 }
 
 void Provenance::add(const AttemptSummary& attempt, const std::vector<MetricRow>& metrics) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -19,15 +20,18 @@ namespace fulcrum::database {
 /// The versions of the metrics in the scores of one report's attempts. They change where the program of a
 /// station is updated, so between two attempts of one station (of one task and version, device class and
 /// program) with the same ones no others are looked for: few attempts are asked about, whatever their number.
-/// Attempts that were cut off may have been scored later, by another program: each is asked about. A report
-/// of one person has its own: the attempts of others may be from another station.
+/// Attempts that were cut off may have been scored later, by another program, and the copy of a reassigned
+/// one has the scores of the station that recorded it: each of these is asked about. A report of one person
+/// has its own: the attempts of others may be from another station.
 class MetricVersions {
   public:
     using Set = std::set<std::string>;         ///< "path_len@1"
     using Group = std::array<std::string, 6>;  ///< what attempts have in common
-    static Group group_of(const AttemptSummary& attempt);
+    Group group_of(const AttemptSummary& attempt);
 
-    explicit MetricVersions(const Store& store) : store_(store) {}
+    /// `whose`, `value`: as those of Provenance.
+    MetricVersions(const Store& store, const QString& whose, const std::string& value)
+        : store_(store), whose_(whose), value_(value) {}
     /// Empty where the attempt has no score, or one without metrics.
     const Set& of(const AttemptSummary& attempt);
     /// Of several in one query: of() knows them from then on.
@@ -35,7 +39,12 @@ class MetricVersions {
 
   private:
     using Moment = std::pair<std::int64_t, std::string>;  ///< start, attempt
+    /// Copies of reassigned attempts among them, read once.
+    const std::set<std::string>& copies();
     const Store& store_;
+    QString whose_;
+    std::string value_;
+    std::optional<std::set<std::string>> copies_;
     Set none_;
     std::set<Set> sets_;
     std::map<Group, std::map<Moment, const Set*>> known_;  ///< none of them empty
@@ -47,7 +56,7 @@ class Provenance {
     enum class Kinds { all, benchmark_sets };
     /// Over the attempts (table `a`) for which `whose` holds with this value.
     Provenance(const Store& store, const QString& whose, const std::string& value, Kinds kinds = Kinds::all)
-        : store_(store), versions_(store), whose_(whose), value_(value), kinds_(kinds) {}
+        : store_(store), versions_(store, whose, value), whose_(whose), value_(value), kinds_(kinds) {}
     /// The attempt stays where it is until write().
     void add(const AttemptSummary& attempt);
     /// The same where the metrics of its score have been read.

@@ -7,6 +7,7 @@
 #include "assessment/pathology/pathology.h"
 #include "database/records/report_data.h"
 #include "database/store/score_rows.h"
+#include "database/sync/erasure.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -77,6 +78,7 @@ std::string record_with_version(const Programme& programme, const std::string& l
     result.score->metrics[0].version = version;
     Recorder recorder(programme.path, programme.session(login), example_meta(programme.id(login)),
                       programme.clock.options());
+    Programme::append_second(recorder);
     recorder.finish(result);
     programme.clock.pass_s(60);
     return recorder.attempt_id();
@@ -133,6 +135,26 @@ TEST(CohortTable, NamesAVersionOfAnotherStationBetweenTwoAttemptsOfOneStation) {
                   .cohort_table(programme.session("director"), programme.cohort)
                   .metric_versions,
               (std::vector<std::string>{"path_len@2", "path_len@3", "sparc@2"}));
+}
+
+TEST(CohortTable, NamesTheVersionOfAReassignedAttemptAlsoOnceTheOriginalIsGone) {
+    Programme programme;
+    record_with_version(programme, "ann", 2);
+    const std::string original = record_with_version(programme, "ben", 3);
+    record_with_version(programme, "ann", 2);
+    programme.attempts().reassign(programme.session("educator"), original, programme.id("ann"),
+                                  "Ann sat there");
+    const std::vector<std::string> all = {"path_len@2", "path_len@3", "sparc@2"};
+    const auto versions = [&] {
+        return Reports(*programme.store)
+            .cohort_table(programme.session("director"), programme.cohort)
+            .metric_versions;
+    };
+    EXPECT_EQ(versions(), all);
+    EXPECT_EQ(versions_on_pages(programme)["ann"], all);
+    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ben"), programme.store->station_session(),
+                                 "asked for it"));
+    EXPECT_EQ(versions(), all);
 }
 
 TEST(CohortTable, NamesTheVersionOfACutOffAttemptThatWasScoredLater) {
