@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/records/rating_seen.h"
 
+#include <vector>
+
 #include "database/records/attempt_query.h"
 #include "database/records/ratings.h"
 
@@ -14,19 +16,36 @@ bool is_noted(Connection& connection, const Session& rater, const std::string& a
     return seen.next();
 }
 
-/// The one row that is written at a server, with a right of its own: without it somebody could look an
+/// The attempt and the copies that a reassignment made of it, of those that are not noted yet and that the
+/// account sees. A station of some cohorts may have the copy and not the original.
+std::vector<std::string> to_note_at_server(Connection& server, const Session& rater,
+                                           const std::string& attempt_id) {
+    Query rows(server,
+               "WITH RECURSIVE same (id) AS (SELECT a.id FROM attempt a WHERE a.id = ? UNION SELECT c.to_id "
+               "FROM attempt_reassignment c JOIN same ON c.from_id = same.id) SELECT same.id FROM same JOIN "
+               "attempt a ON a.id = same.id WHERE NOT EXISTS (SELECT 1 FROM rating_seen s WHERE s.attempt_id "
+               "= same.id AND s.person_id = ?)");
+    rows.bind(attempt_id).bind(rater.person_id());
+    std::vector<std::string> ids;
+    while (rows.next()) ids.push_back(rows.text(0));
+    return ids;
+}
+
+/// The only rows that are written at a server, with a right of their own: without them somebody could look an
 /// attempt up there and then rate it "blind" at a station.
 void note_seen_at_server(Connection& server, const Session& rater, const std::string& attempt_id,
                          UtcMilliseconds now) {
-    if (is_noted(server, rater, attempt_id)) return;
+    const std::vector<std::string> ids = to_note_at_server(server, rater, attempt_id);
+    if (ids.empty()) return;
     Transaction transaction(server);
     server.execute("SET TRANSACTION READ WRITE");
-    Query(server,
-          "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
-        .bind(attempt_id)
-        .bind(rater.person_id())
-        .bind(now)
-        .run();
+    for (const std::string& id : ids)
+        Query(server,
+              "INSERT INTO rating_seen (attempt_id, person_id, time) VALUES (?, ?, ?) ON CONFLICT DO NOTHING")
+            .bind(id)
+            .bind(rater.person_id())
+            .bind(now)
+            .run();
     transaction.commit();
 }
 

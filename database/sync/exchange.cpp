@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "database/records/rating_seen.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/schema/server_version.h"
@@ -213,6 +214,7 @@ void Exchange::pull(const Units& units, const Keys& keys) {
                 units.replace(station_, read, false);
             } else {
                 units.add(station_, read);
+                note_copies_seen(units, read);
             }
             for (const Unit& unit : read) {
                 if (units.table().record) records.push_back({*units.table().record, unit.key});
@@ -230,6 +232,15 @@ void Exchange::pull(const Units& units, const Keys& keys) {
         }
         progress(units.table().title, Way::down, done, keys.size());
     });
+}
+
+void Exchange::note_copies_seen(const Units& units, const std::vector<Unit>& read) {
+    const std::string table = units.table().table;
+    if (table != "attempt_reassignment" && table != "rating_seen") return;
+    // The first that each of these names: the original.
+    for (const Unit& unit : read)
+        for (const std::string& original : units.values(unit, units.table().references.front()))
+            note_copies(station_, "s.attempt_id = ?", original);
 }
 
 void Exchange::add_missing(const Units& units, Way way) {

@@ -50,6 +50,9 @@ class Exchange {
     void add_missing(const Units& units, Way way);
     void push(const Units& units, const Keys& keys);
     void pull(const Units& units, const Keys& keys);
+    /// A reassignment at one station and a rater who opened the original at another one, in either order: the
+    /// next exchange sends that the rater has seen the copy too.
+    void note_copies_seen(const Units& units, const std::vector<Unit>& read);
     void push_audit();
     bool is_changed_here(const std::string& key);
     /// Logins or names of units that are only here, which others have whom the server does not show.

@@ -266,6 +266,29 @@ TEST_F(SyncConflict, AnAttemptReassignedAtAnotherStationIsWholeWhereItWasRecorde
     expect_sound(server);
 }
 
+TEST_F(SyncConflict, ARaterWhoOpenedTheOriginalElsewhereHasSeenTheCopyInWhicheverOrderTheyArrive) {
+    for (const bool note_first : {true, false}) {
+        const std::string attempt = b.record("ann", 70);
+        sync(b);
+        sync(a);
+        Ratings(*a.store).note_seen(a.session("educator"), attempt);
+        const std::string copy =
+            Attempts(*b.store).reassign(b.sign_in("educator"), attempt, a.id("ben"), "he was the one");
+        if (note_first) sync(a);
+        sync(b);
+        sync(a);
+        sync(b);
+        for (const Store* store : {a.store.get(), b.store.get()}) {
+            Query seen(store->connection(),
+                       "SELECT COUNT(*) FROM rating_seen WHERE attempt_id = ? AND person_id = ?");
+            seen.bind(copy).bind(a.id("educator"));
+            EXPECT_TRUE(seen.next() && seen.integer(0) == 1) << note_first;
+        }
+    }
+    expect_sound(*a.store);
+    expect_sound(server);
+}
+
 TEST_F(SyncConflict, AnAttemptThatTwoStationsScoredKeepsTheScoreOfEachAndAllElseIsTransferred) {
     const std::string attempt = a.record_broken("ann");
     a.open();  // closes it as cut off

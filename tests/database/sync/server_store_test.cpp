@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The programme server opened as a store: the same answers as the station that sent everything, who is who
 // there, and what ends it.
+#include <set>
+
 #include "assessment/curriculum/curriculum.h"
 #include "database/records/curricula.h"
 #include "database/records/standings.h"
@@ -154,6 +156,47 @@ TEST_F(ServerStore, ARaterWhoOpensAnAttemptThereIsNotBlindForItAtAStation) {
                                                        "', '" + a.id("ann") + "', 1)"));
               }),
               StoreErrorKind::read_only);
+}
+
+TEST_F(ServerStore, ARaterWhoOpensAnAttemptThereIsNotBlindForItsCopies) {
+    const std::string attempt = a.record("ann");
+    const auto reassign = [&](const std::string& from, const std::string& to) {
+        return a.attempts().reassign(a.session("educator"), from, a.id(to), "somebody else sat there");
+    };
+    const std::string first = reassign(attempt, "ben");
+    sync(a);
+    const auto seen_there = [&](const std::string& login) {
+        Connection connection(server);
+        std::set<std::string> ids;
+        Query rows(connection, "SELECT attempt_id FROM rating_seen WHERE person_id = ?");
+        rows.bind(a.id(login));
+        while (rows.next()) ids.insert(rows.text(0));
+        return ids;
+    };
+    const auto open_there = [&](const std::string& login) {
+        const Store store = open_as(login);
+        Ratings(store).note_seen(People(store).account_session(), attempt);
+    };
+    open_there("director");
+    EXPECT_EQ(seen_there("director"), (std::set<std::string>{attempt, first}));
+    const std::string second = reassign(first, "ann");
+    sync(a);
+    open_there("director");
+    open_there("educator");
+    for (const char* login : {"director", "educator"})
+        EXPECT_EQ(seen_there(login), (std::set<std::string>{attempt, first, second})) << login;
+    // Of an educator of some people: those that the account sees, and no failure.
+    const Session& head = a.session("director");
+    const std::string cohort = a.people().create_cohort(head, "Year 2");
+    a.people().set_members(head, cohort, {a.id("eve")});
+    a.people().set_educators(head, cohort, {a.id("educator")});
+    const std::string hidden = reassign(second, "eve");
+    a.people().set_educators(head, cohort, {});
+    sync(a);
+    open_there("educator");
+    open_there("director");
+    EXPECT_EQ(seen_there("educator").count(hidden), 0U);
+    EXPECT_EQ(seen_there("director").count(hidden), 1U);
 }
 
 TEST_F(ServerStore, ALostConnectionIsMadeAgain) {
