@@ -57,6 +57,14 @@ int XapiOutbox::add(const std::vector<OutboxStatement>& statements) const {
             attempt.bind(one.attempt_id);
             if (!attempt.next()) continue;
             person = attempt.text(0);
+            // Queued by an older program, for the account that the attempt's was merged into then.
+            Query(connection,
+                  "UPDATE xapi_outbox SET person_id = ? WHERE endpoint = ? AND id = ? AND person_id <> ?")
+                .bind(person)
+                .bind(endpoint_)
+                .bind(one.id)
+                .bind(person)
+                .run();
         }
         // Erased since the statement was made: what an erasure has deleted does not come back.
         Query known(connection,

@@ -51,7 +51,7 @@ class XapiOutbox {
 
     /// Those with an id that is there already are left as they are, those of an erased person or attempt are
     /// left out. One about an attempt of a merged account is that account's, and goes when it is erased, also
-    /// after the merge was undone.
+    /// after the merge was undone; one that an older program queued for the other account is given back.
     /// All or none; returns how many are new.
     int add(const std::vector<OutboxStatement>& statements) const;
     /// The first one that waits and whose time has come. One that was put off at a time that has not come

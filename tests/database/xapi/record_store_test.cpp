@@ -257,6 +257,23 @@ TEST_F(RecordStoreTest, IsSentNothingOfAPersonWhoWasErasedAfterAMergeByMistakeWa
     EXPECT_EQ(send().sent, 0);
 }
 
+TEST_F(RecordStoreTest, AStatementThatAnOlderProgramQueuedForTheOtherAccountOfAMergeGoesBackToItsOwner) {
+    const std::string bens = programme.record("ben");
+    OutboxStatement one;
+    one.id = example_id(0);
+    one.person_id = programme.id("ann");
+    one.text = example_statement(0);
+    EXPECT_EQ(outbox().add({one}), 1);  // without its attempt, as before
+    one.person_id = programme.id("ben");
+    one.attempt_id = bens;
+    EXPECT_EQ(outbox().add({one}), 0);
+    EXPECT_EQ(outbox().counts().waiting, 1);
+    ASSERT_TRUE(erase_at_station(*programme.store, programme.id("ben"), programme.store->station_session(),
+                                 "asked for it"));
+    EXPECT_EQ(outbox().counts().waiting, 0);
+    EXPECT_EQ(send().sent, 0);
+}
+
 TEST_F(RecordStoreTest, QueuesNothingOfAPersonWhoWasErasedWhileTheStatementsWereMade) {
     std::vector<OutboxStatement> statements;
     for (const char* login : {"ann", "ben"}) {
