@@ -106,6 +106,13 @@ TEST(German, EveryTranslationIsFinishedAndHasThePlaceholdersOfItsSource) {
     }
 }
 
+TEST(German, AMetricHasOneName) {
+    for (const char* file : {"fulcrum_de.ts", "assets_de.ts"})
+        for (const Translation& one : translations(file))
+            for (const QString& form : one.forms)
+                EXPECT_FALSE(form.contains(QStringLiteral("Messgr"))) << form.toStdString() << ": Kennzahl";
+}
+
 TEST(German, EveryMarkedTextOfTheSourcesIsInTheFile) {
     QSet<QString> known;
     for (const Translation& one : translations("fulcrum_de.ts")) known.insert(one.source);

@@ -1295,7 +1295,7 @@
     </message>
     <message>
         <source>Fidelities with another score than %1, measured with synthetic operators (fulcrum lab fidelity): the assessed metric that differs most, and verdicts that differ.</source>
-        <translation>Genauigkeiten mit einer anderen Bewertung als %1, gemessen mit simulierten Operateuren (fulcrum lab fidelity): die bewertete Messgröße, die am meisten abweicht, und Urteile, die abweichen.</translation>
+        <translation>Genauigkeiten mit einer anderen Bewertung als %1, gemessen mit simulierten Operateuren (fulcrum lab fidelity): die bewertete Kennzahl, die am meisten abweicht, und Urteile, die abweichen.</translation>
     </message>
     <message>
         <source>%1 at %2: another verdict for %3 of %4</source>
@@ -1399,7 +1399,7 @@
     </message>
     <message>
         <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. Classes of devices, modes, tasks and metrics of fewer than 5 people are put together with others or left out. The two tables of counts, taken alone, give no count below 5. attempts and metrics have rows of single people, from which smaller counts follow, and somebody who knows a person&apos;s attempts well may recognise them: give these files to researchers only, and do not publish them. Give the same readers no later export without need: next to an earlier one it shows what single people did in between. A station of some cohorts of a programme exports nothing.</source>
-        <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Geräteklassen, Modi, Aufgaben und Messgrößen von weniger als 5 Personen werden mit anderen zusammengefasst oder weggelassen. Die beiden Tabellen mit Anzahlen ergeben für sich allein keine Anzahl unter 5. attempts und metrics haben Zeilen einzelner Personen, aus denen kleinere Anzahlen folgen, und wer die Versuche einer Person gut kennt, erkennt sie vielleicht: Geben Sie diese Dateien nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben. Eine Station mit einem Teil der Gruppen eines Programms exportiert nichts.</translation>
+        <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Geräteklassen, Modi, Aufgaben und Kennzahlen von weniger als 5 Personen werden mit anderen zusammengefasst oder weggelassen. Die beiden Tabellen mit Anzahlen ergeben für sich allein keine Anzahl unter 5. attempts und metrics haben Zeilen einzelner Personen, aus denen kleinere Anzahlen folgen, und wer die Versuche einer Person gut kennt, erkennt sie vielleicht: Geben Sie diese Dateien nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben. Eine Station mit einem Teil der Gruppen eines Programms exportiert nichts.</translation>
     </message>
 </context>
 <context>
@@ -12827,8 +12827,8 @@ Kennzahlen: %2</translation>
     <message numerus="yes">
         <source>The recording of %n of them was not kept here: only their metrics are compared.</source>
         <translation>
-            <numerusform>Von %n Person wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
-            <numerusform>Von %n Personen wurde die Aufzeichnung hier nicht behalten: Nur ihre Messgrößen werden verglichen.</numerusform>
+            <numerusform>Von %n Person wurde die Aufzeichnung hier nicht behalten: Nur ihre Kennzahlen werden verglichen.</numerusform>
+            <numerusform>Von %n Personen wurde die Aufzeichnung hier nicht behalten: Nur ihre Kennzahlen werden verglichen.</numerusform>
         </translation>
     </message>
     <message>
@@ -17525,7 +17525,7 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     </message>
     <message>
         <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Devices, modes, tasks and metrics of fewer than 5 people are put together or left out, and the two tables of counts, taken alone, give no count below 5. The files attempts and metrics have rows of single people, from which smaller counts follow, and a reader who knows a person&apos;s attempts well might recognise that person: give them to researchers only and do not publish them. Give the same readers no later export without need: next to an earlier one it shows what single people did in between.</source>
-        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Geräte, Modi, Aufgaben und Messgrößen von weniger als 5 Personen sind zusammengefasst oder fehlen, und die beiden Tabellen mit Anzahlen ergeben für sich allein keine Anzahl unter 5. Die Dateien attempts und metrics haben Zeilen einzelner Personen, aus denen kleinere Anzahlen folgen, und wer die Versuche einer Person gut kennt, könnte sie erkennen: Geben Sie sie nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben.</translation>
+        <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Geräte, Modi, Aufgaben und Kennzahlen von weniger als 5 Personen sind zusammengefasst oder fehlen, und die beiden Tabellen mit Anzahlen ergeben für sich allein keine Anzahl unter 5. Die Dateien attempts und metrics haben Zeilen einzelner Personen, aus denen kleinere Anzahlen folgen, und wer die Versuche einer Person gut kennt, könnte sie erkennen: Geben Sie sie nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben.</translation>
     </message>
 </context>
 <context>
