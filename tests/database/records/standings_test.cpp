@@ -76,6 +76,33 @@ TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     }
 }
 
+TEST(Standings, AFailureScoredAfterItsLimitsWereReplacedCountsByTheLimitsOfItsStart) {
+    const Programme programme;
+    const std::int64_t begin = programme.store->now();
+    for (const char* limits : {"A2-site@1", "A2-provisional@1", ""}) {
+        AttemptResult result = test::example_result(false, 0);
+        for (GateRow& gate : result.score->gates) {
+            if (gate.kind != GateKind::benchmark) continue;
+            gate.limit = gate.z = gate.points = std::nullopt;
+            gate.limit_source.clear();
+            gate.passed = gate.provisional = false;
+            gate.not_passed_because = Statement(StatementId::limits_replaced);
+        }
+        AttemptMeta meta = test::example_meta(programme.id("ann"));
+        meta.limits = limits;
+        Recorder(programme.path, programme.session("ann"), meta, programme.clock.options()).finish(result);
+        programme.clock.pass_s(60);
+    }
+    const PersonRecord counted =
+        Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), rectal());
+    ASSERT_EQ(counted.attempts.size(), 3U);
+    for (const CountedAttempt& one : counted.attempts) {
+        const std::int64_t minute = (one.time - begin) / 60'000;
+        EXPECT_EQ(one.provisional, minute == 1) << minute;
+        EXPECT_EQ(one.without_limits, minute == 2) << minute;
+    }
+}
+
 TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
     const Programme programme;
     const Curriculum curriculum = rectal();
