@@ -399,7 +399,9 @@ void DebriefPage::save_report(const QString& path) {
     request.attempt_id = attempt_id_;
     request.format = report_format_of(path);
     request.path = plain(path);
-    export_report(context(), this, job_bar_, request, [this](const QString&) { show_pathology(); });
+    export_report(context(), this, job_bar_, request, [this](const QString&) {
+        if (model_) show_pathology();  // the attempt may have been left since
+    });
 }
 
 void DebriefPage::go_to(double time) {

@@ -4,13 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <QChart>
+#include <QFile>
 #include <QLabel>
 #include <QListWidget>
 #include <QPainter>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTemporaryDir>
+#include <QThreadPool>
 #include <cmath>
 #include <functional>
+#include <future>
 
 #include "database/records/attempts.h"
 #include "database/records/people.h"
@@ -20,6 +25,7 @@
 #include "tests/ui/specimens.h"
 #include "ui/charts/time_chart.h"
 #include "ui/language/language.h"
+#include "ui/page/background_job.h"
 #include "ui/review/attempt_model.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/replay_panel.h"
@@ -342,6 +348,36 @@ TEST_F(DebriefLayout, ADefectOnTheMapMovesTheReplay) {
     click(*window, "specimen_cell_1_left");
     click(*window, "specimen_show");
     EXPECT_NEAR(graded.moment(), 4.0, 1e-9);
+}
+
+TEST_F(DebriefLayout, AReportThatIsWrittenAfterTheDebriefWasLeftIsSaved) {
+    open(record(varied_specimen()));
+    QTemporaryDir folder;
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    pool.waitForDone();
+    QCoreApplication::processEvents();
+    const int threads = pool.maxThreadCount();
+    pool.setMaxThreadCount(1);
+    std::promise<void> release;
+    QObject owner;
+    BackgroundJob::run(
+        &owner, [released = release.get_future().share()](const Progress&) { released.wait(); }, [] {},
+        [](const QString&) {});
+    type(*window, "export_path", folder.filePath("late.json"));
+    bring(*find<QPushButton>(*window, "export_attempt"));
+    click(*window, "export_attempt");
+    EXPECT_TRUE(sees(*window, "cancel_job"));
+    bring(*find<QPushButton>(*window, "debrief_back"));
+    click(*window, "debrief_back");
+    EXPECT_NE(window->current_page()->objectName(), "debrief_page");
+    release.set_value();
+    pool.waitForDone();
+    pool.setMaxThreadCount(threads);
+    EXPECT_TRUE(wait_for([&] {
+        return sees(*window, "message_text") &&
+               find<QLabel>(*window, "message_text")->text().contains("late.json");
+    }));
+    EXPECT_TRUE(QFile::exists(folder.filePath("late.json")));
 }
 
 TEST_F(DebriefLayout, ALimitOfForceNamesItsTissuesWholeAndInTheReadersLanguage) {
