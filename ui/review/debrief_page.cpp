@@ -35,7 +35,10 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     connect(back_, &QPushButton::clicked, this, [this] { emit this->context().home_wanted(); });
     layout->addWidget(back_, 0, Qt::AlignLeft);
     job_bar_ = new JobBar;
-    connect(job_bar_, &JobBar::cancelled, this, [this] { emit this->context().home_wanted(); });
+    // Without the attempt there is nothing to stay for; a report is stopped where one is.
+    connect(job_bar_, &JobBar::cancelled, this, [this] {
+        if (!has_charts()) emit this->context().home_wanted();
+    });
     layout->addWidget(job_bar_);
     content_ = new QWidget;
     auto* content = new QVBoxLayout(content_);

@@ -380,6 +380,35 @@ TEST_F(DebriefLayout, AReportThatIsWrittenAfterTheDebriefWasLeftIsSaved) {
     EXPECT_TRUE(QFile::exists(folder.filePath("late.json")));
 }
 
+TEST_F(DebriefLayout, CancelOfAReportThatWasBegunEarlierStaysInTheDebrief) {
+    const std::string second = record(varied_specimen());
+    DebriefPage& debrief = open(record(varied_specimen()));
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    const int threads = pool.maxThreadCount();
+    pool.setMaxThreadCount(threads + 1);
+    std::promise<void> release;
+    QObject owner;
+    BackgroundJob* report = BackgroundJob::run(
+        &owner, [released = release.get_future().share()](const Progress&) { released.wait(); }, [] {},
+        [](const QString&) {});
+    debrief.findChild<JobBar*>()->watch(report, QStringLiteral("Writing the report …"));
+    emit window->context().debrief_wanted(text(second), -1);
+    EXPECT_TRUE(wait_for([&] { return debrief.is_ready(); }));
+    EXPECT_TRUE(sees(*window, "cancel_job")) << "the report is still being written";
+    bring(*find<QPushButton>(*window, "cancel_job"));
+    click(*window, "cancel_job");
+    EXPECT_FALSE(sees(*window, "cancel_job"));
+    EXPECT_EQ(window->current_page(), &debrief);
+    EXPECT_TRUE(debrief.is_ready());
+    // Where the attempt is still being read, it leaves.
+    emit window->context().debrief_wanted(text(second), -1);
+    click(*window, "cancel_job");
+    EXPECT_NE(window->current_page(), &debrief);
+    release.set_value();
+    pool.waitForDone();
+    pool.setMaxThreadCount(threads);
+}
+
 TEST_F(DebriefLayout, ALimitOfForceNamesItsTissuesWholeAndInTheReadersLanguage) {
     use_language(Language::german);
     open(record(varied_specimen()));
