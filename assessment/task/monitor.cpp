@@ -88,7 +88,7 @@ struct TaskMonitor::State {
     double let_fall_height = std::numeric_limits<double>::infinity();  // m above rest, of jaws that open
     std::uint64_t critical_kinds = 0;                                  // bit by EventKind
 
-    bool fallen = false;  // in this step
+    bool fallen = false, let_fall = false;  // in this step; the second: out of jaws that opened
     bool begun = false, paused = false, lost = false, late = false, colliding = false;
     std::uint32_t unpaused_ticks = 0, elapsed_ticks = 0;  // since the beginning; since the first movement
     std::uint32_t lost_ticks = 0, late_ticks = 0, last_tick = 0;
@@ -264,10 +264,12 @@ void TaskMonitor::State::watch_hold(std::size_t h, HoldChange change, const Worl
     const bool slipped = change == HoldChange::slipped;
     if (!slipped && change != HoldChange::released) return;
     if (grasp.body == HeldBody::sheet || world.grasps[1 - h].held) return;
-    // Jaws that open put it down; from the height of a lift they let it fall. Both hands may do so at once.
+    // Jaws that open put it down; from the height of a lift they let it fall. Where both hands do so at once,
+    // or one of them while it slips out of the other, it falls once.
     const double height = goals.height(world, grasp);
-    if (slipped ? height <= drop_height : fallen || height < let_fall_height) return;
+    if (slipped ? let_fall || height <= drop_height : fallen || height < let_fall_height) return;
     fallen = true;
+    let_fall = let_fall || !slipped;
     events.emit(last_tick, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h), grasp.tissue);
 }
 
@@ -288,7 +290,7 @@ std::array<HoldChange, hand_count> TaskMonitor::State::report(const WorldSnapsho
         ++elapsed_ticks;
     }
     goals.bands(bands);
-    fallen = false;
+    fallen = let_fall = false;
     std::array<HoldChange, hand_count> changes{};
     for (std::size_t h = 0; h < hand_count; ++h) {
         changes[h] = hands[h].hold(world.grasps[h], now, unpaused_ticks, events);

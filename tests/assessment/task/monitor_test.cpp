@@ -389,6 +389,16 @@ TEST(Monitor, BowelThatIsLetGoOfAtTheHeightOfTheLiftIsDropped) {
     for (GraspState& grasp : bench.world.grasps) grasp.held = false;
     bench.ticks(bench.scene.ticks_per_step);
     EXPECT_EQ(bench.events.count(EventKind::drop), 2) << "both hands at once: it falls once";
+    int drops = 2;
+    for (const Hand slipping : {Hand::right, Hand::left}) {
+        bench.grasp(Hand::left, 0.3, 12);
+        bench.grasp(Hand::right, 0.34, 13);
+        for (GraspState& grasp : bench.world.grasps) grasp.held = false;
+        bench.world.grasps[static_cast<int>(slipping)].slipped = true;
+        bench.ticks(bench.scene.ticks_per_step);
+        EXPECT_EQ(bench.events.count(EventKind::drop), ++drops)
+            << "one opens, it slips out of the other: whichever hand that is, it falls once";
+    }
 }
 
 TEST(Monitor, JawsThatOpenDropNothingWhereNoGoalLifts) {
