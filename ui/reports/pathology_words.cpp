@@ -285,13 +285,19 @@ std::vector<QStringList> pathology_rows(const PathologyReport& report) {
 }
 
 QString pathology_legend(const PathologyReport& report) {
-    return ReportTexts::
-        tr("Levels from cranial to caudal, sides of the patient. Distances of the cut from the intended "
-           "plane: median and 95th percentile of their size; the worst is positive towards the sacrum "
-           "(too "
-           "deep), negative into the mesorectum (too shallow); in plane within %1 mm. Simulated: from the "
-           "cut surface of this attempt at rest.")
+    QString legend =
+        ReportTexts::tr(
+            "Levels from cranial to caudal, sides of the patient. Distances of the cut from the intended "
+            "plane: median and 95th percentile of their size; the worst is positive towards the sacrum "
+            "(too "
+            "deep), negative into the mesorectum (too shallow); in plane within %1 mm. Simulated: from the "
+            "cut surface of this attempt at rest.")
             .arg(mm(report.plan.tolerance));
+    const QString asked = mm(report.plan.asked_length()), whole = mm(report.plan.levels * report.plan.line);
+    if (asked != whole)
+        legend += ReportTexts::tr(" The task asks for %1 of %2 mm of the line; shares divided are of that.")
+                      .arg(asked, whole);
+    return legend;
 }
 
 }  // namespace fulcrum::ui

@@ -281,6 +281,17 @@ TEST(AttemptReport, UsesThePathologistsTerms) {
     EXPECT_EQ(pathology_rows(nothing)[0][3], QStringLiteral("–"));
 }
 
+TEST(AttemptReport, TheLegendSaysWhatPartOfTheLineIsAskedFor) {
+    PathologyReport report = dissection();
+    EXPECT_FALSE(pathology_legend(report).contains("The task asks")) << "all of it";
+    report.plan.asked = 240 * mm;
+    EXPECT_FALSE(pathology_legend(report).contains("The task asks")) << "all of it";
+    report.plan.asked = 224 * mm;
+    EXPECT_TRUE(pathology_legend(report).endsWith(
+        " The task asks for 224.0 of 240.0 mm of the line; shares divided are of that."))
+        << pathology_legend(report).toStdString();
+}
+
 TEST(AttemptReport, IsOnePdfPage) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("attempt.pdf");

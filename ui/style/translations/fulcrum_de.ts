@@ -17148,6 +17148,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Etagen von kranial nach kaudal, Seiten des Patienten. Abstände des Schnitts von der vorgesehenen Schicht: Median und 95. Perzentil (P95) ihres Betrags; der größte ist positiv zum Sakrum hin (zu tief), negativ ins Mesorektum hinein (zu flach); in der Schicht: innerhalb von %1 mm. Simuliert: aus der Schnittfläche dieses Versuchs in Ruhe.</translation>
     </message>
     <message>
+        <source> The task asks for %1 of %2 mm of the line; shares divided are of that.</source>
+        <translation> Die Aufgabe verlangt %1 von %2 mm der Linie; darauf beziehen sich die durchtrennten Anteile.</translation>
+    </message>
+    <message>
         <source>passed (provisional)</source>
         <translation>bestanden (vorläufig)</translation>
     </message>
