@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "ui/administration/changes.h"
 #include "ui/administration/import_card.h"
@@ -57,7 +58,7 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     card_layout(secret_)->addWidget(secret_text_);
     QPushButton* noted = make_button(tr("I have handed it over"), "password_noted");
     connect(noted, &QPushButton::clicked, this, [this] {
-        issued_.reset();
+        issued_.clear();
         secret_text_->clear();
         secret_text_->setProperty("password", QVariant());
         secret_->hide();
@@ -208,11 +209,16 @@ void PeoplePage::select() {
 }
 
 void PeoplePage::show_issued(const Issued& issued) {
-    issued_ = issued;
+    issued_.erase(std::remove_if(issued_.begin(), issued_.end(),
+                                 [&](const Issued& one) { return one.person_id == issued.person_id; }),
+                  issued_.end());
+    QString before;
+    for (const Issued& one : issued_) before += QStringLiteral("%1: %2\n").arg(one.who, text(one.password));
     secret_text_->setText(
-        tr("%1: %2\nValid for 24 hours and shown only now. It must be changed at the first sign-in.")
-            .arg(issued_->who, text(issued_->password)));
-    secret_text_->setProperty("password", text(issued_->password));
+        before + tr("%1: %2\nValid for 24 hours and shown only now. It must be changed at the first sign-in.")
+                     .arg(issued.who, text(issued.password)));
+    secret_text_->setProperty("password", text(issued.password));
+    issued_.push_back(issued);
     secret_->show();
 }
 
@@ -221,7 +227,7 @@ void PeoplePage::add() {
         const auto created = database::People(context().store())
                                  .create(context().session(), plain(new_login_->text().trimmed()),
                                          plain(new_name_->text().trimmed()), chosen(new_roles_));
-        show_issued({text(created.person.display_name), created.one_time_password});
+        show_issued({created.person.id, text(created.person.display_name), created.one_time_password});
         new_login_->clear();
         new_name_->clear();
         new_name_->setFocus();
@@ -255,7 +261,7 @@ void PeoplePage::issue() {
     if (person == nullptr) return;
     context().guarded([&] {
         show_issued(
-            {text(person->display_name),
+            {person->id, text(person->display_name),
              database::People(context().store()).issue_one_time_password(context().session(), person->id)});
     });
 }

@@ -3,7 +3,6 @@
 // the sign-in picker. No scores here.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +30,12 @@ class PeoplePage : public Page {
     /// A one-time password that is shown until it is handed over, for the page that is made in place of this
     /// one.
     struct Issued {
+        std::string person_id;
         QString who;
         std::string password;
     };
-    const std::optional<Issued>& issued() const { return issued_; }
+    const std::vector<Issued>& issued() const { return issued_; }
+    /// Next to those that are shown; in place of an earlier one of the same person, which has ended.
     void show_issued(const Issued& issued);
 
   private:
@@ -49,7 +50,7 @@ class PeoplePage : public Page {
     void toggle_active();
 
     std::vector<database::Person> people_;
-    std::optional<Issued> issued_;
+    std::vector<Issued> issued_;
     QTableWidget* table_;
     QLineEdit *new_login_ = nullptr, *new_name_ = nullptr, *name_ = nullptr, *login_ = nullptr;
     std::vector<QCheckBox*> new_roles_, roles_;

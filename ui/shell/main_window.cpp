@@ -294,7 +294,7 @@ void MainWindow::rebuild() {
     const QString used = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
     std::optional<CurriculumPage::Begun> draft;
     if (const auto* curriculum = made<CurriculumPage>()) draft = curriculum->begun();
-    std::optional<PeoplePage::Issued> issued;
+    std::vector<PeoplePage::Issued> issued;
     if (const auto* people = made<PeoplePage>()) issued = people->issued();
     for (auto& [type, old] : pages_) old->leave();
     pages_.clear();
@@ -305,7 +305,7 @@ void MainWindow::rebuild() {
     if (context_.signed_in()) {
         show_session();
         if (draft) page<CurriculumPage>()->take_up(*draft);
-        if (issued) page<PeoplePage>()->show_issued(*issued);
+        for (const PeoplePage::Issued& one : issued) page<PeoplePage>()->show_issued(one);
         if (shown == typeid(SettingsPage))
             show_page(page<SettingsPage>());
         else

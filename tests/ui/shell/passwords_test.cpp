@@ -151,6 +151,42 @@ TEST_F(Passwords, OneTimePasswordIsShownUntilItIsHandedOverWhateverTheAppearance
     for (const QLabel* label : window.findChildren<QLabel*>()) EXPECT_FALSE(label->text().contains(once));
 }
 
+TEST_F(Passwords, OneTimePasswordsOfSeveralPeopleAreShownUntilTheyAreHandedOver) {
+    create_programme();
+    const auto add = [&](const char* name, const char* login) {
+        type(window, "new_person_name", name);
+        type(window, "new_person_login", login);
+        click(window, "add_person");
+        return find<QLabel>(window, "one_time_password")->property("password").toString();
+    };
+    const auto shown = [&] { return find<QLabel>(window, "one_time_password")->text(); };
+    const QString tara = add("Tara Trainee", "tara"), ben = add("Ben Builder", "ben");
+    EXPECT_NE(tara, ben);
+    EXPECT_TRUE(shown().startsWith("Tara Trainee: " + tara + "\nBen Builder: " + ben + "\nValid"))
+        << shown().toStdString();
+    window.set_text_size(150);
+    expect_page("people_page");
+    EXPECT_TRUE(shown().startsWith("Tara Trainee: " + tara + "\nBen Builder: " + ben + "\nValid"))
+        << shown().toStdString();
+    window.set_text_size(100);
+    // Another one for the same person ends the one before.
+    auto* table = find<QTableWidget>(window, "people_table");
+    int row = 0;
+    while (row + 1 < table->rowCount() && table->item(row, 1)->text() != "tara") ++row;
+    bring(*table);
+    choose_row(*table, row);
+    bring(*find<QPushButton>(window, "issue_password"));
+    click(window, "issue_password");
+    const QString again = find<QLabel>(window, "one_time_password")->property("password").toString();
+    EXPECT_NE(again, tara);
+    EXPECT_TRUE(shown().startsWith("Ben Builder: " + ben + "\nTara Trainee: " + again + "\nValid"))
+        << shown().toStdString();
+    EXPECT_FALSE(shown().contains(tara));
+    bring(*find<QPushButton>(window, "password_noted"));
+    click(window, "password_noted");
+    EXPECT_FALSE(sees(window, "one_time_password"));
+}
+
 TEST_F(Passwords, WrongRecoveryCodeIsRefusedAndCanBeTypedAgain) {
     create_programme();
     click(window, "switch_user");
