@@ -60,15 +60,16 @@ constexpr Column columns[] = {
     {"s.passed", In::tables},
     {"s.points", In::tables},
     {"COALESCE(s.not_scored_because, '')", In::tables},
-    // 1: by provisional limits; 2: failed without a set of limits. Where the set was replaced before an
-    // attempt that had been cut off was scored, the name of the limits says which it was (Limits::name()).
-    {"CASE WHEN EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1) THEN 1 "
-     "WHEN s.passed = 0 AND NOT EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id "
+    // 1: by provisional limits; 2: failed without a set of limits, also where the task's own are provisional.
+    // Where the set was replaced before an attempt that had been cut off was scored, the name of the limits
+    // says which it was (Limits::name()).
+    {"CASE WHEN s.passed = 0 AND NOT EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id "
      "AND g.kind = 'benchmark' AND g.limit_value IS NOT NULL) "
      "AND EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.kind = 'benchmark') "
      "THEN CASE WHEN NOT EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id "
      "AND g.not_passed_because LIKE '%\"gate.limits_replaced\"%') THEN 2 "
-     "WHEN a.limits LIKE '%-site@%' THEN 0 WHEN a.limits LIKE '%-provisional@%' THEN 1 ELSE 2 END ELSE 0 END",
+     "WHEN a.limits LIKE '%-site@%' THEN 0 WHEN a.limits LIKE '%-provisional@%' THEN 1 ELSE 2 END "
+     "WHEN EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1) THEN 1 ELSE 0 END",
      In::tables},
     {"COALESCE(v.reason, '')", In::lists},
     {"COALESCE(w.display_name, '')", In::lists},

@@ -52,7 +52,8 @@ TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     const Programme programme;
     const Curriculum curriculum = rectal();
     const std::int64_t begin = programme.store->now();
-    const auto record = [&](std::optional<double> limit, const std::string& source) {
+    // As in the tasks that are delivered, whose absolute gates are provisional with every set and without.
+    const auto record = [&](std::optional<double> limit, const std::string& source, bool own = false) {
         AttemptResult result = test::example_result(false, 0);
         GateRow& gate = result.score->gates.front();
         ASSERT_EQ(gate.kind, GateKind::benchmark);
@@ -60,6 +61,8 @@ TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
         gate.limit_source = source;
         gate.z = gate.points = std::nullopt;
         gate.provisional = false;
+        ASSERT_EQ(result.score->gates.back().kind, GateKind::absolute);
+        result.score->gates.back().provisional = own;
         Recorder(programme.path, programme.session("ann"), test::example_meta(programme.id("ann")),
                  programme.clock.options())
             .finish(result);
@@ -67,12 +70,15 @@ TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     };
     record(std::nullopt, "");
     record(900.0, "A2-site@1");
+    const std::int64_t second = programme.store->now();
+    record(std::nullopt, "", true);
+    record(900.0, "A2-site@1", true);
     const PersonRecord counted =
         Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), curriculum);
-    ASSERT_EQ(counted.attempts.size(), 2U);
+    ASSERT_EQ(counted.attempts.size(), 4U);
     for (const CountedAttempt& one : counted.attempts) {
-        EXPECT_FALSE(one.provisional);
-        EXPECT_EQ(one.without_limits, one.time == begin);
+        EXPECT_EQ(one.provisional, one.time > second);
+        EXPECT_EQ(one.without_limits, one.time == begin || one.time == second);
     }
 }
 
