@@ -269,6 +269,7 @@ TEST_F(CohortViews, TheTableShowsPracticeAloneAsNotAttempted) {
     practise("trainee-1000", "A2");
     practise("trainee-1001", "A1");
     open();
+    views->setCurrentIndex(4);
     auto* table = find<QTableWidget>(*window, "cohort_table");
     const auto cell_of = [&](int row, const char* task) -> const QTableWidgetItem* {
         for (int column = 1; column < table->columnCount(); ++column)
