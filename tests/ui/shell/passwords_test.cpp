@@ -137,7 +137,7 @@ TEST_F(Passwords, OneTimePasswordIsShownUntilItIsHandedOverWhateverTheAppearance
     window.set_text_size(150);
     window.set_language(Language::german);
     expect_page("people_page");
-    ASSERT_TRUE(sees(window, "one_time_password"));
+    ASSERT_TRUE(wait_for([&] { return sees(window, "one_time_password"); }));
     const auto* shown = find<QLabel>(window, "one_time_password");
     EXPECT_EQ(shown->property("password").toString(), once);
     EXPECT_TRUE(shown->text().startsWith("Tara Trainee: " + once + "\nGilt 24 Stunden"))
