@@ -26,7 +26,7 @@ struct FieldSpec {
     double water_share = 0.7;     ///< of a tissue's mass
     double suction_flow = 8e-6;   ///< m3/s of blood
     int clips = 12;               ///< clips in the applier
-    double exchange_time = 2.0;   ///< s to exchange an instrument through the trocar
+    double exchange_time = 2.0;   ///< s to exchange an instrument through the trocar; at least a step
 
     std::string bed_tissue = "bed", nerve_tissue = "nerve", vessel_tissue = "vessel";
 };

@@ -49,7 +49,8 @@ void OperativeField::exchange(int number, const TickOutput* outputs, std::size_t
         // What is held goes first; an exchange under way is not interrupted.
         if (!asked || hand.kind_count < 2 || holds || hand.exchange_left > 0) continue;
         hand.index = (hand.index + 1) % hand.kind_count;
-        hand.exchange_left = spec_.exchange_time;
+        // At least a step: the old instrument is out before the new one is in, and its cut ends.
+        hand.exchange_left = std::max(spec_.exchange_time, dt);
         hand.blade = BladeState();
         hand.jaws.block();
     }

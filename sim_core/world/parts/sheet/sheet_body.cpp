@@ -278,6 +278,12 @@ bool SheetBody::crosses(const Vector3& from, const Vector3& to) const noexcept {
     return visit_crossings(from, to, [](std::int32_t, double) { return true; });
 }
 
+bool SheetBody::crosses(const Vector3& from, const Vector3& to, std::int32_t septum) const noexcept {
+    return visit_crossings(from, to, [&](std::int32_t t, double) {
+        return septum_of_root(surface_.triangle(t).root) == septum;
+    });
+}
+
 double SheetBody::friction(const SheetAction& action) const noexcept {
     const bool bites =
         action.instrument->cuts() && (action.tool.buttons & button_primary) != 0 && tissue_.cutting;

@@ -71,10 +71,11 @@ class SheetBody {
     bool in_fat(const Vector3& rest) const noexcept {
         return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height;
     }
+    std::int32_t septum_of_root(std::int32_t root) const noexcept {
+        return root / (surface_.root_count() / layout_.pieces);
+    }
     std::int32_t septum_of(const SheetPlace& where) const noexcept {
-        return where.fragment < 0
-                   ? 0
-                   : surface_.fragment(where.fragment).root / (surface_.root_count() / layout_.pieces);
+        return where.fragment < 0 ? 0 : septum_of_root(surface_.fragment(where.fragment).root);
     }
     std::int32_t septum_at(const Vector3& rest) const noexcept {
         return septa_ ? static_cast<std::int32_t>(rest.x() / septa_->width) : 0;
@@ -87,6 +88,7 @@ class SheetBody {
     template <typename Visit>
     bool visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept;
     bool crosses(const Vector3& from, const Vector3& to) const noexcept;
+    bool crosses(const Vector3& from, const Vector3& to, std::int32_t septum) const noexcept;
 
     // Tissue.
     const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;

@@ -83,11 +83,16 @@ struct SheetContact::Approach {
     const ToolKinematics& tool;
     double radius;
     std::uint32_t tick;
+    bool keeps_side;  // the instrument is out of the body, and what it was on has a side still
+    bool comes_back;  // it was out of the body until now, or is another one
     Near near = {};
-    double now = 1;  // side that the tip is on
+    double now = 1;          // side that the tip is on
+    bool held_back = false;  // it comes back and has not come through to that side
 
     void forget() {
-        hand.known = hand.linked = hand.over = false;
+        hand.known = hand.known && keeps_side;
+        hand.over = hand.over && keeps_side;
+        hand.linked = false;
         hand.cover = 0;
         hand.reaction.setZero();
     }
@@ -105,7 +110,7 @@ struct SheetContact::Approach {
         if (near.distance > reach) {
             // Which side it is on now shows where it comes back from, unless it went through tissue
             // in between.
-            if (!hand.known || near.place.fragment < 0 || !sheet.crosses(hand.tip, tool.tip)) {
+            if (!hand.known || comes_back || near.place.fragment < 0 || !sheet.crosses(hand.tip, tool.tip)) {
                 hand.touch = BladeTouch::away;
                 forget();
                 return false;
@@ -114,12 +119,24 @@ struct SheetContact::Approach {
         }
         hand.normal = near.normal;
         now = near.gap >= 0 ? 1 : -1;
+        if (comes_back) come_back();
         if (!hand.known) {
             hand.known = true;
             hand.side = now;
             hand.tip = tool.tip;
         }
         return true;
+    }
+    // An instrument comes in along its shaft, and where the last one was shows what is between. It is through
+    // the tissue only where nothing of it crosses the shaft, as in a slit or round a rim, or nothing the path
+    // from there; a lip may cross the shaft alone.
+    void come_back() {
+        const bool sprang = hand.known && hand.over && near.cover > 0 && hand.side != now;  // what it pressed
+        held_back = (sprang || sheet.crosses(hand.tip, tool.tip, hand.septum)) &&
+                    sheet.crosses(tool.tip - shaft_seen * tool.axis, tool.tip, hand.septum);
+        hand.known = true;
+        hand.side = held_back ? -now : now;
+        hand.tip = tool.tip;
     }
     // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing crosses
     // the shaft.
@@ -135,7 +152,7 @@ struct SheetContact::Approach {
     double cover() {
         // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it
         // or the sheet was too fast for one step.
-        const bool through = (near.cover > 0 && hand.over) || sheet.crosses(hand.tip, tool.tip);
+        const bool through = held_back || (near.cover > 0 && hand.over) || sheet.crosses(hand.tip, tool.tip);
         if (hand.touch == BladeTouch::away && hand.side != now && !through) hand.side = now;
         hand.over = near.cover > 0;
         return near.cover;
@@ -159,10 +176,16 @@ struct SheetContact::Approach {
 void SheetContact::approach(int number, const SheetAction& action, std::uint32_t tick, double dt) noexcept {
     SheetHand& hand = sheet_.state().hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
-    const bool reaches =
-        tool.inside && tool.present && tool.tip.allFinite() && !hand.jaws.held() && !action.busy;
+    // An instrument whose device does not answer stays where it was.
+    const bool reaches = tool.inside && (tool.present || hand.known) && tool.tip.allFinite() &&
+                         !hand.jaws.held() && !action.busy;
+    // While one is exchanged its side is remembered, but no cut that it was in.
+    const bool keeps_side =
+        !tool.inside && (hand.touch == BladeTouch::away || hand.touch == BladeTouch::touching);
+    const bool comes_back = tool.inside && hand.been_in && !hand.in;
     blade_law::approach(hand, reaches, dt,
-                        Approach{*this, sheet_, hand, number, tool, action.instrument->tip_radius, tick});
+                        Approach{*this, sheet_, hand, number, tool, action.instrument->tip_radius, tick,
+                                 keeps_side, comes_back});
 }
 
 // m2 of both sides of what is visible, by the middles of its triangles.

@@ -38,8 +38,14 @@ std::uint32_t SheetPart::solve(const SheetAction* actions, std::uint32_t tick, d
     body_.update_positions();
     for (int hand = 0; hand < hand_count; ++hand) {
         if (actions[hand].instrument == nullptr) continue;
+        const ToolKinematics& tool = actions[hand].tool;
+        SheetHand& of_hand = body_.state().hands[static_cast<std::size_t>(hand)];
+        of_hand.in = tool.inside;
+        if (!tool.present) continue;  // its device does not answer: it stays where it was and cuts nothing
         blades_.follow(hand, actions[hand], tick);
-        body_.state().hands[static_cast<std::size_t>(hand)].tip = actions[hand].tool.tip;
+        if (!tool.inside || !tool.tip.allFinite()) continue;
+        of_hand.tip = tool.tip;
+        of_hand.been_in = true;
     }
     body_.drop_loose(tick);
     body_.measure_station();

@@ -43,10 +43,12 @@ struct SheetHand : BladeHand {
     SheetPlace place;                   ///< under the tip; the blade's while it cuts
     double side = 1;                    ///< of the sheet that the tip is on, by the sheet's outward normal
     double gap = 0;                     ///< m, tip to sheet on its side
-    Vector3 tip = Vector3::Zero();      ///< m, at the last step
+    Vector3 tip = Vector3::Zero();      ///< m, at the last step in which it answered inside the body
     double friction = 0, radius = 0;    ///< of the tool, at the last step; m
     bool over = false;                  ///< tissue was under it then
-    bool known = false;                 ///< `tip` and `side` mean something
+    bool known = false;                 ///< `side` means something
+    bool been_in = false;               ///< `tip` means something
+    bool in = false;                    ///< it was inside the body at the last step
     std::int32_t septum = 0;            ///< whose side it is
     Vector3 way = Vector3::Zero();      ///< m at rest: where the blade was last
     double cut_friction = 0;            ///< N, dynamic friction of the tissue that the blade is in

@@ -153,10 +153,11 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
     const bool holds = type_of(hand.kind()).grasps && Jaws::may_hold(tool, hand.instrument->jaw_opening);
     field_.exchange(number, outputs, count, holds, dt);
     field_.clear(hand);
-    if (!tool.present || !tool.tip.allFinite()) {
+    if (!tool.tip.allFinite()) {
         hand.cutting = false;
         return;
     }
+    if (!tool.present) return;  // it stays where it was, and a blade's path continues from there
     double least = 0;
     if (OperativeField::step_jaws(hand, tool) == JawAction::close && type_of(hand.kind()).clips &&
         field_.clips_left())

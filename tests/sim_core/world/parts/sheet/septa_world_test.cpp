@@ -441,5 +441,20 @@ TEST(SeptaEnergy, EnergyOnMesorectalFatIsOffTarget) {
     EXPECT_GT(on_fat, 30);
 }
 
+TEST(SeptaWorld, AnExchangeEndsTheCutHoweverShortItIs) {
+    Scene scene = test::septa_scene();
+    scene.structures->exchange_time = 0;
+    test::SeptaRig rig(scene);
+    rig.take_rectum();
+    rig.lift(0.008);
+    rig.divide(0, 0.05, 0.3);
+    ASSERT_EQ(rig.hand(1).touch, BladeTouch::cutting);
+    rig.wish[1].exchange = true;
+    rig.steps(4);
+    EXPECT_EQ(rig.world.snapshot().field[0].tools[1].kind, InstrumentKind::suction);
+    EXPECT_NE(rig.hand(1).touch, BladeTouch::cutting) << "its button is still pressed";
+    EXPECT_EQ(rig.count(EventKind::cut_end), rig.count(EventKind::cut_begin));
+}
+
 }  // namespace
 }  // namespace fulcrum

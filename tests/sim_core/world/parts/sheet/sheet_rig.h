@@ -22,7 +22,8 @@ inline Scene sheet_scene() {
 /// Target pose of one hand.
 struct Wish {
     Vector3 tip = Vector3::Zero();  ///< m, patient frame
-    bool closed = false, button = false, energy = false;
+    bool closed = false, button = false, energy = false, exchange = false;
+    bool silent = false;  ///< its device does not answer: the instrument stays where it was
 };
 
 struct SheetRig {
@@ -68,8 +69,11 @@ struct SheetRig {
                 squeeze[h] = std::clamp(squeeze[h] + (wish[h].closed ? 0.025 : -0.025), 0.0, 1.0);
                 reading.jaw = 1 - squeeze[h];
                 reading.grip = 8 * squeeze[h];
-                reading.buttons = static_cast<std::uint16_t>((wish[h].button ? button_primary : button_none) |
-                                                             (wish[h].energy ? button_energy : button_none));
+                reading.buttons =
+                    static_cast<std::uint16_t>((wish[h].button ? button_primary : button_none) |
+                                               (wish[h].energy ? button_energy : button_none) |
+                                               (wish[h].exchange ? button_exchange : button_none));
+                reading.present = !wish[h].silent;
                 input.hand[h] = last[h] = quantise(reading, last[h]);
             }
             if (scene.camera)
