@@ -33,7 +33,11 @@ bool Jaws::may_hold(const ToolKinematics& tool, double widest) noexcept {
 }
 
 JawAction Jaws::step(const ToolKinematics& tool, double widest, bool lost) noexcept {
-    if (!tool.present) return JawAction::none;
+    if (!tool.present) {  // what they hold stays where it is
+        for (Point& point : points_) point.last = point.target;
+        velocity_.setZero();
+        return JawAction::none;
+    }
     const double opening = opening_of(tool, widest);
     if (opening > open_share) ready_ = true;
     if (!held_) {

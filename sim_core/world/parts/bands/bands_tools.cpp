@@ -45,8 +45,12 @@ void BandsPart::step_tool(int number, const StepInput& input) noexcept {
     field_.clear(hand);
     grip.touched = -1;
     grip.heated = 0;
-    if (!tool.present || !tool.tip.allFinite()) {
+    if (!tool.tip.allFinite()) {
         hand.cutting = false;
+        return;
+    }
+    if (!tool.present) {  // it stays where it was with what it holds, and a blade's path continues from there
+        OperativeField::step_jaws(hand, tool);
         return;
     }
     step_jaws(number, tool, input.taker[number] == this, input.dt);

@@ -104,9 +104,9 @@ void BowelCut::approach(int number, const ToolAction& action, const RingMotion* 
     hand.reaction.setZero();
     for (std::size_t r = 0; r < frames_.size(); ++r) frames_[r] = rings[r].frame;
     const ToolKinematics& tool = action.tool;
-    const bool reaches = action.instrument != nullptr && tool.inside && tool.present &&
-                         tool.tip.allFinite() && !action.busy &&
-                         (action.near != nullptr || hand.touch == BladeTouch::cutting);
+    // An instrument whose device does not answer stays where it was.
+    const bool reaches = action.instrument != nullptr && tool.inside && tool.tip.allFinite() &&
+                         !action.busy && (action.near != nullptr || hand.touch == BladeTouch::cutting);
     if (reaches) hand.tip = tool.tip;
     blade_law::approach(hand, reaches, dt,
                         Approach{*this, hand, number, action, frames_.data(), tick, was_linked});
@@ -212,7 +212,7 @@ bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::u
     for (int number = 0; number < hand_count; ++number) {
         HandState& hand = hands_[static_cast<std::size_t>(number)];
         const ToolAction& action = actions[number];
-        if (action.instrument == nullptr) continue;
+        if (action.instrument == nullptr || !action.tool.present) continue;
         blade_law::follow(hand, action.tool, action.instrument->tip_radius,
                           Follow{*this, hand, number, frames, tick});
     }

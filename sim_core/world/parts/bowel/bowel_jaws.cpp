@@ -35,8 +35,9 @@ void BowelPart::press_jaws(const ToolAction* actions) noexcept {
         felt = JawPushModel();
         std::vector<Vector3>& pushes = jaw_pushes_[hand];
         const ToolAction& action = actions[hand];
-        // Jaws that hold tissue are where it is: the grasp's constraint says what they do.
-        const bool presses = action.instrument != nullptr && action.tool.inside && action.tool.present &&
+        // Jaws that hold tissue are where it is: the grasp's constraint says what they do. Those of a device
+        // that does not answer press as their shaft does.
+        const bool presses = action.instrument != nullptr && action.tool.inside &&
                              !grasps_[hand].state.held && action.tool.tip.allFinite();
         if (!presses) {
             std::fill(pushes.begin(), pushes.end(), Vector3::Zero());

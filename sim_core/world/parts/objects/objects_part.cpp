@@ -138,7 +138,8 @@ void ObjectsPart::place_pusher(int number, const HeldTool& held) noexcept {
         type_of(held.instrument->kind).jaws && !Jaws::may_hold(held.tool, held.instrument->jaw_opening);
     const Vector3 end = open ? between_jaws(held, 1) : held.tool.tip;
     const Capsule now = {end - pusher_length * held.tool.axis, end, held.instrument->tip_radius};
-    pusher.present = held.tool.inside && held.tool.present;
+    // An instrument whose device does not answer stays where it was, on its side of a tube.
+    pusher.present = held.tool.inside && (held.tool.present || hand.present);
     pusher.spares = hand.object;
     pusher.before = hand.present ? hand.pusher : now;
     pusher.after = now;

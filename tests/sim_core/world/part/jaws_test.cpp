@@ -239,5 +239,21 @@ TEST(Jaws, FollowADeviceThatJumpsAtTwoMetresASecond) {
     EXPECT_LT((jaws.point(0).target - Vector3(0, 2 * dt, 0)).norm(), 1e-15);
 }
 
+TEST(Jaws, StandStillWithWhatTheyHoldWhileTheirDeviceDoesNotAnswer) {
+    ToolKinematics tool = tool_with(0.1, 3);
+    Jaws jaws = holding(tool);
+    tool.tip.x() = 0.001;
+    carry(jaws, tool, Vector3::Zero());
+    const Vector3 target = jaws.point(0).target;
+    ASSERT_NE(jaws.point(0).last, target) << "they moved";
+    tool.present = false;
+    EXPECT_EQ(step(jaws, tool), JawAction::none);
+    EXPECT_EQ(jaws.point(0).target, target);
+    EXPECT_EQ(jaws.point(0).last, target) << "not the motion of the step before again";
+    GraspModel model;
+    jaws.fill(model);
+    EXPECT_EQ(model.velocity.norm(), 0);
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -45,6 +45,7 @@ class BandsStage {
                 reading.jaw = jaw[hand];
                 reading.grip = grip[hand];
                 reading.buttons = buttons[hand];
+                reading.present = !silent[hand];
                 input.hand[hand] = last[hand] = quantise(reading, last[hand]);
             }
             output = loop.tick(input);
@@ -117,6 +118,7 @@ class BandsStage {
     Vector3 tip[hand_count];
     double jaw[hand_count] = {0, 0}, grip[hand_count] = {0, 0};
     std::uint16_t buttons[hand_count] = {0, 0};
+    bool silent[hand_count] = {false, false};  ///< the device does not answer
     DeviceSample last[hand_count];
     StepRecord record;
     std::uint32_t tick = 0;

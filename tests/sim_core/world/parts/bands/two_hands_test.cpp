@@ -43,5 +43,24 @@ TEST(BandsTwoHands, DivideABandNoFasterThanTheFasterOfThem) {
         << "left alone " << left << " s, right alone " << right << " s";
 }
 
+TEST(TwoHands, WhatOneHoldsStaysWhereItIsWhileItsDeviceDoesNotAnswer) {
+    test::BandsStage stage;
+    stage.take(Hand::left, 2, 0.5);
+    stage.run(0.4);
+    ASSERT_TRUE(stage.world.snapshot().grasps[0].held);
+    for (int i = 0; i < 10; ++i) {
+        stage.tip[0] += Vector3(0, 0, 1e-4);
+        stage.step();
+    }
+    const GraspModel& grasp = stage.world.local_models().hand[0].grasp;
+    const Vector3 point = grasp.point;
+    ASSERT_GT(grasp.velocity.z(), 0.01);
+    stage.silent[0] = true;
+    stage.step();
+    EXPECT_TRUE(stage.world.snapshot().grasps[0].held);
+    EXPECT_EQ(grasp.velocity.norm(), 0);
+    EXPECT_EQ(grasp.point, point);
+}
+
 }  // namespace
 }  // namespace fulcrum

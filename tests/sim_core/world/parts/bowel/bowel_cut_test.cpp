@@ -302,5 +302,23 @@ TEST(BowelCut, StaysValidUnderJumpingHands) {
     expect_sound(rig);
 }
 
+TEST(BowelCut, ABladeStaysInItsCutWhileItsDeviceDoesNotAnswer) {
+    BowelCutRig rig;
+    rig.hold_beside(Vector3(0.02, 0, 0));
+    rig.cut_by_hand(Vector3(-0.012, 0, 0));
+    ASSERT_EQ(rig.blade().touch, BladeTouch::cutting);
+    const std::uint64_t version = rig.cut().skin().version();
+    rig.wish[1].silent = true;
+    rig.steps(3);
+    EXPECT_EQ(rig.blade().touch, BladeTouch::cutting);
+    EXPECT_EQ(rig.cut().skin().version(), version) << "it stays where it was";
+    rig.wish[1].silent = false;
+    rig.go(1, rig.wish[1].tip + Vector3(-0.008, 0, 0), 0.03);
+    EXPECT_EQ(rig.blade().touch, BladeTouch::cutting);
+    EXPECT_EQ(rig.count(EventKind::cut_begin), 1);
+    EXPECT_EQ(rig.count(EventKind::cut_end), 0);
+    EXPECT_GT(rig.cut().skin().version(), version) << "and divides what comes next";
+}
+
 }  // namespace
 }  // namespace fulcrum

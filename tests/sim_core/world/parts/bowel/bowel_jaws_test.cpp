@@ -157,5 +157,19 @@ TEST(BowelJaws, AllocateNothing) {
     EXPECT_LT(bench.bowel->jaw_force(Hand::left).z(), 0);
 }
 
+TEST(BowelJaws, PressAsBeforeWhileTheirDeviceDoesNotAnswer) {
+    Bench bench(ToolContactLevel::jaws);
+    ToolAction& action = bench.actions[static_cast<int>(Hand::left)];
+    action = open_jaws(*bench.scene.instrument(Hand::left), 2 * radius + 0.006);
+    for (int i = 0; i < 400; ++i) bench.step();
+    const Vector3 before = bench.bowel->jaw_force(Hand::left);
+    ASSERT_LT(before.z(), -0.05);
+    action.tool.present = false;
+    for (int i = 0; i < 3; ++i) {
+        bench.step();
+        EXPECT_LT((bench.bowel->jaw_force(Hand::left) - before).norm(), 0.05 * before.norm()) << i;
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -325,5 +325,30 @@ TEST(Objects, ASceneThatCannotBeIsRefusedWithPlaceAndHint) {
     EXPECT_NE(refusal("\"objects\"", targets + "\"objects\"").find("/objects"), std::string::npos);
 }
 
+TEST(Objects, AreNotPassedByAnInstrumentWhoseDeviceDidNotAnswer) {
+    RingRig rig;
+    rig.lift(left, 0);
+    rig.move(left, Vector3(-0.015, 0.0, 0));
+    rig.wish[left].closed = false;  // dropped between the groups, where no peg holds it
+    rig.steps(300);
+    const Vector3 target = rig.ring(0).position + Vector3(0.02, 0, 0.0015);
+    rig.go(left, target + Vector3(0, 0, 0.03), 0.2);
+    rig.wish[left].closed = true;
+    rig.steps(20);
+    rig.go(left, target, 0.1);
+    const Vector3 before = rig.ring(0).position;
+    for (int i = 0; i < 120 && (rig.ring(0).position - before).norm() < 0.001; ++i)
+        rig.move(left, Vector3(-2.5e-4, 0, 0));
+    rig.steps(20);
+    const Vector3 pushed = rig.ring(0).position;
+    ASSERT_LT(pushed.x(), before.x() - 0.0005) << "it is pushed";
+    rig.wish[left].silent = true;
+    rig.move(left, Vector3(-0.007, 0, 0), 0.2);
+    EXPECT_LT((rig.ring(0).position - pushed).norm(), 0.001) << "the instrument stays where it was";
+    rig.wish[left].silent = false;
+    rig.steps(40);
+    EXPECT_LT(rig.ring(0).position.x(), pushed.x() - 0.003) << "the tube is pushed along";
+}
+
 }  // namespace
 }  // namespace fulcrum
