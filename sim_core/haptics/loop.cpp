@@ -92,13 +92,16 @@ void HapticLoop::Parts::move_instruments(const RigSample& input) noexcept {
     if (has_camera) camera = scope_pose(scope, input.camera);
 }
 
-/// Contact of each instrument with tissue, then of the instruments with each other.
+/// Contact of each instrument with tissue, then of the instruments with each other. On hold nothing moves,
+/// and time does not pass for a contact either: otherwise depth that a hold left in would become contact
+/// depth in a pause, and the first tick after it would push with all of it.
 void HapticLoop::Parts::find_contacts(std::uint32_t tick) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         state_before[hand] = state[hand];
         if (has_hand[hand])
             step_tool_contact(contact[hand], models[current].hand[hand], tool[hand], tick, state[hand],
                               scratch[hand], result[hand]);
+        if (on_hold) state[hand] = state_before[hand];
     }
     if (has_hand[0] && has_hand[1])
         collide_tools(contact[0], tool[0], contact[1], tool[1], pair, result[0], result[1]);
