@@ -53,7 +53,7 @@ struct WorldSnapshot {
 
     template <typename Visit>
     void fields(Visit&& visit) {
-        visit(step, tick, outcome, tools, camera, grasps, events, event_count, field);
+        visit(step, tick, outcome, tools, lift, camera, grasps, events, event_count, field);
 #define WORLD_PART(name, view) visit(name);
 #define PART_WITHOUT_VIEW(name)
 #include "sim_core/world/part/world_parts.inc"

@@ -2,6 +2,7 @@
 // A world saved during an attempt continues bit for bit, for every scene.
 #include <gtest/gtest.h>
 
+#include "sim_core/numerics/state_archive.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
 namespace fulcrum {
@@ -67,6 +68,28 @@ INSTANTIATE_TEST_SUITE_P(Scenes, WorldSave,
                          [](const testing::TestParamInfo<const char*>& scene) {
                              return std::string(scene.param);
                          });
+
+// What is drawn first after a seek is the world as its key frame has it.
+TEST(WorldBytes, ContainWhereInstrumentsAreDrawn) {
+    test::SheetRig rig(load_scene(test::source_path("assets/scenes/a2_targets.json")));
+    const TargetSphere& target = rig.world.snapshot().targets.front();
+    const double apart = target.radius + rig.scene.instruments[1].tip_radius;
+    const Vector3 out = (rig.trocar[1].position - target.centre).normalized();
+    rig.go(1, target.centre + (apart + 0.02) * out, 0.3);
+    rig.go(1, target.centre + (apart - 0.001) * out, 0.05);
+    const Vector3 lift = rig.world.snapshot().lift[1];
+    ASSERT_GT(lift.norm(), 5e-4) << "it is drawn at the sphere's surface";
+    std::vector<std::uint8_t> bytes;
+    StateArchive writer(bytes);
+    rig.world.transfer(writer);
+    writer.finish();
+    World fresh(rig.scene, 1);
+    StateArchive reader(bytes.data(), bytes.size());
+    fresh.transfer(reader);
+    reader.finish();
+    EXPECT_EQ(fresh.snapshot().tools[1].tip, rig.world.snapshot().tools[1].tip);
+    EXPECT_EQ(fresh.snapshot().lift[1], lift);
+}
 
 }  // namespace
 }  // namespace fulcrum
