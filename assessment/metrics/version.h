@@ -7,6 +7,6 @@ namespace fulcrum {
 /// Raised with every change after which the same inputs can give another state, other events, other forces,
 /// or a state that is stored otherwise: the check of the store simulates attempts of this version only, and
 /// stored states of another version are not read.
-inline constexpr const char* program_version = "0.1.2";
+inline constexpr const char* program_version = "0.1.3";
 
 }  // namespace fulcrum
