@@ -157,6 +157,7 @@ json benchmark_to_json(const BenchmarkSet& set) {
     if (!set.note.empty()) document["note"] = set.note;
     if (!set.intermediates.empty()) document["intermediates"] = people_to_json(set.intermediates);
     if (set.intermediate_pass_share) document["intermediate_pass_share"] = *set.intermediate_pass_share;
+    if (!set.taken_over.empty()) document["taken_over"] = taken_over_to_json(set.taken_over);
     if (!set.cutting.empty()) document["cutting"] = set.cutting;
     return document;
 }
@@ -183,6 +184,7 @@ BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
     if (root.contains("intermediates")) set.intermediates = people_from_json(root.at("intermediates"));
     if (root.contains("intermediate_pass_share"))
         set.intermediate_pass_share = root.at("intermediate_pass_share").get<double>();
+    set.taken_over = taken_over_from_json(document);
     if (root.contains("cutting")) set.cutting = root.at("cutting").get<CuttingValues>();
     std::set<std::tuple<std::string, std::string, std::string>> seen;
     for (const json& row : root.at("levels")) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "assessment/metrics/metric.h"
+#include "assessment/scoring/taken_over.h"
 #include "assessment/task/attempt_words.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/cutting_values.h"
@@ -66,6 +67,7 @@ struct BenchmarkSet {
     std::optional<double> intermediate_pass_share;  ///< none without intermediates
     std::vector<BenchmarkPerson> experts, intermediates, novices;
     std::vector<BenchmarkLevel> levels;
+    std::vector<ProvisionalLimit> taken_over;  ///< limits of the task that are the site's with this set
     /// Cutting parameters with which the set was made; empty: those of the scene file. The set does not score
     /// attempts with other values.
     CuttingValues cutting;

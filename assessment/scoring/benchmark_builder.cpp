@@ -10,6 +10,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
 #include "assessment/scoring/own_limits.h"
+#include "assessment/scoring/taken_over.h"
 #include "sim_core/numerics/number_text.h"
 
 namespace fulcrum {
@@ -164,6 +165,15 @@ Sentence too_few(const BenchmarkRequest& request, const std::vector<BenchmarkPer
                                   "fewer than %1 familiarisation attempts came before the counted ones"),
                 request.minimum_familiarisation};
     return {};
+}
+
+/// Why limits are not made of these: people and synthetic operators among them. Empty: they are alike.
+Sentence partly_simulated(const std::vector<BenchmarkAttempt>& attempts) {
+    const BenchmarkAttempt *person = nullptr, *simulated = nullptr;
+    for (const BenchmarkAttempt& attempt : attempts) (attempt.simulated ? simulated : person) = &attempt;
+    if (person == nullptr || simulated == nullptr) return {};
+    return {QT_TRANSLATE_NOOP("errors", "the attempts of %1 are simulated, those of %2 are not"),
+            simulated->person, person->person};
 }
 
 Score score_of(const TaskDefinition& task, const BenchmarkAttempt& attempt, const BenchmarkSet& set) {
@@ -397,11 +407,15 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
     set.fidelity = request.fidelity;
     set.source = request.source;
     set.cutting = request.cutting;
-    set.provisional = request.provisional;
+    const auto simulated = std::count_if(request.experts.begin(), request.experts.end(),
+                                         [](const BenchmarkAttempt& one) { return one.simulated; });
+    set.provisional = request.provisional || simulated > 0;
+    if (!set.provisional) set.taken_over = limits_to_take_over(task);
     set.p0 = request.p0;
     set.experts = people_of(request.experts, request.familiarisation);
     set.novices = people_of(request.novices, request.familiarisation);
     build.refusal = too_few(request, set.experts);
+    if (build.refusal.empty()) build.refusal = partly_simulated(request.experts);
     if (!build.refusal.empty()) return build;
     Levels levels = make_levels(task, request, {});
     build.refusal = levels.refusal;

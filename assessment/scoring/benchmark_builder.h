@@ -17,13 +17,14 @@ struct BenchmarkAttempt {
     std::vector<MetricResult> metrics;
     AttemptState state = AttemptState::completed;
     std::vector<CriticalError> critical_errors;
+    bool simulated = false;  ///< by a synthetic operator, or on the account of a synthetic person
 };
 
 struct BenchmarkRequest {
     std::string variant_family = standard_variant, fidelity = standard_fidelity, source;
     DeviceClass device_class = DeviceClass::haptic;
     int version = 1;
-    bool provisional = true;
+    bool provisional = true;  ///< where an expert is simulated, the set is in any case
     int familiarisation = 3;  ///< attempts each person made before the counted ones
     bool outliers =
         true;  ///< experts far from the others are left out; operators are not: their presets vary so
@@ -60,7 +61,8 @@ struct BenchmarkBuild {
 /// of several equally near, the middle one. Below k = 1 one gate alone would fail an expert in six. Where
 /// there are intermediates and the share of them that pass is not surely within 5 to 40 %, each gate gets a k
 /// of its own from there, unless too many experts who had no part in the choice would fail them:
-/// limits_for_fresh().
+/// limits_for_fresh(). A set that is not provisional takes over the task's provisional limits: its experts'
+/// attempts are judged by them too, and if they did not meet them it would be refused (taken_over.h).
 BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkRequest& request);
 
 }  // namespace fulcrum

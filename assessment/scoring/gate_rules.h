@@ -8,6 +8,7 @@
 #include "assessment/metrics/metric.h"
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/score.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum {
 
@@ -27,6 +28,14 @@ bool keeps_limit(const MetricDescriptor& descriptor, double value, double limit)
 bool stays_broken(const std::string& metric);
 /// 100 clamp((z_novice - z) / z_novice, 0, 1); absent without z_novice above 0.5.
 std::optional<double> points_of(const BenchmarkLevel& level, double z);
+/// What is wrong with a gate on this metric: the key in its file, and what to say of it.
+struct WrongRow {
+    const char* key;
+    Sentence what, hint;
+};
+/// Whether the metric has rows for this hand and tissue ("": none); nothing where it has.
+std::optional<WrongRow> wrong_row(const MetricDescriptor& descriptor, const std::string& hand,
+                                  const std::string& tissue);
 /// The worst that happened and one thing to try, and where to look.
 struct Advice {
     Statement statement;

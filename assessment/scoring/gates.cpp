@@ -6,6 +6,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "assessment/scoring/gate_rules.h"
+#include "assessment/scoring/taken_over.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -107,6 +108,24 @@ std::optional<double> points_of(const BenchmarkLevel& level, double z) {
     return 100.0 * std::clamp((*level.z_novice - z) / *level.z_novice, 0.0, 1.0);
 }
 
+std::optional<WrongRow> wrong_row(const MetricDescriptor& descriptor, const std::string& hand,
+                                  const std::string& tissue) {
+    const bool counted = descriptor.needs_events && descriptor.aggregation == Aggregation::count;
+    if (descriptor.hands == Hands::each && hand.empty() && !counted)
+        return WrongRow{"/hand",
+                        {QT_TRANSLATE_NOOP("errors", "'%1' is measured for each hand"), descriptor.id},
+                        QT_TRANSLATE_NOOP("errors", "give hand left or right")};
+    if (descriptor.hands != Hands::each && !hand.empty())
+        return WrongRow{"/hand",
+                        {QT_TRANSLATE_NOOP("errors", "'%1' belongs to no single hand"), descriptor.id},
+                        QT_TRANSLATE_NOOP("errors", "remove hand")};
+    if (!descriptor.per_tissue && !tissue.empty())
+        return WrongRow{"/tissue",
+                        {QT_TRANSLATE_NOOP("errors", "'%1' has no rows by tissue"), descriptor.id},
+                        QT_TRANSLATE_NOOP("errors", "remove tissue")};
+    return std::nullopt;
+}
+
 GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& metrics,
                       const BenchmarkSet* benchmark) {
     GateResult gate;
@@ -127,8 +146,10 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
     }
     const BenchmarkLevel* level = nullptr;
     if (spec.kind == GateKind::absolute) {
+        const bool is_of_site = benchmark != nullptr && takes_over(*benchmark, spec);
         gate.limit_source = spec.limit_source;
-        gate.provisional = spec.provisional;
+        if (is_of_site) gate.limit_source += taken_over_source(*benchmark);
+        gate.provisional = spec.provisional && !is_of_site;
         judge_absolute(gate, *descriptor, spec.limit);
         level = benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
         if (level != nullptr && !level->absolute_limit) narrow(gate, *descriptor, *level, *benchmark);
@@ -193,16 +214,8 @@ void check_gates(const TaskDefinition& task, const std::string& file) {
         if (gate.safety.empty() && only_describes(task.context, gate.metric, gate.hand))
             refuse("/metric", {QT_TRANSLATE_NOOP("errors", "'%1' is context in this task"), gate.metric},
                    QT_TRANSLATE_NOOP("errors", "remove it from context, or remove the gate"));
-        const bool counted = d->needs_events && d->aggregation == Aggregation::count;
-        if (d->hands == Hands::each && gate.hand.empty() && !counted)
-            refuse("/hand", {QT_TRANSLATE_NOOP("errors", "'%1' is measured for each hand"), gate.metric},
-                   QT_TRANSLATE_NOOP("errors", "give hand left or right"));
-        if (d->hands != Hands::each && !gate.hand.empty())
-            refuse("/hand", {QT_TRANSLATE_NOOP("errors", "'%1' belongs to no single hand"), gate.metric},
-                   QT_TRANSLATE_NOOP("errors", "remove hand"));
-        if (!d->per_tissue && !gate.tissue.empty())
-            refuse("/tissue", {QT_TRANSLATE_NOOP("errors", "'%1' has no rows by tissue"), gate.metric},
-                   QT_TRANSLATE_NOOP("errors", "remove tissue"));
+        if (const std::optional<WrongRow> wrong = wrong_row(*d, gate.hand, gate.tissue))
+            refuse(wrong->key, wrong->what, wrong->hint);
         if (gate.kind == GateKind::benchmark && ++benchmark_gates > benchmark_gate_limit)
             refuse("", {QT_TRANSLATE_NOOP("errors", "more than %1 benchmark gates"), benchmark_gate_limit},
                    QT_TRANSLATE_NOOP("errors", "show the others without a gate"));

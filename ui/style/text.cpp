@@ -82,6 +82,12 @@ QString points_figure(const std::optional<double>& points) {
 QString limit_source_text(const std::string& source) {
     static const QRegularExpression of_a_set(
         QStringLiteral("^(.*), set ([0-9]+), ([0-9]+) experts(, worst counted value)?$"));
+    static const QRegularExpression of_a_site(QStringLiteral("^(.*), taken over by (.*), set ([0-9]+)$"));
+    const QRegularExpressionMatch taken_over = of_a_site.match(text(source));
+    if (taken_over.hasMatch())
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1; taken over with benchmark set %2 (%3)"))
+            .arg(asset_text(plain(taken_over.captured(1))), taken_over.captured(3),
+                 asset_text(plain(taken_over.captured(2))));
     const QRegularExpressionMatch found = of_a_set.match(text(source));
     if (!found.hasMatch()) return asset_text(source);
     const bool simulated = found.captured(1).startsWith(QLatin1String("synthetic operators"));

@@ -283,6 +283,38 @@ TEST(BenchmarkBuilder, RefusesTooFewExpertsOrAttempts) {
               std::string::npos);
 }
 
+TEST(BenchmarkBuilder, ASetOfPeopleTakesOverTheProvisionalLimitsOfItsTask) {
+    BenchmarkRequest request = request_of(1);
+    EXPECT_TRUE(build_benchmark(small_task(), request).set->taken_over.empty()) << "of synthetic operators";
+    request.provisional = false;
+    const BenchmarkBuild build = build_benchmark(small_task(), request);
+    ASSERT_TRUE(build.set) << build.refusal.words();
+    EXPECT_FALSE(build.set->provisional);
+    ASSERT_EQ(build.set->taken_over.size(), 1U);
+    const ProvisionalLimit& limit = build.set->taken_over[0];
+    EXPECT_EQ(limit.metric, "f_max");
+    EXPECT_EQ(limit.hand, "left");
+    EXPECT_EQ(limit.metric_version, find_metric("f_max")->version);
+    EXPECT_EQ(limit.limit, 4.0);
+    EXPECT_FALSE(limit.exclusive);
+    EXPECT_EQ(benchmark_to_json(parse_benchmark(benchmark_to_json(*build.set).dump(), "set.json")),
+              benchmark_to_json(*build.set));
+}
+
+TEST(BenchmarkBuilder, ASetOfSimulatedAttemptsIsProvisionalWhateverIsAskedFor) {
+    BenchmarkRequest request = request_of(1);
+    request.provisional = false;
+    for (BenchmarkAttempt& attempt : request.experts) attempt.simulated = true;
+    const BenchmarkBuild build = build_benchmark(small_task(), request);
+    ASSERT_TRUE(build.set) << build.refusal.words();
+    EXPECT_TRUE(build.set->provisional);
+    EXPECT_TRUE(build.set->taken_over.empty());
+    for (BenchmarkAttempt& attempt : request.experts) attempt.simulated = attempt.person == "expert 7";
+    const BenchmarkBuild mixed = build_benchmark(small_task(), request);
+    EXPECT_FALSE(mixed.set);
+    EXPECT_EQ(mixed.refusal.words(), "the attempts of expert 7 are simulated, those of expert 6 are not");
+}
+
 TEST(BenchmarkBuilder, LeavesOutAndLogsAnOutlier) {
     BenchmarkRequest request = request_of(1);
     for (BenchmarkAttempt& attempt : request.experts)

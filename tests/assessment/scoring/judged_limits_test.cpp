@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "assessment/scoring/score.h"
+#include "assessment/scoring/taken_over.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -44,6 +46,32 @@ TEST(JudgedLimits, ExpertsRangeIsOneDeviationOnTheMetricsScale) {
     EXPECT_NEAR(*limits[0].experts_high, std::exp(level.mean + level.deviation), 1e-9);
     EXPECT_LT(*limits[0].experts_high, *limits[0].limit) << "the limit is k deviations away";
     EXPECT_FALSE(limits[0].higher_is_better);
+}
+
+TEST(JudgedLimits, AreAllFirmWithASetOfTheSiteThatTookTheTasksLimitsOver) {
+    for (const char* id : {"A1", "A2", "A3", "B1", "B2", "B3", "C4"}) {
+        const TaskDefinition task = load_task(test::source_path(std::string("assets/tasks/") + id + ".json"));
+        BenchmarkSet set =
+            load_benchmark(test::source_path(std::string("assets/benchmarks/") + id + ".json"));
+        const auto provisional = [&] {
+            std::size_t count = 0;
+            for (const JudgedLimit& limit : judged_limits(task, &set)) count += limit.provisional ? 1U : 0U;
+            return count;
+        };
+        EXPECT_TRUE(set.taken_over.empty()) << id << " is delivered";
+        EXPECT_TRUE(taken_over(task, set).by_site.empty());
+        set.provisional = false;
+        set.source = "experts of this site";
+        const std::vector<ProvisionalLimit> limits = limits_to_take_over(task);
+        EXPECT_EQ(provisional(), limits.size()) << id;
+        EXPECT_EQ(taken_over(task, set).left.size(), limits.size());
+        set.taken_over = limits;
+        EXPECT_EQ(provisional(), 0U) << id;
+        EXPECT_TRUE(taken_over(task, set).left.empty());
+        EXPECT_EQ(taken_over(task, set).by_site.size(), limits.size());
+        const BenchmarkSet back = parse_benchmark(benchmark_to_json(set).dump(), "set.json");
+        EXPECT_TRUE(taken_over(task, back).left.empty()) << "a file keeps every digit of a limit";
+    }
 }
 
 TEST(JudgedLimits, WithoutASetBenchmarkGatesSayWhyAndAbsoluteOnesKeepTheirLimit) {

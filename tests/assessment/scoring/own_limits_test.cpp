@@ -17,6 +17,7 @@ namespace {
 
 using test::figure;
 using test::small_set;
+using test::small_site_set;
 using test::small_task;
 
 /// z of each level: normal around the given means.
@@ -268,6 +269,23 @@ TEST(OwnLimits, NarrowAnAbsoluteGateAndNeverWidenIt) {
         parse_benchmark(json.patch(R"([{"op": "replace", "path": "/levels/2/k", "value": 4}])"_json).dump(),
                         "set.json"),
         InputError);
+}
+
+TEST(OwnLimits, OfASiteNarrowALimitThatItTookOver) {
+    BenchmarkSet set = small_site_set();
+    BenchmarkLevel force = set.levels[0];
+    force.metric = "f_max";
+    force.hand = "left";
+    force.unit = "N";
+    force.metric_version = find_metric("f_max")->version;
+    force.mean = std::log(1.0);
+    set.levels.push_back(force);
+    const JudgedLimit narrowed = judged_limits(small_task(), &set, {})[2];
+    EXPECT_NEAR(narrowed.limit.value_or(0), std::exp(0.4), 1e-12);
+    EXPECT_FALSE(narrowed.provisional);
+    EXPECT_EQ(narrowed.limit_source, "experts of this site, set 4, 8 experts");
+    set.taken_over.clear();
+    EXPECT_TRUE(judged_limits(small_task(), &set, {})[2].provisional) << "the task's limit is part of it";
 }
 
 /// Three attempts each of people whose ln time, sparc and ln force scatter around these.

@@ -18,6 +18,7 @@ using test::figure;
 using test::figures;
 using test::missing;
 using test::small_set;
+using test::small_site_set;
 using test::small_task;
 
 Score score_of(const std::vector<MetricResult>& metrics, AttemptState state = AttemptState::completed,
@@ -216,6 +217,52 @@ TEST(Score, AbsoluteLevelsOfASetTakeNoZ) {
     EXPECT_EQ(score.gates[0].kind, GateKind::absolute);
     EXPECT_FALSE(score.gates[0].z);
     EXPECT_EQ(score_attempt(ScoreInput{task, bad, &set}).passed, false);
+}
+
+TEST(Score, IsFirmWithASetOfTheSiteThatTookTheTasksLimitsOver) {
+    const std::vector<MetricResult> metrics = figures(std::exp(4.2), -1.6, 3.0, 1);
+    const auto judged = [&](const TaskDefinition& task, const BenchmarkSet& set) {
+        Score score = score_attempt(ScoreInput{task, metrics, &set});
+        EXPECT_EQ(score.passed, true);
+        return score;
+    };
+    const TaskDefinition task = small_task();
+    const BenchmarkSet site = small_site_set();
+    ASSERT_EQ(site.taken_over.size(), 1U) << "the limit on drops is not provisional";
+    const Score firm = judged(task, site);
+    EXPECT_FALSE(firm.provisional);
+    EXPECT_FALSE(firm.gates[2].provisional);
+    EXPECT_EQ(firm.gates[2].limit, 4.0);
+    EXPECT_EQ(firm.gates[2].limit_source, "training limit, taken over by experts of this site, set 4");
+    EXPECT_EQ(firm.gates[3].limit_source, task.gates[3].limit_source);
+
+    // A newer program: another limit, or the same of another kind or of other values.
+    TaskDefinition newer = task;
+    newer.gates[2].limit = 3.5;
+    EXPECT_TRUE(judged(newer, site).provisional);
+    EXPECT_EQ(judged(newer, site).gates[2].limit, 3.5) << "the task's limit applies";
+    EXPECT_EQ(judged(newer, site).gates[2].limit_source, "training limit");
+    newer.gates[2].limit = 4.5;
+    EXPECT_TRUE(judged(newer, site).provisional);
+    newer.gates[2].limit = 4.0;
+    newer.gates[2].exclusive = true;
+    EXPECT_TRUE(judged(newer, site).provisional);
+    newer.gates[2].exclusive = newer.gates[2].provisional = false;
+    EXPECT_FALSE(judged(newer, site).provisional);
+    EXPECT_EQ(judged(newer, site).gates[2].limit_source, "training limit")
+        << "published: nobody's to take over";
+    BenchmarkSet other = site;
+    ++other.taken_over[0].metric_version;
+    EXPECT_TRUE(judged(task, other).provisional);
+    other = site;
+    other.taken_over[0].hand = "right";
+    EXPECT_TRUE(judged(task, other).provisional);
+    other = site;
+    other.taken_over.clear();
+    EXPECT_TRUE(judged(task, other).provisional) << "a set from before limits were taken over";
+    other = site;
+    other.provisional = true;
+    EXPECT_TRUE(judged(task, other).gates[2].provisional);
 }
 
 TEST(Score, NoPointsWhereNovicesAreAsGoodAsExperts) {

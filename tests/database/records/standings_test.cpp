@@ -52,7 +52,7 @@ TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     const Programme programme;
     const Curriculum curriculum = rectal();
     const std::int64_t begin = programme.store->now();
-    // As in the tasks that are delivered, whose absolute gates are provisional with every set and without.
+    // As in the tasks that are delivered, whose absolute gates are provisional until a set takes them over.
     const auto record = [&](std::optional<double> limit, const std::string& source, bool own = false) {
         AttemptResult result = test::example_result(false, 0);
         GateRow& gate = result.score->gates.front();

@@ -42,9 +42,15 @@ TEST(ShownText, SourcesOfLimitsNameNoSeeds) {
               "12 experts, benchmark set 7 (Twelve consultants, Leeds)");
     EXPECT_EQ(limit_source_text("A margin of 1 mm or less is positive"),
               "A margin of 1 mm or less is positive");
+    EXPECT_EQ(limit_source_text("A firm press, on a ball, taken over by experts of this site, set 12"),
+              "A firm press, on a ball; taken over with benchmark set 12 (experts of this site)");
     use_language(Language::german);
     EXPECT_EQ(limit_source_text("synthetic operators, seeds 1000-1999, set 4, 32 experts"),
               "32 simulierte Experten, Satz 4");
+    EXPECT_EQ(limit_source_text("Training limit of this task: a firm press on a rigid sphere, taken over by "
+                                "experts of this site, set 4"),
+              asset_text("Training limit of this task: a firm press on a rigid sphere") +
+                  "; übernommen mit Satz 4 (Experten dieses Standorts)");
     use_language(Language::english);
 }
 

@@ -1024,5 +1024,13 @@
         <source>synthetic operators through a model of tracked instruments, seeds 1000-1999</source>
         <translation>simulierte Operateure mit einem Modell von Instrumenten mit Tracking, Startwerte 1000-1999</translation>
     </message>
+    <message>
+        <source>synthetic operators, stored attempts</source>
+        <translation>simulierte Operateure, gespeicherte Versuche</translation>
+    </message>
+    <message>
+        <source>experts of this site</source>
+        <translation>Experten dieses Standorts</translation>
+    </message>
 </context>
 </TS>

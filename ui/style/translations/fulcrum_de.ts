@@ -122,8 +122,8 @@
         <translation>Simulierte Operateure verwenden; der Satz ist vorläufig.</translation>
     </message>
     <message>
-        <source>Use the stored attempts of these people; needs --as.</source>
-        <translation>Die gespeicherten Versuche dieser Personen verwenden; braucht --as.</translation>
+        <source>Use the stored attempts of these people; needs --as. The set takes over the task&apos;s provisional limits; one of simulated people is provisional.</source>
+        <translation>Die gespeicherten Versuche dieser Personen verwenden; braucht --as. Der Satz übernimmt die vorläufigen Grenzwerte der Aufgabe; einer von simulierten Personen ist vorläufig.</translation>
     </message>
     <message>
         <source>The class of devices that the set is for; operators work through a model of it.</source>
@@ -2571,6 +2571,18 @@
     <message>
         <source>the level of &apos;%1&apos; is given twice</source>
         <translation>der Wert für „%1“ ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>a provisional set takes over no limits of its task</source>
+        <translation>ein vorläufiger Satz übernimmt keine Grenzwerte seiner Aufgabe</translation>
+    </message>
+    <message>
+        <source>build the set of attempts that people performed</source>
+        <translation>bilden Sie den Satz aus Versuchen, die Personen durchgeführt haben</translation>
+    </message>
+    <message>
+        <source>the limit of &apos;%1&apos; is taken over twice</source>
+        <translation>der Grenzwert für „%1“ ist doppelt übernommen</translation>
     </message>
     <message>
         <source>remove one</source>
@@ -8417,6 +8429,10 @@
         <translation>nur %1 % der eigenen Versuche der Experten bestehen alle Kriterien bei k = %2, dem besten von allen, wo %3 % nötig sind</translation>
     </message>
     <message>
+        <source>the attempts of %1 are simulated, those of %2 are not</source>
+        <translation>die Versuche von %1 sind simuliert, die von %2 nicht</translation>
+    </message>
+    <message>
         <source>version %1 of %2 is in force, so that version %3 cannot follow it</source>
         <translation>Version %1 von %2 gilt, sodass Version %3 nicht auf sie folgen kann</translation>
     </message>
@@ -11947,6 +11963,14 @@ und %1 weitere</translation>
         <translation>%1: von %2 der eigenen Versuche der Experten nicht erfüllt.</translation>
     </message>
     <message>
+        <source>Provisional: these attempts are simulated. Nobody becomes proficient by a pass with this set, and it takes over no limits of the task.</source>
+        <translation>Vorläufig: Diese Versuche sind simuliert. Mit diesem Satz wird „sicher beherrscht“ nie festgestellt, und er übernimmt keine Grenzwerte der Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Provisional limits of the task that the set takes over as limits of your site when you put it in force: %1. The experts&apos; own attempts above were judged by them too.</source>
+        <translation>Vorläufige Grenzwerte der Aufgabe, die der Satz als Grenzwerte Ihres Standorts übernimmt, wenn Sie ihn in Kraft setzen: %1. Auch die eigenen Versuche der Experten oben wurden daran gemessen.</translation>
+    </message>
+    <message>
         <source>Version %1 of %2 is in force. Attempts that have begun keep their limits.</source>
         <translation>Version %1 von %2 gilt. Begonnene Versuche behalten ihre Grenzwerte.</translation>
     </message>
@@ -13603,6 +13627,10 @@ Kennzahlen: %2</translation>
         <translation>Die Grenzwerte sind vorläufig: Sie stammen von simulierten Experten, nicht von Chirurgen. Mit ihnen ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
     </message>
     <message>
+        <source>Limits of the task itself are provisional: no benchmark set of the site has taken them over. With them a task can be passed, but nobody becomes proficient.</source>
+        <translation>Grenzwerte der Aufgabe selbst sind vorläufig: Kein Satz des Standorts hat sie übernommen. Mit ihnen ist „bestanden“ möglich, nie „sicher beherrscht“.</translation>
+    </message>
+    <message>
         <source>Show name and score (my rating is then not blind)</source>
         <translation>Name und Bewertung zeigen (meine Beurteilung ist dann nicht blind)</translation>
     </message>
@@ -15129,6 +15157,34 @@ Kennzahlen: %2</translation>
     <message>
         <source>%1 (limit of the task: %2)</source>
         <translation>%1 (Grenzwert der Aufgabe: %2)</translation>
+    </message>
+    <message>
+        <source>%1: more than %2</source>
+        <translation>%1: mehr als %2</translation>
+    </message>
+    <message>
+        <source>%1: less than %2</source>
+        <translation>%1: weniger als %2</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1: mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1: höchstens %2</translation>
+    </message>
+    <message>
+        <source> (changed by an update since version %1 took it over)</source>
+        <translation> (durch ein Update geändert, seit Version %1 ihn übernommen hat)</translation>
+    </message>
+    <message>
+        <source>Provisional limits of the task that version %1 of the set does not take over: %2. Attempts are passed provisionally, and nobody becomes proficient by them, until the set is built again and put in force.</source>
+        <translation>Vorläufige Grenzwerte der Aufgabe, die Version %1 des Satzes nicht übernimmt: %2. Versuche werden nur vorläufig bestanden, und „sicher beherrscht“ wird mit ihnen nie festgestellt, bis der Satz neu gebildet und in Kraft gesetzt ist.</translation>
+    </message>
+    <message>
+        <source>Limits of the task that this set takes over as limits of the site: %1.</source>
+        <translation>Grenzwerte der Aufgabe, die dieser Satz als Grenzwerte des Standorts übernimmt: %1.</translation>
     </message>
     <message>
         <source>Experts and attempts here</source>
@@ -16796,8 +16852,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>In der Vorführung durchgeführt, unter dem Konto einer synthetischen Person.</translation>
     </message>
     <message>
-        <source>Provisional limits (synthetic operators): they allow &quot;passed (provisional)&quot;, never proficiency or a certificate.</source>
-        <translation>Vorläufige Grenzwerte (synthetische Operateure): Sie erlauben „bestanden (vorläufig)“, nie „sicher beherrscht“ und nie ein Zertifikat.</translation>
+        <source>Provisional limits (of synthetic operators, or of the task itself): they allow &quot;passed (provisional)&quot;, never proficiency or a certificate.</source>
+        <translation>Vorläufige Grenzwerte (von synthetischen Operateuren oder der Aufgabe selbst): Sie erlauben „bestanden (vorläufig)“, nie „sicher beherrscht“ und nie ein Zertifikat.</translation>
     </message>
     <message>
         <source>Practice from a moment of another attempt or of a demonstration: a part of the task, never scored.</source>
@@ -20211,6 +20267,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1 simulated experts, benchmark set %2</source>
         <translation>%1 simulierte Experten, Satz %2</translation>
+    </message>
+    <message>
+        <source>%1; taken over with benchmark set %2 (%3)</source>
+        <translation>%1; übernommen mit Satz %2 (%3)</translation>
     </message>
     <message>
         <source>%1 experts, benchmark set %2</source>
