@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/placed_assets.h"
 #include "assessment/assets/assets.h"
+#include "assessment/scoring/benchmark.h"
 #include "database/rows/crypto.h"
 #include "database/store/accepted_assets.h"
 #include "sim_core/numerics/input_error.h"
@@ -89,6 +90,35 @@ int list(const Arguments& arguments) {
     return 0;
 }
 
+/// What becomes of the provisional limits of a set's task. Of a task that is not installed here: what the set
+/// says.
+TakenOver limits_of_site(const BenchmarkSet& set) {
+    const std::vector<std::string> tasks = task_ids();
+    if (std::find(tasks.begin(), tasks.end(), set.task) == tasks.end()) return {set.taken_over, {}};
+    return taken_over(load_task(task_file(set.task)), set);
+}
+
+nlohmann::json left_json(const std::vector<LeftProvisional>& left) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const LeftProvisional& one : left) {
+        rows.push_back(taken_over_to_json({one.now})[0]);
+        rows.back()["taken_over"] = one.taken_over ? nlohmann::json(one.taken_over->limit) : nlohmann::json();
+    }
+    return rows;
+}
+
+void print_limits_of_site(const TakenOver& limits) {
+    if (!limits.by_site.empty())
+        std::cout << "takes over as limits of this site: " << provisional_words(limits.by_site) << '\n';
+    for (const LeftProvisional& one : limits.left) {
+        std::cout << "still provisional: " << provisional_words(one.now);
+        if (one.taken_over)
+            std::cout << " (changed since the set took it over: " << provisional_words(*one.taken_over)
+                      << "; build the set again)";
+        std::cout << '\n';
+    }
+}
+
 int accept(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
@@ -96,11 +126,22 @@ int accept(const Arguments& arguments) {
     const files::path path = files::absolute(arguments.words()[0]);
     const std::string text = text_at(path);
     const AssetFile file{accepted_name(path, text), database::sha256_hex(text)};
-    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""), text);
+    // A set that cannot be read here is not accepted either: nobody could say what it takes over.
+    std::optional<TakenOver> limits;
+    if (database::passed_on_name(text).rfind("benchmarks/", 0) == 0)
+        limits = limits_of_site(parse_benchmark(text, path.string()));
+    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""), text,
+                                 limits ? provisional_words(limits->by_site) : std::string());
     if (arguments.has("--json")) {
-        print_json({{"file", file.name}, {"sha256", file.digest}});
+        nlohmann::json document = {{"file", file.name}, {"sha256", file.digest}};
+        if (limits) {
+            document["takes_over"] = taken_over_to_json(limits->by_site);
+            document["left_provisional"] = left_json(limits->left);
+        }
+        print_json(document);
     } else {
         std::cout << "accepted " << file.name << " (sha256 " << file.digest << ")\n";
+        if (limits) print_limits_of_site(*limits);
     }
     return 0;
 }

@@ -13,6 +13,7 @@
 #include "assessment/operators/device_model.h"
 #include "assessment/scoring/benchmark_builder.h"
 #include "assessment/scoring/judged_limits.h"
+#include "assessment/scoring/taken_over.h"
 #include "database/records/people.h"
 #include "database/scoring/expert_attempts.h"
 #include "sim_core/numerics/files.h"
@@ -144,7 +145,6 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
     };
     BenchmarkRequest request = expert_request(loaded, device_class, version, of(OperatorLevel::expert));
     request.source = source_of(device_class);
-    request.provisional = true;
     request.outliers = false;
     request.familiarisation = request.minimum_familiarisation = 0;
     request.intermediates = of(OperatorLevel::intermediate);
@@ -187,6 +187,7 @@ nlohmann::json json_of(const BenchmarkBuild& build, const TaskDefinition& task) 
             {"trials", trials},
             {"log", build.log},
             {"limits", build.set ? limits_json(task, *build.set) : nlohmann::json()},
+            {"takes_over", build.set ? taken_over_to_json(build.set->taken_over) : nlohmann::json()},
             {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
 }
 
@@ -204,12 +205,24 @@ void print_limits(const TaskDefinition& task, const BenchmarkSet& set) {
     }
 }
 
+/// What becomes of the task's provisional limits when the set is put in force.
+void print_taken_over(const BenchmarkSet& set) {
+    if (set.provisional) {
+        std::cout << "provisional: made of simulated attempts; it takes over no limits of the task\n";
+    } else if (!set.taken_over.empty()) {
+        std::cout << "takes over as limits of this site: " << provisional_words(set.taken_over) << '\n';
+    }
+}
+
 void print_summary(const TaskDefinition& task, const BenchmarkBuild& build) {
     for (const std::string& line : build.log) std::cout << line << '\n';
     for (const BenchmarkTrial& trial : build.trials)
         std::cout << "k " << trial.k << ": " << 100 * trial.pass_share
                   << " % of the experts' own attempts pass\n";
-    if (build.set) print_limits(task, *build.set);
+    if (build.set) {
+        print_limits(task, *build.set);
+        print_taken_over(*build.set);
+    }
     std::cout << (build.set ? "usable at k " + std::to_string(build.set->k)
                             : "refused: " + build.refusal.words())
               << '\n';
@@ -311,7 +324,9 @@ Command benchmark_command() {
         joined({{"--operators", "",
                  QT_TRANSLATE_NOOP("commands", "Use synthetic operators; the set is provisional.")},
                 {"--experts", "LOGIN,LOGIN,...",
-                 QT_TRANSLATE_NOOP("commands", "Use the stored attempts of these people; needs --as.")},
+                 QT_TRANSLATE_NOOP("commands",
+                                   "Use the stored attempts of these people; needs --as. The set takes over "
+                                   "the task's provisional limits; one of simulated people is provisional.")},
                 {"--device-class",
                  "CLASS",
                  QT_TRANSLATE_NOOP(

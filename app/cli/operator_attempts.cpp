@@ -262,6 +262,7 @@ std::vector<BenchmarkAttempt> operator_attempts(OperatorLevel level, const KeptA
     for (unsigned i = 0; i < cores; ++i) threads.emplace_back(work);
     for (std::thread& thread : threads) thread.join();
     if (trouble) std::rethrow_exception(trouble);
+    for (BenchmarkAttempt& attempt : attempts) attempt.simulated = true;
     return attempts;
 }
 

@@ -10,6 +10,7 @@
 
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/registry.h"
+#include "assessment/scoring/taken_over.h"
 #include "database/records/people.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/benchmark_files.h"
@@ -62,9 +63,17 @@ std::optional<database::ScoreRow> score_for_limits(const database::Attempts& att
     return newest == scores.rend() ? std::nullopt : std::optional<database::ScoreRow>(*newest);
 }
 
-BenchmarkAttempt counted_attempt(const std::string& person, const database::ScoreRow& score) {
+/// By an operator, or in the name of a person who does not exist.
+bool is_simulated(const database::AttemptSummary& attempt) {
+    return attempt.synthetic || !attempt.meta.operator_name.empty() ||
+           attempt.meta.device_class == DeviceClass::synthetic;
+}
+
+BenchmarkAttempt counted_attempt(const std::string& person, const database::AttemptSummary& summary,
+                                 const database::ScoreRow& score) {
     BenchmarkAttempt attempt;
     attempt.person = person;
+    attempt.simulated = is_simulated(summary);
     for (const database::CriticalErrorRow& row : score.critical_errors)
         attempt.critical_errors.push_back(from_row(row));
     for (const database::MetricRow& row : score.metrics) attempt.metrics.push_back(from_row(row));
@@ -115,7 +124,7 @@ std::optional<std::vector<BenchmarkAttempt>> expert_attempts(
             if (cutting_difference(cutting_values(load_recorded(attempts, session, summary).scene),
                                    cutting_values(loaded.scene))
                     .empty())
-                result.push_back(counted_attempt(experts[i].login, *score));
+                result.push_back(counted_attempt(experts[i].login, summary, *score));
         }
     }
     return result;
@@ -129,8 +138,9 @@ BenchmarkRequest expert_request(const LoadedTask& loaded, DeviceClass device_cla
     request.variant_family = variant_family(loaded.task, loaded.scene.variant);
     request.fidelity = loaded.scene.fidelity.id;
     request.version = version;
-    request.source = "experts of this site";
-    request.provisional = false;
+    request.provisional = std::any_of(attempts.begin(), attempts.end(),
+                                      [](const BenchmarkAttempt& one) { return one.simulated; });
+    request.source = request.provisional ? "synthetic operators, stored attempts" : "experts of this site";
     request.familiarisation = familiarisation_attempts;
     request.experts = std::move(attempts);
     return request;
@@ -168,7 +178,8 @@ std::string publish_benchmark(const database::Store& store, const database::Sess
         const database::AssetFile asset{"benchmarks/" + name, database::sha256_hex(text)};
         const database::AcceptedAssets accepted(store);
         // Already so where an earlier try was cut off after it: without the file it had no effect.
-        if (accepted.is_to_accept(asset)) accepted.accept(educator, asset, reason, text);
+        if (accepted.is_to_accept(asset))
+            accepted.accept(educator, asset, reason, text, provisional_words(set.taken_over));
         keep_superseded(path, before);
         file.commit();
     } catch (const std::system_error& error) {

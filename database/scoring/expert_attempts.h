@@ -40,7 +40,8 @@ std::optional<std::vector<BenchmarkAttempt>> expert_attempts(
     const database::Store& store, const database::Session& session, const LoadedTask& loaded,
     DeviceClass device_class, const std::vector<ExpertCandidate>& experts, const ShareDone& progress = {});
 
-/// What build_benchmark() makes a set of them of. `version`: next_benchmark_version().
+/// What build_benchmark() makes a set of them of: a provisional one where they are simulated, which takes
+/// over nothing. `version`: next_benchmark_version().
 BenchmarkRequest expert_request(const LoadedTask& loaded, DeviceClass device_class, int version,
                                 std::vector<BenchmarkAttempt> attempts);
 
@@ -54,9 +55,9 @@ std::string benchmark_text(const BenchmarkSet& set);
 /// Puts the set in force at this station, and at the others with the next exchange (asset_placing.h): its
 /// file takes the place of the one in `folder` (assets/benchmarks), which is kept in the folder "superseded"
 /// there, and is accepted for assessed attempts. Attempts that have begun keep their limits. Returns the
-/// file's path. Operation::accept_assets; audited as asset.accept. Throws AccessDenied, StoreError bad_value
-/// (no reason), conflict (another set was put in force since this one was built), read_only (the folder
-/// cannot be written).
+/// file's path. Operation::accept_assets; audited as asset.accept, with the limits of the task that the set
+/// takes over. Throws AccessDenied, StoreError bad_value (no reason), conflict (another set was put in force
+/// since this one was built), read_only (the folder cannot be written).
 std::string publish_benchmark(const database::Store& store, const database::Session& educator,
                               const std::string& folder, const BenchmarkSet& set, const std::string& reason);
 

@@ -69,7 +69,7 @@ std::vector<AcceptedText> AcceptedAssets::texts() const {
 }
 
 void AcceptedAssets::accept(const Session& educator, const AssetFile& file, const std::string& reason,
-                            const std::string& text) const {
+                            const std::string& text, const std::string& takes_over) const {
     store_.require(educator, Operation::accept_assets);
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
         throw StoreError(StoreErrorKind::bad_value,
@@ -102,9 +102,13 @@ void AcceptedAssets::accept(const Session& educator, const AssetFile& file, cons
             .run();
         records.push_back({RecordKind::asset_text, file.digest});
     }
-    Audit(store_).append(educator, store_.station_id(), "asset.accept",
-                         json_object({{"file", file.name}, {"sha256", file.digest}, {"reason", reason}}),
-                         records);
+    const std::string payload =
+        takes_over.empty() ? json_object({{"file", file.name}, {"sha256", file.digest}, {"reason", reason}})
+                           : json_object({{"file", file.name},
+                                          {"sha256", file.digest},
+                                          {"reason", reason},
+                                          {"takes_over", takes_over}});
+    Audit(store_).append(educator, store_.station_id(), "asset.accept", payload, records);
     transaction.commit();
 }
 

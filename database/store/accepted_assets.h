@@ -43,10 +43,11 @@ class AcceptedAssets {
     /// From now on attempts with this file can be assessed. `text`: what it says, kept of curricula and
     /// benchmark sets, so that the programme's other stations get it (database/scoring/asset_placing.h).
     /// Where such a file is accepted, under whichever name, and its text is not kept, the text is added.
-    /// Throws StoreError bad_value without a reason, conflict where there is nothing to add.
+    /// `takes_over`: in words, which limits become the site's own with a benchmark set; audited. Throws
+    /// StoreError bad_value without a reason, conflict where there is nothing to add.
     /// Operation::accept_assets.
     void accept(const Session& educator, const AssetFile& file, const std::string& reason,
-                const std::string& text = {}) const;
+                const std::string& text = {}, const std::string& takes_over = {}) const;
     /// Accepted files whose text is kept, oldest first.
     std::vector<AcceptedText> texts() const;
 

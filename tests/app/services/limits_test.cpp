@@ -15,6 +15,7 @@
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/statement_words.h"
+#include "assessment/scoring/taken_over.h"
 #include "database/records/attempts.h"
 #include "database/scoring/limit_trial.h"
 #include "database/scoring/loaded_task.h"
@@ -231,6 +232,38 @@ TEST_F(OwnLimits, StayThoseOfTheStartWhenTheSetIsReplaced) {
     const Limits replaced = limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, old_name);
     EXPECT_EQ(replaced.comparable(), nullptr);
     EXPECT_EQ(replaced.not_comparable, Statement(StatementId::limits_replaced));
+}
+
+TEST_F(OwnLimits, OfASiteThatTookTheTasksOverAreFirmUntilTheTaskChangesThem) {
+    const TaskDefinition task = load_task((assets_ / "tasks/A2.json").string());
+    const auto judged = [&] {
+        const json attempt = perform({"A2"});
+        EXPECT_EQ(attempt["passed"], true) << attempt["advice"];
+        std::vector<std::string> provisional;
+        for (const json& gate : attempt["gates"])
+            if (gate["provisional"] == true)
+                provisional.push_back(gate["metric"].get<std::string>() + " " +
+                                      gate["hand"].get<std::string>());
+        const database::Store store = database::Store::open(store_);
+        EXPECT_EQ(database::Attempts(store)
+                      .read(store.station_session(), attempt["attempt"].get<std::string>())
+                      .provisional,
+                  !provisional.empty());
+        return provisional;
+    };
+    change_set("A2", [](json& set) { set["provisional"] = false; });
+    EXPECT_EQ(judged(),
+              (std::vector<std::string>{"f_max left", "f_max right", "off_screen left", "off_screen right"}));
+    change_set("A2", [&](json& set) {
+        set["version"] = set["version"].get<int>() + 1;
+        set["taken_over"] = taken_over_to_json(limits_to_take_over(task));
+    });
+    EXPECT_EQ(judged(), std::vector<std::string>());
+    json newer = json::parse(std::ifstream(assets_ / "tasks/A2.json"));
+    for (json& gate : newer["gates"])
+        if (gate["metric"] == "off_screen") gate["limit"] = 31;
+    std::ofstream(assets_ / "tasks/A2.json") << newer.dump(1);
+    EXPECT_EQ(judged(), (std::vector<std::string>{"off_screen left", "off_screen right"}));
 }
 
 TEST_F(OwnLimits, ThatHaveToBeBuiltAgainJudgeNothingAndStopNothing) {

@@ -6,6 +6,8 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "assessment/scoring/taken_over.h"
+#include "tests/database/expert_values.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/own_folder.h"
 #include "tests/support/support.h"
@@ -37,6 +39,16 @@ void measure_gates(const TaskDefinition& task, const BenchmarkSet& set, double z
     }
 }
 
+database::Session educator_of(const database::Store& store, const database::test::LargeProgramme& programme) {
+    const database::People people(store);
+    const auto administrator = people.sign_in("administrator", "correct horse battery");
+    const auto made = people.create(administrator, "ed", "Ed Educator", {database::Role::educator});
+    const database::Session educator = people.change_password(people.sign_in("ed", made.one_time_password),
+                                                              made.one_time_password, "a long password");
+    people.set_educators(programme.director, programme.cohort, {educator.person_id()});
+    return educator;
+}
+
 TEST(ExpertAttempts, LimitsAreMadeOfValuesOfThePresentVersionsOnly) {
     const test::OwnFolder folder;
     const database::Store store = database::Store::create((folder / "fulcrum.db").string());
@@ -50,12 +62,7 @@ TEST(ExpertAttempts, LimitsAreMadeOfValuesOfThePresentVersionsOnly) {
             measure_gates(loaded.task, set, random.uniform(-0.7, 0.7), older, score);
         },
         loaded.task.version);
-    const database::People people(store);
-    const auto administrator = people.sign_in("administrator", "correct horse battery");
-    const auto made = people.create(administrator, "ed", "Ed Educator", {database::Role::educator});
-    const database::Session educator = people.change_password(people.sign_in("ed", made.one_time_password),
-                                                              made.one_time_password, "a long password");
-    people.set_educators(programme.director, programme.cohort, {educator.person_id()});
+    const database::Session educator = educator_of(store, programme);
     const std::vector<ExpertCandidate> experts =
         expert_candidates(store, educator, loaded.task, {"A2", "standard", DeviceClass::haptic, "standard"});
     ASSERT_EQ(experts.size(), static_cast<std::size_t>(surgeons));
@@ -84,6 +91,55 @@ TEST(ExpertAttempts, LimitsAreMadeOfValuesOfThePresentVersionsOnly) {
     for (const BenchmarkAttempt& attempt : again)
         for (const MetricResult& metric : attempt.metrics)
             EXPECT_EQ(metric.version, find_metric(metric.id)->version) << metric.id;
+}
+
+TEST(ExpertAttempts, OfSimulatedPeopleMakeAProvisionalSetThatTakesOverNothing) {
+    const test::OwnFolder folder;
+    const database::Store store = database::Store::create((folder / "fulcrum.db").string());
+    const LoadedTask loaded = load_task_and_scene("A2");
+    const BenchmarkSet set = load_benchmark(test::source_path("assets/benchmarks/A2.json"));
+    const auto programme = database::test::make_large_programme(
+        store, surgeons, attempts_of_surgeon, 1, 7, {"A2"},
+        [&](database::ScoreRow& score, Random& random) {
+            database::test::write_expert_values(loaded.task, set, random.uniform(-0.7, 0.7), score);
+        },
+        loaded.task.version);
+    const database::Session educator = educator_of(store, programme);
+    const std::vector<ExpertCandidate> experts =
+        expert_candidates(store, educator, loaded.task, {"A2", "standard", DeviceClass::haptic, "standard"});
+    ASSERT_EQ(experts.size(), static_cast<std::size_t>(surgeons));
+    const auto build = [&] {
+        return build_benchmark(
+            loaded.task,
+            expert_request(loaded, DeviceClass::haptic, 99,
+                           expert_attempts(store, educator, loaded, DeviceClass::haptic, experts).value()));
+    };
+    const BenchmarkBuild of_people = build();
+    ASSERT_TRUE(of_people.set) << of_people.refusal.words();
+    EXPECT_FALSE(of_people.set->provisional);
+    EXPECT_EQ(of_people.set->source, "experts of this site");
+    EXPECT_EQ(provisional_words(of_people.set->taken_over),
+              provisional_words(limits_to_take_over(loaded.task)));
+
+    store.connection().execute("UPDATE person SET kind = 'synthetic' WHERE login = 'trainee1004'");
+    const BenchmarkBuild mixed = build();
+    EXPECT_FALSE(mixed.set);
+    EXPECT_NE(mixed.refusal.words().find("trainee1004 are simulated"), std::string::npos)
+        << mixed.refusal.words();
+
+    store.connection().execute("UPDATE person SET kind = 'synthetic' WHERE login LIKE 'trainee%'");
+    const BenchmarkBuild simulated = build();
+    ASSERT_TRUE(simulated.set) << simulated.refusal.words();
+    EXPECT_TRUE(simulated.set->provisional);
+    EXPECT_TRUE(simulated.set->taken_over.empty());
+    EXPECT_EQ(simulated.set->source.rfind("synthetic operators", 0), 0U) << simulated.set->source;
+
+    // Whoever is named for it, an operator performed it.
+    store.connection().execute("UPDATE person SET kind = 'real' WHERE login LIKE 'trainee%'");
+    EXPECT_FALSE(build().set.value().provisional);
+    store.connection().execute("DROP TRIGGER attempt_is_fixed");
+    store.connection().execute("UPDATE attempt SET operator_name = 'expert'");
+    EXPECT_TRUE(build().set.value().provisional);
 }
 
 }  // namespace
