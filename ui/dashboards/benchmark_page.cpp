@@ -9,6 +9,7 @@
 
 #include "assessment/assets/assets.h"
 #include "database/scoring/scoring.h"
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/output_file.h"
 #include "sim_core/scene/fidelity.h"
 #include "ui/dashboards/limit_rows.h"
@@ -33,6 +34,15 @@ QFrame* titled_card(const QString& title) {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(title, "heading"));
     return card;
+}
+
+/// In force for the key; nothing where its file cannot be read, which building the set says.
+std::optional<BenchmarkSet> readable_set(const BenchmarkKey& key) {
+    try {
+        return benchmark_in_force(key).set;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
 void show_all_rows(QTableWidget* table, int most) {
@@ -86,6 +96,10 @@ QFrame* BenchmarkPage::make_choice() {
     add(devices_, "benchmark_device", tr("Class of devices"));
     add(fidelities_, "benchmark_fidelity", tr("Fidelity"));
     card_layout(card)->addLayout(row);
+    left_ = make_label({});
+    left_->setObjectName(QStringLiteral("benchmark_left"));
+    set_tint(left_, Tint::bad);
+    card_layout(card)->addWidget(left_);
     for (const NameRow<DeviceClass>& one : device_classes)
         if (limits_class(one.kind) == one.kind)
             devices_->addItem(device_class_text(one.kind), static_cast<int>(one.kind));
@@ -130,6 +144,9 @@ QFrame* BenchmarkPage::make_result() {
     explained_ = make_label({}, "muted");
     explained_->setObjectName(QStringLiteral("benchmark_explained"));
     card_layout(card)->addWidget(explained_);
+    site_ = make_label({});
+    site_->setObjectName(QStringLiteral("benchmark_site"));
+    card_layout(card)->addWidget(site_);
     saving_ = make_saving();
     card_layout(card)->addWidget(saving_);
     return card;
@@ -231,12 +248,30 @@ void BenchmarkPage::choose_key() {
     built_.reset();
     result_->hide();
     show_candidates({});
+    show_left(std::nullopt);
     if (task() == nullptr) return;
-    auto found = std::make_shared<std::vector<ExpertCandidate>>();
-    run([found, session = context().session(), task = *task(), key = key()](
-            const database::Store& store,
-            const std::function<bool(double)>&) { *found = expert_candidates(store, session, task, key); },
-        [this, found] { show_candidates(std::move(*found)); }, tr("Reading the attempts …"));
+    struct Found {
+        std::vector<ExpertCandidate> candidates;
+        std::optional<BenchmarkSet> in_force;
+    };
+    auto found = std::make_shared<Found>();
+    run(
+        [found, session = context().session(), task = *task(), key = key()](
+            const database::Store& store, const std::function<bool(double)>&) {
+            found->candidates = expert_candidates(store, session, task, key);
+            found->in_force = readable_set(key);
+        },
+        [this, found] {
+            show_left(found->in_force);
+            show_candidates(std::move(found->candidates));
+        },
+        tr("Reading the attempts …"));
+}
+
+/// Why passes with the site's own set are still provisional.
+void BenchmarkPage::show_left(const std::optional<BenchmarkSet>& in_force) {
+    left_->setText(in_force && task() != nullptr ? left_provisional_words(*task(), *in_force) : QString());
+    left_->setVisible(!left_->text().isEmpty());
 }
 
 void BenchmarkPage::show_candidates(std::vector<ExpertCandidate> candidates) {
@@ -338,6 +373,8 @@ void BenchmarkPage::show_result() {
                              : tr("✕ Refused: %1.").arg(sentence_text(build.refusal)));
     explained_->setText(explained().join(QLatin1Char('\n')));
     explained_->setVisible(!explained_->text().isEmpty());
+    site_->setText(limits_of_site());
+    site_->setVisible(!site_->text().isEmpty());
     for (QWidget* part : std::initializer_list<QWidget*>{dots_, chart_, passes_, saving_})
         part->setVisible(usable);
     if (usable) fill_passes();
@@ -390,6 +427,21 @@ QStringList BenchmarkPage::explained() const {
                                                 : capital(event_text(failure.event)))
                      .arg(failure.attempts);
     return lines;
+}
+
+/// What becomes of the task's provisional limits when the set is put in force.
+QString BenchmarkPage::limits_of_site() const {
+    if (!built_->build.set) return {};
+    const BenchmarkSet& set = *built_->build.set;
+    if (set.provisional)
+        return tr(
+            "Provisional: these attempts are simulated. Nobody becomes proficient by a pass with this "
+            "set, and it takes over no limits of the task.");
+    const QString limits = taken_over_words(built_->task, set);
+    if (limits.isEmpty()) return {};
+    return tr("Provisional limits of the task that the set takes over as limits of your site when you put it "
+              "in force: %1. The experts' own attempts above were judged by them too.")
+        .arg(limits);
 }
 
 void BenchmarkPage::put_in_force() {

@@ -50,12 +50,14 @@ class BenchmarkPage : public Page {
     void choose_task();
     void choose_key();
     void show_candidates(std::vector<ExpertCandidate> candidates);
+    void show_left(const std::optional<BenchmarkSet>& in_force);
     std::vector<ExpertCandidate> chosen() const;
     void look();
     void build();
     void show_result();
     void fill_passes();
     QStringList explained() const;
+    QString limits_of_site() const;
     void put_in_force();
     void save();
     void run(std::function<void(const database::Store&, const std::function<bool(double)>&)> work,
@@ -68,7 +70,7 @@ class BenchmarkPage : public Page {
     QComboBox *tasks_, *variants_, *devices_, *fidelities_;
     QTableWidget *people_, *passes_;
     QPushButton *build_, *put_, *save_;
-    QLabel *count_, *verdict_, *explained_, *dots_;
+    QLabel *left_, *count_, *verdict_, *explained_, *site_, *dots_;
     QFrame* result_;
     QWidget* saving_;
     LimitsChart* chart_;

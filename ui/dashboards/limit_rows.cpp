@@ -6,6 +6,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "assessment/scoring/taken_over.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -20,6 +21,17 @@ bool is_shown(const GateSpec& gate, const std::vector<const BenchmarkSet*>& sets
            std::any_of(sets.begin(), sets.end(), [&](const BenchmarkSet* set) {
                return set->find(gate.metric, gate.hand, gate.tissue) != nullptr;
            });
+}
+
+QString words_of_provisional(const ProvisionalLimit& limit) {
+    const MetricDescriptor& metric = *find_metric(limit.metric);
+    const bool higher = metric.direction == Direction::higher;
+    const QString bound =
+        limit.exclusive ? (higher ? LimitWords::tr("%1: more than %2") : LimitWords::tr("%1: less than %2"))
+        : higher        ? LimitWords::tr("%1: at least %2")
+                        : LimitWords::tr("%1: at most %2");
+    return bound.arg(gate_name(limit.metric, limit.hand, limit.tissue),
+                     figure_with_unit(limit.limit, metric.unit));
 }
 
 }  // namespace
@@ -70,6 +82,29 @@ std::vector<GateLimits> gate_limits(const TaskDefinition& task, const std::vecto
         gates.push_back(std::move(row));
     }
     return gates;
+}
+
+QString taken_over_words(const TaskDefinition& task, const BenchmarkSet& set) {
+    QStringList limits;
+    for (const ProvisionalLimit& limit : taken_over(task, set).by_site) limits << words_of_provisional(limit);
+    return limits.join(QStringLiteral("; "));
+}
+
+QString left_provisional_words(const TaskDefinition& task, const BenchmarkSet& set) {
+    if (set.provisional) return {};
+    QStringList limits;
+    for (const LeftProvisional& one : taken_over(task, set).left) {
+        QString words = words_of_provisional(one.now);
+        if (one.taken_over)
+            words += LimitWords::tr(" (changed by an update since version %1 took it over)").arg(set.version);
+        limits << words;
+    }
+    if (limits.isEmpty()) return {};
+    return LimitWords::tr(
+               "Provisional limits of the task that version %1 of the set does not take over: %2. "
+               "Attempts are passed provisionally, and nobody becomes proficient by them, until "
+               "the set is built again and put in force.")
+        .arg(QString::number(set.version), limits.join(QStringLiteral("; ")));
 }
 
 QString share_of(int part, int all) {

@@ -24,6 +24,11 @@ std::vector<double> values_of(const std::vector<TriedAttempt>& attempts, const G
 /// Gates on the experts' range, and absolute ones that one of the sets narrows.
 std::vector<GateLimits> gate_limits(const TaskDefinition& task, const std::vector<const BenchmarkSet*>& sets,
                                     const std::vector<TriedAttempt>& attempts);
+/// The provisional limits of the task that are the site's with this set, "Largest force · left hand: at most
+/// 4 N; …"; empty: none.
+QString taken_over_words(const TaskDefinition& task, const BenchmarkSet& set);
+/// A sentence on those that a set of the site leaves provisional; empty: none, or the set is provisional.
+QString left_provisional_words(const TaskDefinition& task, const BenchmarkSet& set);
 /// "3 of 12 (25 %)".
 QString share_of(int part, int all);
 /// The cells of a set in the table of who would pass: the set, what it was made from, its experts, what of

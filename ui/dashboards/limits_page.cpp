@@ -54,6 +54,9 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     card_layout(passes)->addWidget(make_label(tr("Who would pass with each set"), "heading"));
     table_ = make_table(pass_columns(), "limits_table");
     card_layout(passes)->addWidget(table_);
+    site_ = make_label({}, "muted");
+    site_->setObjectName(QStringLiteral("limits_of_site"));
+    card_layout(passes)->addWidget(site_);
     card_layout(passes)->addWidget(make_adding());
     layout->addWidget(passes);
     layout->addWidget(make_groups());
@@ -219,7 +222,24 @@ void LimitsPage::fill() {
     }
     chart_->show_gates(std::move(gates));
     fill_table();
+    show_limits_of_site();
     show_group();
+}
+
+/// What each set of the site makes of the task's provisional limits.
+void LimitsPage::show_limits_of_site() {
+    QStringList lines;
+    for (std::size_t k = 0; k < sets_.size(); ++k) {
+        const BenchmarkSet& set = sets_[k].set;
+        const QString letter = set_letter(k) + QStringLiteral(" · ");
+        const QString of_site = taken_over_words(*task(), set), left = left_provisional_words(*task(), set);
+        if (!of_site.isEmpty())
+            lines << letter + tr("Limits of the task that this set takes over as limits of the site: %1.")
+                                  .arg(of_site);
+        if (!left.isEmpty()) lines << letter + left;
+    }
+    site_->setText(lines.join(QLatin1Char('\n')));
+    site_->setVisible(!lines.isEmpty());
 }
 
 void LimitsPage::fill_table() {

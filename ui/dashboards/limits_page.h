@@ -43,6 +43,7 @@ class LimitsPage : public Page {
     void add_file();
     void fill();
     void fill_table();
+    void show_limits_of_site();
     void show_group();
     const TaskDefinition* task();
     std::vector<BenchmarkSet> in_force_;  ///< of the task, all device classes and variants
@@ -51,7 +52,7 @@ class LimitsPage : public Page {
     QComboBox *tasks_, *keys_, *metrics_;
     QLineEdit* path_;
     QPushButton* add_;
-    QLabel *count_, *mark_;
+    QLabel *count_, *site_, *mark_;
     LimitsChart* chart_;
     GroupsChart* groups_;
     ChartFrame* groups_frame_;

@@ -71,8 +71,8 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     if (attempt.provisional) {
         sheet.font(9, true, paper_palette().bad);
         sheet.paragraph(ReportTexts::tr(
-            "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-            "proficiency or a certificate."));
+            "Provisional limits (of synthetic operators, or of the task itself): they allow \"passed "
+            "(provisional)\", never proficiency or a certificate."));
     }
     // A voided attempt has no result: it may be that of another person.
     sheet.font(11, true, voided ? paper_palette().muted : paper_palette().text);

@@ -83,8 +83,8 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
     if (synthetic) sheet.paragraph(ReportTexts::tr("Synthetic: the people in this report are not real."));
     if (provisional) {
         sheet.paragraph(ReportTexts::tr(
-            "Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-            "proficiency or a certificate."));
+            "Provisional limits (of synthetic operators, or of the task itself): they allow \"passed "
+            "(provisional)\", never proficiency or a certificate."));
     }
     sheet.skip(2);
 }

@@ -11,6 +11,16 @@
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// Which are not those of simulated experts.
+bool only_limits_of_task(const database::ScoreRow& score) {
+    return std::none_of(score.gates.begin(), score.gates.end(), [](const database::GateRow& gate) {
+        return gate.provisional && gate.kind == GateKind::benchmark;
+    });
+}
+
+}  // namespace
 
 QStringList DebriefPage::notes() const {
     const database::AttemptSummary& attempt = model_->summary;
@@ -42,9 +52,12 @@ QStringList DebriefPage::notes() const {
                          .arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
     }
     if (attempt.provisional) {
-        notes << tr(
-            "The limits are provisional: they come from simulated experts, not from surgeons. With them a "
-            "task can be passed, but nobody becomes proficient.");
+        notes
+            << (model_->score && only_limits_of_task(*model_->score)
+                    ? tr("Limits of the task itself are provisional: no benchmark set of the site has taken "
+                         "them over. With them a task can be passed, but nobody becomes proficient.")
+                    : tr("The limits are provisional: they come from simulated experts, not from surgeons. "
+                         "With them a task can be passed, but nobody becomes proficient."));
     }
     if (attempt.without_limits && attempt.meta.mode == AttemptMode::assessed) {
         notes << tr(

@@ -14,17 +14,20 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/metrics/registry.h"
-#include "assessment/scoring/gate_rules.h"
+#include "assessment/scoring/judged_limits.h"
+#include "assessment/scoring/taken_over.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/scoring.h"
 #include "database/store/accepted_assets.h"
 #include "database/store/audit.h"
 #include "sim_core/scene/json_document.h"
+#include "tests/database/expert_values.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/own_folder.h"
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/dashboards/limit_rows.h"
 #include "ui/dashboards/limits_chart.h"
 #include "ui/language/language.h"
 #include "ui/shell/main_window.h"
@@ -34,36 +37,6 @@ namespace fulcrum::ui::window_test {
 namespace {
 
 constexpr int expert_people = 10, attempts_of_expert = 6;
-
-/// Of every gate: a value at `z` of the delivered set, or one that an absolute gate lets pass.
-void write_values(const TaskDefinition& task, const BenchmarkSet& set, double z, database::ScoreRow& score) {
-    score.gates.clear();
-    score.metrics.clear();
-    for (const GateSpec& spec : task.gates) {
-        const MetricDescriptor& about = *find_metric(spec.metric);
-        const BenchmarkLevel* level = set.find(spec.metric, spec.hand, spec.tissue);
-        double value = about.direction == Direction::higher ? spec.limit : 0;
-        if (spec.kind == GateKind::benchmark && level != nullptr) value = limit_of(about, *level, z);
-        database::MetricRow metric;
-        metric.id = spec.metric;
-        metric.version = about.version;
-        metric.hand = spec.hand;
-        metric.tissue = spec.tissue;
-        metric.value = value;
-        metric.unit = about.unit;
-        metric.direction = about.direction;
-        score.metrics.push_back(metric);
-        database::GateRow gate;
-        gate.metric = spec.metric;
-        gate.hand = spec.hand;
-        gate.tissue = spec.tissue;
-        gate.kind = spec.kind;
-        gate.value = value;
-        gate.unit = about.unit;
-        gate.passed = true;
-        score.gates.push_back(gate);
-    }
-}
 
 class BuildingLimits : public ::testing::Test {
   protected:
@@ -83,7 +56,8 @@ class BuildingLimits : public ::testing::Test {
             [&](database::ScoreRow& score, Random& random) {
                 // The first one is far from the others.
                 const bool outlier = written++ / attempts_of_expert == 0;
-                write_values(task, set, (outlier ? 9 : 0) + random.uniform(-0.7, 0.7), score);
+                database::test::write_expert_values(task, set, (outlier ? 9 : 0) + random.uniform(-0.7, 0.7),
+                                                    score);
             },
             task.version);
         director = programme.director;
@@ -224,6 +198,80 @@ TEST_F(BuildingLimits, ASetIsBuiltReadAndPutInForce) {
     ASSERT_TRUE(same.set);
     same.set->note = made.note;
     EXPECT_EQ(benchmark_to_json(*same.set), benchmark_to_json(made));
+}
+
+TEST_F(BuildingLimits, NameTheLimitsOfTheTaskThatTheSetTakesOver) {
+    EXPECT_FALSE(sees(*window, "benchmark_left")) << "the set in force is provisional as a whole";
+    choose_experts(expert_people);
+    build();
+    const std::vector<ProvisionalLimit> limits = limits_to_take_over(task);
+    ASSERT_EQ(limits.size(), 4U);
+    const auto named = [&](const QString& shown, const ProvisionalLimit& limit) {
+        return shown.contains(QStringLiteral("%1: at most %2")
+                                  .arg(gate_name(limit.metric, limit.hand, limit.tissue),
+                                       figure_with_unit(limit.limit, find_metric(limit.metric)->unit)));
+    };
+    for (const ProvisionalLimit& limit : limits)
+        EXPECT_TRUE(named(label("benchmark_site"), limit)) << label("benchmark_site").toStdString();
+    bring(*find<QWidget>(*window, "benchmark_site"));
+    keep("site");
+    auto* note = find<QLineEdit>(*window, "benchmark_note");
+    bring(*note);
+    note->setFocus();
+    QTest::keyClicks(note, "Limits of ours");
+    QTest::keyClick(note, Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    BenchmarkSet made = load_benchmark(file().string());
+    EXPECT_EQ(provisional_words(made.taken_over), provisional_words(limits));
+    for (const JudgedLimit& limit : judged_limits(task, &made)) EXPECT_FALSE(limit.provisional);
+    EXPECT_FALSE(sees(*window, "benchmark_left"));
+    database::AuditFilter filter;
+    filter.kind = "asset.accept";
+    const std::vector<database::AuditEntry> entries =
+        database::Audit(*services->store())
+            .entries(database::People(*services->store()).sign_in("administrator", "correct horse battery"),
+                     filter);
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_NE(entries[0].payload.find("f_max left at most 4.0 N"), std::string::npos) << entries[0].payload;
+
+    // A newer program has another limit; a set from before limits were taken over.
+    made.taken_over[0].limit += 1;
+    std::ofstream(file()) << benchmark_text(made);
+    choose_page(*window, "rail_limits");
+    open();
+    ASSERT_TRUE(sees(*window, "benchmark_left"));
+    EXPECT_TRUE(named(label("benchmark_left"), limits[0])) << label("benchmark_left").toStdString();
+    EXPECT_TRUE(label("benchmark_left").contains("changed by an update"));
+    EXPECT_FALSE(named(label("benchmark_left"), limits[1]));
+    keep("left");
+    made.taken_over.clear();
+    std::ofstream(file()) << benchmark_text(made);
+    choose_page(*window, "rail_limits");
+    open();
+    for (const ProvisionalLimit& limit : limits) EXPECT_TRUE(named(label("benchmark_left"), limit));
+    EXPECT_FALSE(label("benchmark_left").contains("changed by an update"));
+}
+
+TEST_F(BuildingLimits, OfSimulatedPeopleAreProvisionalAndTakeOverNothing) {
+    choose_experts(expert_people);
+    services->store()->connection().execute(
+        "UPDATE person SET kind = 'synthetic' WHERE login LIKE 'trainee%'");
+    build();
+    EXPECT_TRUE(label("benchmark_verdict").startsWith("✓ Usable"))
+        << label("benchmark_verdict").toStdString();
+    EXPECT_TRUE(label("benchmark_site").startsWith("Provisional: these attempts are simulated."))
+        << label("benchmark_site").toStdString();
+    auto* note = find<QLineEdit>(*window, "benchmark_note");
+    bring(*note);
+    note->setFocus();
+    QTest::keyClicks(note, "To try it out");
+    QTest::keyClick(note, Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    const BenchmarkSet made = load_benchmark(file().string());
+    EXPECT_EQ(made.version, set.version + 1);
+    EXPECT_TRUE(made.provisional);
+    EXPECT_TRUE(made.taken_over.empty());
+    EXPECT_EQ(made.source.rfind("synthetic operators", 0), 0U) << made.source;
 }
 
 TEST_F(BuildingLimits, ASetThatAnUpdateMadeUselessIsBuiltAgain) {

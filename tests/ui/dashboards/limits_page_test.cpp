@@ -16,12 +16,14 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "assessment/scoring/taken_over.h"
 #include "sim_core/numerics/output_file.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/processor_time.h"
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/dashboards/limit_rows.h"
 #include "ui/dashboards/limits_chart.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/text.h"
@@ -172,6 +174,28 @@ TEST_F(LimitsView, ShowsAnAbsoluteLimitThatASetNarrows) {
     keep("limits-narrowed-light");
     window.set_theme(Theme::dark);
     keep("limits-narrowed-dark");
+}
+
+TEST_F(LimitsView, NamesTheLimitsOfTheTaskThatASetOfTheSiteTakesOver) {
+    EXPECT_FALSE(sees(window, "limits_of_site")) << "the set in force is provisional";
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+    BenchmarkSet site = set;
+    site.provisional = false;
+    site.version = 90;
+    compare(QString::fromStdString(write(site, "older.json")));
+    const auto shown = [&] { return find<QLabel>(window, "limits_of_site")->text(); };
+    EXPECT_TRUE(shown().startsWith("B · Provisional limits of the task that version 90 of the set does not"))
+        << shown().toStdString();
+    site.version = 91;
+    site.taken_over = limits_to_take_over(task);
+    compare(QString::fromStdString(write(site, "site.json")));
+    const QStringList lines = shown().split('\n');
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_TRUE(lines[1].startsWith("C · Limits of the task that this set takes over"))
+        << lines[1].toStdString();
+    EXPECT_TRUE(lines[1].contains(taken_over_words(task, site)));
+    EXPECT_EQ(taken_over_words(task, site).count(';'), 3) << taken_over_words(task, site).toStdString();
+    keep("limits-of-site");
 }
 
 TEST_F(LimitsView, NamesThePassMarkBetweenExpertsAndAttempts) {

@@ -181,6 +181,29 @@ TEST_F(DebriefLayout, WhyAnAttemptWasNotScoredAppearsOnce) {
     EXPECT_TRUE(find<QLabel>(*window, "debrief_notes")->text().contains("Not scored: not comparable"));
 }
 
+TEST_F(DebriefLayout, ProvisionalLimitsAreThoseOfSimulatedExpertsOrOfTheTaskItself) {
+    const auto notes = [&] {
+        open(record(varied_specimen()));
+        return find<QLabel>(*window, "debrief_notes")->text();
+    };
+    change_score = [](database::ScoreRow& score) { score.gates[0].provisional = true; };
+    EXPECT_TRUE(notes().contains("they come from simulated experts"));
+    change_score = [](database::ScoreRow& score) {
+        score.gates[0].limit_source = "experts of this site, set 4, 10 experts";
+        score.gates.push_back(score.gates[0]);
+        score.gates[1].metric = "grasp_max";
+        score.gates[1].hand = "left";
+        score.gates[1].kind = GateKind::absolute;
+        score.gates[1].unit = "N";
+        score.gates[1].limit_source = "training limit";
+        score.gates[1].provisional = true;
+    };
+    const QString with_set_of_site = notes();
+    EXPECT_TRUE(with_set_of_site.contains("no benchmark set of the site has taken them over"))
+        << with_set_of_site.toStdString();
+    EXPECT_FALSE(with_set_of_site.contains("simulated experts"));
+}
+
 TEST_F(DebriefLayout, VerdictAdviceAndProductComeFirstThenTheReplayThenTabs) {
     open(record(varied_specimen()));
     EXPECT_LT(top_of("verdict"), top_of("advice"));
