@@ -342,6 +342,18 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
     return summary_of_row(row);
 }
 
+std::set<std::string> copies_among(const Store& store, const QString& whose, const std::string& value) {
+    // Each attempt is looked at once: two queries put together would look twice.
+    Query rows(store.connection(),
+               "SELECT a.id FROM attempt a WHERE " + whose +
+                   " AND (a.id IN (SELECT to_id FROM attempt_reassignment) OR EXISTS (SELECT 1 FROM "
+                   "attempt_asset c WHERE c.attempt_id = a.id AND c.file = " FULCRUM_COPIED_FROM "))");
+    rows.bind(value);
+    std::set<std::string> copies;
+    while (rows.next()) copies.insert(rows.text(0));
+    return copies;
+}
+
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id) {
     Query rows(store.connection(),
                "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? AND file <> " FULCRUM_COPIED_FROM

@@ -5,6 +5,7 @@
 
 #include <QString>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,10 @@ std::string stored_scene_text(const Store& store, const std::string& attempt_id)
 /// `file` of the row of attempt_asset by which a copy for another person is known as one, also where its
 /// original is not there; the row's `digest` is the id of the original. In SQL.
 #define FULCRUM_COPIED_FROM "'copied/from'"
+
+/// Ids of the attempts (table `a`) for which `whose` holds with this value that are copies of reassigned
+/// ones.
+std::set<std::string> copies_among(const Store& store, const QString& whose, const std::string& value);
 
 /// The files that an attempt was performed with. Access was checked by the caller.
 std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id);

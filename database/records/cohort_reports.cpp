@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reports of a cohort: its attempts are read once, whatever is made of them.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -30,10 +31,12 @@ QString belongs_to_cohort(const QString& column) {
 }
 
 /// Of all members, in as many queries as for one, and one more each where ratings are asked for.
-std::map<std::string, Decisions> decisions_in(const Store& store, const Session& session,
-                                              const std::string& cohort_id, const Curriculum& curriculum) {
+std::map<std::string, Decisions> decisions_in(
+    const Store& store, const Session& session, const std::string& cohort_id, const Curriculum& curriculum,
+    const std::map<std::string, std::optional<std::string>>& begun_with) {
     std::map<std::string, Decisions> result;
-    for (auto& [person, followed] : Curricula(store).assignments_in(session, cohort_id, curriculum))
+    for (auto& [person, followed] :
+         Curricula(store).assignments_in(session, cohort_id, curriculum, begun_with))
         result[person].followed = std::move(followed);
     for (OverrideRow& row : read_overrides(store.connection(), {})) {
         const auto person = result.find(row.owner_id);
@@ -83,6 +86,7 @@ class CohortSource {
     const Store& store_;
     std::string cohort_id_;
     ReportPurpose purpose_;
+    std::set<std::string> copies_;  ///< of reassigned attempts
     std::int64_t as_of_ = store_.now();
     std::vector<PersonSource> people_;  ///< by name
     std::map<std::string, Decisions> decisions_;
@@ -90,7 +94,10 @@ class CohortSource {
 
 CohortSource::CohortSource(const Store& store, const Session& session, const std::string& cohort_id,
                            const Curriculum* curriculum, ReportPurpose purpose, Voided voided)
-    : store_(store), cohort_id_(cohort_id), purpose_(purpose) {
+    : store_(store),
+      cohort_id_(cohort_id),
+      purpose_(purpose),
+      copies_(copies_among(store, belongs_to_cohort("a.person_id"), cohort_id)) {
     std::map<std::string, PersonSource*> by_id;
     std::vector<PersonName> members = members_of(store, cohort_id);
     people_.reserve(members.size());
@@ -114,7 +121,17 @@ CohortSource::CohortSource(const Store& store, const Session& session, const std
         if (rated.count(person.person.id) != 0)
             person.released = released_forms(store, session, person.person.id);
     }
-    if (curriculum != nullptr) decisions_ = decisions_in(store, session, cohort_id, *curriculum);
+    if (curriculum == nullptr) return;
+    std::map<std::string, std::optional<std::string>> begun_with;
+    for (const PersonSource& person : people_) {
+        const auto first = std::find_if(
+            person.attempts.begin(), person.attempts.end(), [this](const AttemptSummary& attempt) {
+                return decides_curriculum(attempt, copies_.count(attempt.meta.id) != 0);
+            });
+        std::optional<std::string>& named = begun_with[person.person.id];
+        if (first != person.attempts.end()) named = first->meta.curriculum;
+    }
+    decisions_ = decisions_in(store, session, cohort_id, *curriculum, begun_with);
 }
 
 CohortTable CohortSource::table(const CohortTableOptions& options) {
@@ -137,7 +154,8 @@ CohortTable CohortSource::table(const CohortTableOptions& options) {
     // A screen names the sets, and a report every file.
     Provenance provenance(
         store_, belongs_to_cohort("a.person_id"), cohort_id_,
-        purpose_ == ReportPurpose::exported ? Provenance::Kinds::all : Provenance::Kinds::benchmark_sets);
+        purpose_ == ReportPurpose::exported ? Provenance::Kinds::all : Provenance::Kinds::benchmark_sets,
+        copies_);
     for (const PersonSource* person : shown) {
         for (CohortRow& row : rows_of(*person, table.tasks)) table.rows.push_back(std::move(row));
         for (const AttemptSummary& attempt : person->attempts)
@@ -164,7 +182,7 @@ bool CohortSource::each(const PersonDataOptions& options,
         if (options.detail == PointDetail::all)
             source.scores = read_scores_in_force(store_.connection(), belongs_to("a.person_id"), {id});
         source.metrics = &metrics;
-        Provenance provenance(store_, belongs_to("a.person_id"), id);
+        Provenance provenance(store_, belongs_to("a.person_id"), id, Provenance::Kinds::all, copies_);
         PersonData data = data_of(source, options, decisions_[id], as_of_, provenance);
         if (options.with_rows) provenance.write(data, head);
         const double done = static_cast<double>(i + 1) / static_cast<double>(people_.size());

@@ -33,11 +33,34 @@ std::string first_version(const Curriculum& newest) {
     return newest.id + "@1";
 }
 
+using Histories = std::map<std::string, std::vector<FollowedCurriculum>>;
+
+/// The version that a person follows from the beginning. `named`: by the first attempt that decides.
+FollowedCurriculum followed_first(const std::optional<std::string>& named, const Curriculum& newest) {
+    FollowedCurriculum first;
+    first.name = newest.name();
+    if (!named) return first;
+    first.name = named->empty() ? first_version(newest) : *named;
+    // Before attempts named it there was one version, of whichever curriculum is installed.
+    if (named->empty() && newest.version_named(first.name) == nullptr) first.name = newest.name();
+    return first;
+}
+
+/// The moves of the people (table `p`) for whom `whose` holds with this value, after what they followed.
+void add_moves(Connection& connection, const QString& whose, const std::string& value, Histories& to) {
+    Query moves(connection,
+                "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m " +
+                    join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
+                    " ORDER BY m.time, m.id");
+    moves.bind(value);
+    while (moves.next())
+        to[moves.text(0)].push_back({moves.text(1), moves.integer(2), moves.text(3), moves.text(4)});
+}
+
 /// As followed(), not checked, of the people (table `p`) for whom `whose` holds with this value.
-std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& connection, const QString& whose,
-                                                                 const std::string& value,
-                                                                 const Curriculum& newest) {
-    std::map<std::string, std::vector<FollowedCurriculum>> result;
+Histories histories(Connection& connection, const QString& whose, const std::string& value,
+                    const Curriculum& newest) {
+    Histories result;
     Query attempts(connection,
                    "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id IN (SELECT "
                    "w.person_id FROM " +
@@ -46,24 +69,10 @@ std::map<std::string, std::vector<FollowedCurriculum>> histories(Connection& con
                        " ORDER BY a.started, a.id LIMIT 1) FROM person p WHERE " +
                        whose);
     attempts.bind(value);
-    while (attempts.next()) {
-        FollowedCurriculum first;
-        first.name = newest.name();
-        if (!attempts.is_null(1)) {
-            first.name = attempts.text(1).empty() ? first_version(newest) : attempts.text(1);
-            // Before attempts named it there was one version, of whichever curriculum is installed.
-            if (attempts.text(1).empty() && newest.version_named(first.name) == nullptr)
-                first.name = newest.name();
-        }
-        result[attempts.text(0)].push_back(std::move(first));
-    }
-    Query moves(connection,
-                "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m " +
-                    join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
-                    " ORDER BY m.time, m.id");
-    moves.bind(value);
-    while (moves.next())
-        result[moves.text(0)].push_back({moves.text(1), moves.integer(2), moves.text(3), moves.text(4)});
+    while (attempts.next())
+        result[attempts.text(0)].push_back(
+            followed_first(attempts.is_null(1) ? std::nullopt : std::optional(attempts.text(1)), newest));
+    add_moves(connection, whose, value, result);
     return result;
 }
 
@@ -118,6 +127,10 @@ bool is_text_of(const Store& store, const std::string& name, const Curriculum& v
 
 }  // namespace
 
+bool decides_curriculum(const AttemptSummary& attempt, bool is_copy) {
+    return !is_external_task(attempt.meta.task_id) && attempt.voided_at == 0 && !is_copy;
+}
+
 std::vector<FollowedCurriculum> Curricula::followed(const Session& session, const std::string& person_id,
                                                     const Curriculum& newest) const {
     store_.require(session, Operation::read_progress, Subject::person(person_id));
@@ -130,13 +143,15 @@ std::vector<CurriculumAssignment> Curricula::assignments(const Session& session,
 }
 
 std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_in(
-    const Session& session, const std::string& cohort_id, const Curriculum& newest) const {
+    const Session& session, const std::string& cohort_id, const Curriculum& newest,
+    const std::map<std::string, std::optional<std::string>>& begun_with) const {
     store_.require(session, Operation::read_cohort_table, Subject::cohort(cohort_id));
+    Histories of_people;
+    for (const auto& [person, named] : begun_with) of_people[person].push_back(followed_first(named, newest));
+    add_moves(store_.connection(), "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
+              cohort_id, of_people);
     std::map<std::string, std::vector<CurriculumAssignment>> result;
-    for (const auto& [person, followed] :
-         histories(store_.connection(), "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
-                   cohort_id, newest))
-        result[person] = assignments_of(followed, newest);
+    for (const auto& [person, followed] : of_people) result[person] = assignments_of(followed, newest);
     return result;
 }
 

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "assessment/curriculum/standing.h"
+#include "database/rows/attempt_records.h"
 #include "database/store/store.h"
 
 namespace fulcrum::database {
@@ -28,6 +30,10 @@ struct CurriculumChange {
     bool only_before = false, only_after = false;  ///< the task belongs to one of the two versions
 };
 
+/// Whether the attempt, if it is the first of those that do, decides which version its person follows; as
+/// FULCRUM_DECIDES in SQL. `is_copy`: of a reassigned attempt.
+bool decides_curriculum(const AttemptSummary& attempt, bool is_copy);
+
 class Curricula {
   public:
     explicit Curricula(const Store& store) : store_(store) {}
@@ -39,10 +45,11 @@ class Curricula {
     /// place (check() reports it).
     std::vector<CurriculumAssignment> assignments(const Session& session, const std::string& person_id,
                                                   const Curriculum& newest) const;
-    /// The same of every member of a cohort. Checked as read_cohort_table.
-    std::map<std::string, std::vector<CurriculumAssignment>> assignments_in(const Session& session,
-                                                                            const std::string& cohort_id,
-                                                                            const Curriculum& newest) const;
+    /// The same of every member of a cohort whose attempts were read. `begun_with`: by person, what the first
+    /// attempt that decides (decides_curriculum) names; nothing: there is none. Checked as read_cohort_table.
+    std::map<std::string, std::vector<CurriculumAssignment>> assignments_in(
+        const Session& session, const std::string& cohort_id, const Curriculum& newest,
+        const std::map<std::string, std::optional<std::string>>& begun_with) const;
     /// The version that the person follows now: a move whose time lies ahead is not yet in force.
     const Curriculum& in_force(const Session& session, const std::string& person_id,
                                const Curriculum& newest) const;

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,53 +19,53 @@
 
 namespace fulcrum::database {
 
-/// The versions of the metrics in the scores of one report's attempts. They change where the program of a
-/// station is updated, so between two attempts of one station (of one task and version, device class and
-/// program) with the same ones no others are looked for: few attempts are asked about, whatever their number.
-/// Attempts that were cut off may have been scored later, by another program, and the copy of a reassigned
-/// one has the scores of the station that recorded it: each of these is asked about. A report of one person
-/// has its own: the attempts of others may be from another station.
-class MetricVersions {
+/// What a query knows of each attempt, as texts: the versions of its metrics, or the file of its limits. They
+/// change where the program of a station or its files change, so between two attempts of one group with the
+/// same texts no others are looked for: few attempts are asked about, whatever their number. A report of one
+/// person has its own: the attempts of others may be from another station.
+class SharedTexts {
   public:
-    using Set = std::set<std::string>;         ///< "path_len@1"
-    using Group = std::array<std::string, 6>;  ///< what attempts have in common
-    Group group_of(const AttemptSummary& attempt);
-
-    /// `whose`, `value`: as those of Provenance.
-    MetricVersions(const Store& store, const QString& whose, const std::string& value)
-        : store_(store), whose_(whose), value_(value) {}
-    /// Empty where the attempt has no score, or one without metrics.
-    const Set& of(const AttemptSummary& attempt);
-    /// Of several in one query: of() knows them from then on.
-    void read(const std::vector<const AttemptSummary*>& attempts);
+    using Set = std::set<std::string>;
+    /// What attempts have in common. Its words are those of attempts and of tables, not copies.
+    using Group = std::array<std::string_view, 6>;
+    /// `sql`: asks for an attempt's id and a text, for the ids in the list that is put in place of %1.
+    SharedTexts(const Store& store, QString sql) : store_(store), sql_(std::move(sql)) {}
+    /// The attempt and the words of its group stay where they are until each().
+    void add(const Group& group, const AttemptSummary& attempt) { added_[group].push_back(&attempt); }
+    /// Every set of texts that occurs in a group, with an attempt that has it. Forgets what was added.
+    void each(const std::function<void(const AttemptSummary&, const Set&)>& visit);
 
   private:
-    using Moment = std::pair<std::int64_t, std::string>;  ///< start, attempt
-    /// Copies of reassigned attempts among them, read once.
-    const std::set<std::string>& copies();
+    using Attempts = std::vector<const AttemptSummary*>;  ///< by start
+    const Set& of(const AttemptSummary& attempt);
+    /// Of several in one query: of() knows them from then on.
+    void read(const Attempts& attempts);
+    void look_between(const Attempts& attempts, std::size_t first, std::size_t last,
+                      const std::function<void(const AttemptSummary&, const Set&)>& visit);
     const Store& store_;
-    QString whose_;
-    std::string value_;
-    std::optional<std::set<std::string>> copies_;
-    Set none_;
+    QString sql_;
+    std::map<Group, Attempts> added_;
     std::set<Set> sets_;
-    std::map<Group, std::map<Moment, const Set*>> known_;  ///< none of them empty
+    std::unordered_map<std::string_view, const Set*> known_;  ///< by attempt
 };
 
 class Provenance {
   public:
     /// Which files are asked for: the sets are a third of them.
     enum class Kinds { all, benchmark_sets };
-    /// Over the attempts (table `a`) for which `whose` holds with this value.
-    Provenance(const Store& store, const QString& whose, const std::string& value, Kinds kinds = Kinds::all)
-        : store_(store), versions_(store, whose, value), whose_(whose), value_(value), kinds_(kinds) {}
+    /// Over the attempts (table `a`) for which `whose` holds with this value. `copies`: of reassigned
+    /// attempts among them, where the caller has read them.
+    Provenance(const Store& store, const QString& whose, const std::string& value, Kinds kinds = Kinds::all,
+               std::optional<std::set<std::string>> copies = std::nullopt);
     /// The attempt stays where it is until write().
     void add(const AttemptSummary& attempt);
     /// The same where the metrics of its score have been read.
     void add(const AttemptSummary& attempt, const std::vector<MetricRow>& metrics);
     template <typename Report>
     void write(Report& report, const std::string& audit_head) {
-        look_up_versions();
+        versions_.each([this](const AttemptSummary&, const SharedTexts::Set& versions) {
+            metrics_.insert(versions.begin(), versions.end());
+        });
         report.metric_versions.assign(metrics_.begin(), metrics_.end());
         Files files = used_files();
         report.benchmark_sets = named_sets(files);
@@ -82,21 +84,21 @@ class Provenance {
         std::vector<AssetFile> all;                                ///< by name
         std::map<std::string, std::set<std::string>> set_digests;  ///< by the name of the limits
     };
-    using Scored = std::vector<std::pair<std::int64_t, const AttemptSummary*>>;  ///< by start
-    void add_basis(const AttemptMeta& meta);
-    void look_up_versions();
-    /// Those of the attempts from `first` to `last`.
-    void look_up_versions(const Scored& attempts, std::size_t first, std::size_t last);
-    Files used_files() const;
+    void add_basis(const AttemptSummary& attempt);
+    bool is_copy(const std::string& attempt_id);
+    Files used_files();
+    Files used_sets();
     std::vector<std::string> named_sets(const Files& files) const;
 
     const Store& store_;
-    MetricVersions versions_;
+    SharedTexts versions_;   ///< "path_len@1"
+    SharedTexts set_files_;  ///< digest and file; on a screen
+    std::optional<std::set<std::string>> copies_;
     QString whose_;
     std::string value_;
     Kinds kinds_;
     std::set<std::string> metrics_, sets_, programs_;
-    std::map<MetricVersions::Group, Scored> to_look_up_;
+    std::map<int, std::string> task_versions_;  ///< their words, which groups name
 };
 
 }  // namespace fulcrum::database
