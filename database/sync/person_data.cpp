@@ -18,6 +18,7 @@
 #include "database/store/audit.h"
 #include "database/store/store_file.h"
 #include "database/sync/erasure.h"
+#include "database/sync/progress_watch.h"
 #include "sim_core/numerics/output_file.h"
 #include "sim_core/telemetry/event.h"
 
@@ -144,7 +145,7 @@ std::string cell(const QVariant& value, const std::string& column) {
 
 /// The rows of these people, as CSV; empty text: none.
 std::string table_text(Connection& connection, const RowsAbout& rows_about,
-                       const std::vector<std::string>& people, std::int64_t& count) {
+                       const std::vector<std::string>& people, ProgressWatch& watch, std::int64_t& count) {
     const std::string table = rows_about.table;
     std::vector<std::string> columns = columns_of(connection, table);
     const auto is_secret = [&](const std::string& column) {
@@ -163,6 +164,7 @@ std::string table_text(Connection& connection, const RowsAbout& rows_about,
         Query rows = about_person(
             connection, "SELECT " + selected + " FROM " + table + " WHERE " + rows_about.where, person);
         while (rows.next()) {
+            watch.row();
             std::string line;
             for (std::size_t i = 0; i < columns.size(); ++i)
                 line += (i > 0 ? "," : "") + cell(rows.row()[i], columns[i]);
@@ -176,7 +178,8 @@ std::string table_text(Connection& connection, const RowsAbout& rows_about,
 
 /// What was done to the person, and what the person did; payloads as they are. Reasons that others gave
 /// belong to it: they were said about this person.
-std::string audit_text(Connection& connection, const std::vector<std::string>& people, std::int64_t& count) {
+std::string audit_text(Connection& connection, const std::vector<std::string>& people, ProgressWatch& watch,
+                       std::int64_t& count) {
     std::set<std::string> about_ids, actors(people.begin(), people.end());
     for (const std::string& person : people)
         for (const std::string& id : audit_objects_of(connection, person)) about_ids.insert(id);
@@ -187,6 +190,7 @@ std::string audit_text(Connection& connection, const std::vector<std::string>& p
                "e.station_id AND p.sequence = e.sequence ORDER BY e.station_id, e.sequence");
     count = 0;
     while (rows.next()) {
+        watch.row();
         const bool about = about_ids.count(rows.text(4)) != 0, by = actors.count(rows.text(5)) != 0;
         if (!about && !by) continue;
         ++count;
@@ -358,9 +362,26 @@ std::string write_recording(const Store& store, const Session& director, const N
     return name;
 }
 
+int recordings_of(const Store& store, const std::vector<std::string>& people) {
+    std::int64_t count = 0;
+    for (const std::string& person : people) {
+        Query row(store.connection(),
+                  "SELECT COUNT(*) FROM attempt a WHERE a.person_id = ? AND (EXISTS (SELECT 1 FROM "
+                  "trace_chunk c WHERE c.attempt_id = a.id) OR EXISTS (SELECT 1 FROM attempt_product p WHERE "
+                  "p.attempt_id = a.id AND p.kind = ?))");
+        row.bind(person).bind(external_trace_product);
+        if (row.next()) count += row.integer(0);
+    }
+    return static_cast<int>(count);
+}
+
+/// Of the whole work, where the recordings follow the tables.
+constexpr double share_of_tables = 0.2;
+
 /// All tables, the person's own row first. `folder` null: they are only counted.
 std::vector<ErasedRows> write_tables(const Store& store, const std::vector<std::string>& people,
-                                     const NewFolder* folder, std::string& files_text, Translate words) {
+                                     const NewFolder* folder, std::string& files_text, Translate words,
+                                     ProgressWatch& watch) {
     std::vector<ErasedRows> written;
     const auto add = [&](const std::string& table, const std::string& text, std::int64_t count) {
         if (count == 0) return;
@@ -371,13 +392,21 @@ std::vector<ErasedRows> write_tables(const Store& store, const std::vector<std::
     };
     std::vector<RowsAbout> tables = {{"person", "id = ?"}};
     tables.insert(tables.end(), rows_about_people().begin(), rows_about_people().end());
+    const double whole = folder == nullptr ? 1 : share_of_tables;
+    std::size_t read = 0;
+    const auto begin = [&] {
+        watch.at(whole * static_cast<double>(read++) / static_cast<double>(tables.size() + 1),
+                 QT_TRANSLATE_NOOP("errors", "reading what is stored"));
+    };
     for (const RowsAbout& table : tables) {
+        begin();
         std::int64_t count = 0;
-        const std::string text = table_text(store.connection(), table, people, count);
+        const std::string text = table_text(store.connection(), table, people, watch, count);
         add(table.table, text, count);
     }
+    begin();
     std::int64_t count = 0;
-    const std::string text = audit_text(store.connection(), people, count);
+    const std::string text = audit_text(store.connection(), people, watch, count);
     add("audit_entry", text, count);
     return written;
 }
@@ -390,29 +419,20 @@ Sentence title_of_table(const std::string& table) {
     return table;
 }
 
-PersonDataExport export_person_data(const Store& store, const Session& director, const std::string& person_id,
-                                    const std::string& folder, const StoreProgress& progress,
-                                    Translate words) {
-    store.require(director, Operation::export_all, Subject::person(person_id));
-    rows_to_erase(store.connection(), person_id);  // throws for nobody
-    const std::vector<std::string> people = with_merged(store.connection(), person_id);
-    PersonDataExport done;
-    Index index;
-    if (folder.empty()) {
-        done.rows = write_tables(store, people, nullptr, index.files, words);
-        for (const AttemptSummary& attempt : attempts_of(store, people))
-            done.traces +=
-                has_trace(store, attempt.meta.id) || has_imported_trace(store, attempt.meta.id) ? 1 : 0;
-        return done;
-    }
+namespace {
+
+/// Tables, recordings and index, into the folder, which has its name then.
+void write_folder(const Store& store, const Session& director, const std::vector<std::string>& people,
+                  const std::string& folder, ProgressWatch& watch, Translate words, PersonDataExport& done) {
     NewFolder made(folder);
-    done.rows = write_tables(store, people, &made, index.files, words);
+    Index index;
+    done.rows = write_tables(store, people, &made, index.files, words, watch);
     const std::vector<AttemptSummary> attempts = attempts_of(store, people);
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         const AttemptMeta& meta = attempts[i].meta;
-        done.stopped = progress && !progress(static_cast<double>(i) / static_cast<double>(attempts.size()),
-                                             QT_TRANSLATE_NOOP("errors", "writing the recordings"));
-        if (done.stopped) return done;
+        const double share = static_cast<double>(i) / static_cast<double>(attempts.size());
+        watch.at(share_of_tables + (1 - share_of_tables) * share,
+                 QT_TRANSLATE_NOOP("errors", "writing the recordings"));
         std::string link;
         const std::string file = write_recording(store, director, made, meta.id);
         if (!file.empty()) {
@@ -427,10 +447,33 @@ PersonDataExport export_person_data(const Store& store, const Session& director,
     made.write("index.html", index_text(store, people, index, words));
     // The log says so before the folder has its name: what was handed out is never missing there.
     Transaction transaction(store.connection());
-    Audit(store).append(director, person_id, "person.export",
+    Audit(store).append(director, people.front(), "person.export",
                         json_object({{"folder", files::path(folder).filename().string()}}));
     transaction.commit();
     made.commit();
+}
+
+}  // namespace
+
+PersonDataExport export_person_data(const Store& store, const Session& director, const std::string& person_id,
+                                    const std::string& folder, const StoreProgress& progress,
+                                    Translate words) {
+    store.require(director, Operation::export_all, Subject::person(person_id));
+    const std::vector<std::string> people = with_merged(store.connection(), person_id);
+    PersonDataExport done;
+    ProgressWatch watch(progress);
+    try {
+        if (folder.empty()) {
+            std::string files_text;
+            done.rows = write_tables(store, people, nullptr, files_text, words, watch);
+            done.traces = recordings_of(store, people);
+        } else {
+            write_folder(store, director, people, folder, watch, words, done);
+        }
+    } catch (const ProgressWatch::Stopped&) {
+        done = {};
+        done.stopped = true;
+    }
     return done;
 }
 

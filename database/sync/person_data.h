@@ -18,13 +18,13 @@ Sentence title_of_table(const std::string& table);
 struct PersonDataExport {
     std::vector<ErasedRows> rows;  ///< by table, without the empty ones
     int traces = 0;
-    bool stopped = false;  ///< nothing was written then
+    bool stopped = false;  ///< nothing was written or counted then
 };
 
 /// `folder`: a new name in a folder that exists; it has that name only when it is complete. Empty: a dry run,
 /// which counts. `words`: of the index. With the person go the accounts that were merged into them. Audited,
-/// with the folder's name. Operation::export_all. Throws StoreError not_found, exists, read_only, disk_full;
-/// locked where another export writes to that name.
+/// with the folder's name. Operation::export_all. Throws StoreError exists, read_only, disk_full; locked
+/// where another export writes to that name.
 PersonDataExport export_person_data(const Store& store, const Session& director, const std::string& person_id,
                                     const std::string& folder, const StoreProgress& progress = {},
                                     Translate words = in_english);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <memory>
 
 #include "database/sync/person_data.h"
 #include "database/sync/station_erasure.h"
@@ -17,6 +18,20 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// Name of the job that erases one person.
+constexpr const char* erasure_name = "erases_person";
+
+/// A store for a worker.
+database::Store open_for_worker(const std::string& path, bool read_only) {
+    database::StoreOptions options;
+    options.read_only = read_only;
+    options.close_interrupted = false;
+    return database::Store::open(path, options);
+}
+
+}  // namespace
 
 PersonalDataPage::PersonalDataPage(Context& context) : Page(context, "personal_data_page") {
     auto* body = new QWidget;
@@ -46,6 +61,13 @@ QFrame* PersonalDataPage::build_person() {
     person_ = make_narrow_choice("data_person", tr("Person"), 24);
     connect(person_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PersonalDataPage::look);
     card_layout(card)->addWidget(person_, 0, Qt::AlignLeft);
+    look_bar_ = new JobBar;
+    look_bar_->setObjectName(QStringLiteral("data_looking"));
+    connect(look_bar_, &JobBar::cancelled, this, [this] {
+        look_job_ = nullptr;
+        person_->setCurrentIndex(0);  // so that the same person can be chosen again
+    });
+    card_layout(card)->addWidget(look_bar_);
     what_ = make_label({}, "muted");
     what_->setObjectName(QStringLiteral("data_summary"));
     card_layout(card)->addWidget(what_);
@@ -132,19 +154,28 @@ std::string PersonalDataPage::chosen() const {
 }
 
 void PersonalDataPage::enter() {
+    entered_ = true;
     const bool open = context().allowed(database::Operation::export_all);
     closed_->setVisible(!open);
     person_card_->setVisible(open);
     retention_card_->setVisible(open);
     if (!open) return;
+    auto* erasure =
+        context().findChild<BackgroundJob*>(QLatin1String(erasure_name), Qt::FindDirectChildrenOnly);
+    if (job_ == nullptr && erasure != nullptr) follow_erasure(erasure);
     fill_people();
     show_retention();
     person_->setFocus();
 }
 
 void PersonalDataPage::leave() {
-    if (job_ != nullptr) job_->cancel();
-    job_ = nullptr;
+    entered_ = false;
+    for (BackgroundJob** job : {&look_job_, &due_job_, &job_}) {
+        // An erasure that was begun is done all the same, and the window says so.
+        if (*job == nullptr || (*job)->parent() != this) continue;
+        (*job)->cancel();
+        *job = nullptr;
+    }
 }
 
 void PersonalDataPage::fill_people() {
@@ -165,25 +196,42 @@ void PersonalDataPage::fill_people() {
 }
 
 void PersonalDataPage::look() {
-    rows_->setRowCount(0);
+    if (look_job_ != nullptr) look_job_->cancel();
+    look_job_ = nullptr;
     reason_->clear();
     erase_sure_->hide();
-    const bool somebody = !chosen().empty();
-    bool read = false;
-    if (somebody)
-        read = context().guarded([&] {
-            const database::PersonDataExport found =
-                database::export_person_data(context().store(), context().session(), chosen(), {});
-            for (const database::ErasedRows& one : found.rows) {
-                const int row = rows_->rowCount();
-                rows_->insertRow(row);
-                rows_->setItem(row, 0,
-                               make_cell(capital(sentence_text(database::title_of_table(one.table)))));
-                rows_->setItem(row, 1,
-                               make_cell(QString::number(one.rows), Qt::AlignRight | Qt::AlignVCenter));
-            }
-            what_->setText(tr("Recordings in this store: %1").arg(found.traces));
+    show_rows(nullptr);
+    if (chosen().empty()) return;
+    auto found = std::make_shared<database::PersonDataExport>();
+    look_job_ = BackgroundJob::run(
+        this,
+        [found, session = context().session(), person = chosen(),
+         path = context().store().path()](const Progress& progress) {
+            *found = database::export_person_data(open_for_worker(path, true), session, person, {}, progress);
+        },
+        [this, found] {
+            look_job_ = nullptr;
+            show_rows(found.get());
+        },
+        [this](const QString& why) {
+            look_job_ = nullptr;
+            context().complain(why);
         });
+    look_bar_->watch(look_job_, tr("Reading what is stored …"));
+}
+
+void PersonalDataPage::show_rows(const database::PersonDataExport* found) {
+    const bool read = found != nullptr;
+    rows_->setRowCount(0);
+    if (read) {
+        for (const database::ErasedRows& one : found->rows) {
+            const int row = rows_->rowCount();
+            rows_->insertRow(row);
+            rows_->setItem(row, 0, make_cell(capital(sentence_text(database::title_of_table(one.table)))));
+            rows_->setItem(row, 1, make_cell(QString::number(one.rows), Qt::AlignRight | Qt::AlignVCenter));
+        }
+        what_->setText(tr("Recordings in this store: %1").arg(found->traces));
+    }
     fit_columns(rows_, {1});
     what_->setVisible(read);
     rows_->setVisible(read);
@@ -220,10 +268,8 @@ void PersonalDataPage::export_to(const QString& folder) {
               this,
               [done, session = context().session(), person = chosen(), to = plain(folder),
                path = context().store().path()](const Progress& progress) {
-                  database::StoreOptions options;
-                  options.close_interrupted = false;
-                  *done = database::export_person_data(database::Store::open(path, options), session, person,
-                                                       to, progress, words_in_use);
+                  *done = database::export_person_data(open_for_worker(path, false), session, person, to,
+                                                       progress, words_in_use);
               },
               [this, done, folder] {
                   ended();
@@ -237,31 +283,78 @@ void PersonalDataPage::export_to(const QString& folder) {
           tr("Writing the data …"));
 }
 
+// Of the context, not of the page: what is begun cannot be stopped, and whoever has left the page learns of
+// it.
 void PersonalDataPage::erase() {
     const std::string person = chosen();
     if (job_ != nullptr || person.empty()) return;
     erase_sure_->hide();
-    if (context().guarded([&] {
-            database::erase_person(context().store(), context().session(), person,
-                                   plain(reason_->text().trimmed()), false);
-        }))
-        context().say(
-            tr("Erased. A backup from before still has the person; restoring it erases them again."));
-    fill_people();
-    show_retention();
+    Context* const owner = &context();
+    BackgroundJob* const job = BackgroundJob::run(
+        owner,
+        [session = owner->session(), person, reason = plain(reason_->text().trimmed()),
+         path = owner->store().path()](const Progress&) {
+            database::erase_person(open_for_worker(path, false), session, person, reason, false);
+        },
+        [owner] {
+            owner->say(
+                tr("Erased. A backup from before still has the person; restoring it erases them again."));
+        },
+        [owner](const QString& why) { owner->complain(why); });
+    connect(owner, &Context::session_changed, job, [owner, job] {
+        if (!owner->signed_in()) job->cancel();
+    });
+    job->setObjectName(QLatin1String(erasure_name));
+    connect(job, &BackgroundJob::ended, job, [job] { job->setObjectName({}); });
+    follow_erasure(job);
+}
+
+void PersonalDataPage::follow_erasure(BackgroundJob* job) {
+    job_ = job;
+    bar_->watch(job, tr("Erasing …"), JobBar::Cancel::none);
+    connect(job, &BackgroundJob::ended, this, [this, job] {
+        if (job_ != job) return;
+        ended();
+        if (!entered_) return;
+        fill_people();
+        show_retention();
+    });
+    update_buttons();
 }
 
 void PersonalDataPage::show_retention() {
-    erase_due_sure_->hide();
-    due_.clear();
+    if (due_job_ != nullptr) due_job_->cancel();
+    due_job_ = nullptr;
     std::optional<int> months;
-    context().guarded([&] {
-        months = database::retention_months(context().store());
-        due_ = database::people_due(context().store(), context().session());
-    });
+    context().guarded([&] { months = database::retention_months(context().store()); });
     limited_->setChecked(months.has_value());
     months_->setEnabled(months.has_value());
     if (months) months_->setValue(*months);
+    if (!months) return show_due({}, tr("No end is set: nobody is due."));
+    show_due({}, tr("Looking for people who are due …"));
+    auto due = std::make_shared<std::vector<database::DuePerson>>();
+    due_job_ = BackgroundJob::run(
+        this,
+        [due, session = context().session(), path = context().store().path()](const Progress&) {
+            *due = database::people_due(open_for_worker(path, true), session);
+        },
+        [this, due] {
+            due_job_ = nullptr;
+            const QString words = due->empty()
+                                      ? tr("Nobody is due.")
+                                      : tr("%n people are due.", nullptr, static_cast<int>(due->size()));
+            show_due(std::move(*due), words);
+        },
+        [this](const QString& why) {
+            due_job_ = nullptr;
+            show_due({}, {});
+            context().complain(why);
+        });
+}
+
+void PersonalDataPage::show_due(std::vector<database::DuePerson> due, const QString& words) {
+    due_ = std::move(due);
+    erase_due_sure_->hide();
     due_table_->setRowCount(0);
     for (const database::DuePerson& one : due_) {
         const int row = due_table_->rowCount();
@@ -273,9 +366,7 @@ void PersonalDataPage::show_retention() {
                             make_cell(QString::number(one.attempts), Qt::AlignRight | Qt::AlignVCenter));
     }
     fit_columns(due_table_, {2});
-    due_text_->setText(!months        ? tr("No end is set: nobody is due.")
-                       : due_.empty() ? tr("Nobody is due.")
-                                      : tr("%n people are due.", nullptr, static_cast<int>(due_.size())));
+    due_text_->setText(words);
     due_table_->setVisible(!due_.empty());
     erase_due_->setVisible(!due_.empty());
     update_buttons();
@@ -306,9 +397,7 @@ void PersonalDataPage::erase_due() {
               this,
               [erased, ids, session = context().session(),
                path = context().store().path()](const Progress& progress) {
-                  database::StoreOptions options;
-                  options.close_interrupted = false;
-                  *erased = database::erase_due(database::Store::open(path, options), session, ids, progress);
+                  *erased = database::erase_due(open_for_worker(path, false), session, ids, progress);
               },
               [this, erased, over] {
                   over();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // For directors: what is stored about one person, a copy of it for that person, and its erasure; how long
 // data of trainees are kept, and who is due. Nothing is erased without a look at what it is and a second
-// click.
+// click. What grows with the store is read and deleted in the background; what was begun to be erased is
+// erased also after the page was left.
 #pragma once
 
+#include <QString>
 #include <vector>
 
 #include "database/records/people.h"
@@ -18,6 +20,10 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 class QTableWidget;
+
+namespace fulcrum::database {
+struct PersonDataExport;
+}
 
 namespace fulcrum::ui {
 
@@ -38,8 +44,13 @@ class PersonalDataPage : public Page {
     QFrame* build_retention();
     void fill_people();
     void look();
+    /// Null: of nobody, or not read yet.
+    void show_rows(const database::PersonDataExport* found);
     void erase();
+    /// One that runs, begun here or before the page was made again.
+    void follow_erasure(BackgroundJob* job);
     void show_retention();
+    void show_due(std::vector<database::DuePerson> due, const QString& words);
     void save_retention();
     void erase_due();
     void update_buttons();
@@ -57,8 +68,10 @@ class PersonalDataPage : public Page {
     QPushButton *export_, *erase_, *erase_sure_, *save_, *erase_due_, *erase_due_sure_;
     QCheckBox* limited_;
     QSpinBox* months_;
-    JobBar* bar_;
-    BackgroundJob* job_ = nullptr;
+    JobBar *bar_, *look_bar_;
+    BackgroundJob* job_ = nullptr;  ///< writes or erases
+    BackgroundJob *look_job_ = nullptr, *due_job_ = nullptr;
+    bool entered_ = false;
 };
 
 }  // namespace fulcrum::ui

@@ -328,8 +328,10 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
             people->selectRow(0);
         if (auto* cohorts = window->current_page()->findChild<QListWidget*>("cohort_list"))
             cohorts->setCurrentRow(0);
-        if (auto* person = window->current_page()->findChild<QComboBox*>("data_person"))
+        if (auto* person = window->current_page()->findChild<QComboBox*>("data_person")) {
             person->setCurrentIndex(1);
+            EXPECT_TRUE(wait_for([&] { return sees(*window, "data_rows"); }, 60000));
+        }
         if (std::string(rail) == "rail_attempts" && allowed_at_all(Operation::recompute_score)) {
             EXPECT_TRUE(wait_for([&] { return sees(*window, "recompute_scores"); }, 60000));
         }

@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 #include <QDir>
+#include <algorithm>
 #include <fstream>
 
 #include "database/records/person_merge.h"
@@ -137,6 +138,27 @@ TEST_F(PersonData, StoppedItLeavesNothing) {
     EXPECT_FALSE(files::exists(in("x")) || files::exists(in("x.part")));
     EXPECT_NE(Audit(*programme.store).entries(programme.session("administrator")).front().operation,
               "person.export");
+}
+
+TEST_F(PersonData, ReportsHowFarItIsAndIsStoppedAlsoWhileItOnlyCounts) {
+    for (const char* folder : {"", "x"}) {
+        const std::string path = *folder == '\0' ? std::string() : in(folder);
+        std::vector<double> shares;
+        write(path, "director", "ann", [&shares](double share, const std::string&) {
+            shares.push_back(share);
+            return true;
+        });
+        ASSERT_GT(shares.size(), 20U) << "at each table";
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end())) << folder;
+        EXPECT_GE(shares.front(), 0);
+        EXPECT_LT(shares.back(), 1);
+    }
+    std::size_t asked = 0;
+    const PersonDataExport counted =
+        write("", "director", "ann", [&asked](double, const std::string&) { return ++asked < 5; });
+    EXPECT_TRUE(counted.stopped);
+    EXPECT_TRUE(counted.rows.empty());
+    EXPECT_EQ(asked, 5U);
 }
 
 TEST_F(PersonData, KilledItLeavesNoFolderThatLooksCompleteAndTheNextTryWorks) {

@@ -2,30 +2,86 @@
 // The page of personal data with real events: a copy for the person, an erasure, people whose time is over.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QThreadPool>
+#include <future>
 
 #include "database/rows/connection.h"
 #include "database/store/audit.h"
+#include "database/sync/person_data.h"
 #include "tests/database/station_keys.h"
 #include "tests/ui/screens.h"
 #include "ui/administration/personal_data_page.h"
+#include "ui/language/language.h"
+#include "ui/page/background_job.h"
+#include "ui/shell/idle_watch.h"
+#include "ui/shell/lock_page.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
 
+/// Work in the background waits until it is released.
+class HeldWork {
+  public:
+    HeldWork() : threads_(pool().maxThreadCount()) {
+        pool().waitForDone();
+        pool().setMaxThreadCount(1);
+        BackgroundJob::run(
+            &owner_, [released = release_.get_future().share()](const Progress&) { released.wait(); }, [] {},
+            [](const QString&) {});
+    }
+    ~HeldWork() {
+        release();
+        pool().waitForDone();
+        pool().setMaxThreadCount(threads_);
+    }
+    HeldWork(const HeldWork&) = delete;
+    HeldWork& operator=(const HeldWork&) = delete;
+    void release() {
+        if (!released_) release_.set_value();
+        released_ = true;
+    }
+
+  private:
+    static QThreadPool& pool() { return *QThreadPool::globalInstance(); }
+    QObject owner_;
+    std::promise<void> release_;
+    int threads_;
+    bool released_ = false;
+};
+
 class PersonalData : public Screens {
   protected:
+    ~PersonalData() override { use_language(Language::english); }
     void open_page() {
         open(QSize(1024, 768));
         sign_in(Role::director);
         go_to("rail_data");
         expect_fits("personal data");
     }
+    QComboBox& people() { return *find<QComboBox>(*window, "data_person"); }
+    /// Without waiting for what is read then.
+    void pick(const QString& name) {
+        QComboBox& box = people();
+        for (int i = 0; i < box.count(); ++i)
+            if (box.itemText(i).startsWith(name)) box.setCurrentIndex(i);
+    }
     void choose(const QString& name) {
-        auto* people = find<QComboBox>(*window, "data_person");
-        for (int i = 0; i < people->count(); ++i)
-            if (people->itemText(i).startsWith(name)) people->setCurrentIndex(i);
+        pick(name);
         settle();
+    }
+    bool offers(const QString& name) { return people().findText(name, Qt::MatchStartsWith) >= 0; }
+    /// Of one person: it is the window's, not the page's.
+    void wait_for_erasure() {
+        EXPECT_TRUE(wait_for([&] { return window->context().findChildren<BackgroundJob*>().isEmpty(); }));
+        settle();
+    }
+    QString message() { return window->findChild<QLabel*>("message_text")->text(); }
+    /// Without waiting for what the page reads then.
+    void go_to_now(const char* name) {
+        choose_page(*window, name);
+        QCoreApplication::processEvents();
     }
     void press(const char* name) {
         bring(*find<QAbstractButton>(*window, name));
@@ -75,9 +131,9 @@ TEST_F(PersonalData, ErasesAPersonAfterAReasonAndASecondClick) {
     type(*window, "erase_reason", "asked for it");
     press("erase_person");
     press("erase_person_sure");
+    wait_for_erasure();
     EXPECT_TRUE(error_shown().isEmpty()) << error_shown().toStdString();
-    auto* people = find<QComboBox>(*window, "data_person");
-    for (int i = 0; i < people->count(); ++i) EXPECT_FALSE(people->itemText(i).startsWith("Tara"));
+    EXPECT_FALSE(offers("Tara"));
     EXPECT_TRUE(services.store()->check(services.store()->station_session()).ok);
     // Nobody erases themselves.
     choose("Dora");
@@ -85,7 +141,85 @@ TEST_F(PersonalData, ErasesAPersonAfterAReasonAndASecondClick) {
     type(*window, "erase_reason", "mine");
     press("erase_person");
     press("erase_person_sure");
+    wait_for_erasure();
     EXPECT_FALSE(error_shown().isEmpty());
+}
+
+TEST_F(PersonalData, ReadsInTheBackgroundWhatIsStoredAndCanBeStopped) {
+    open_page();
+    HeldWork held;
+    pick("Tara");
+    EXPECT_FALSE(sees(*window, "data_rows")) << "the window answers while it is read";
+    EXPECT_FALSE(find<QPushButton>(*window, "export_all")->isEnabled());
+    ASSERT_TRUE(sees(*window, "data_looking"));
+    auto* stop = find<JobBar>(*window, "data_looking")->findChild<QPushButton*>("cancel_job");
+    bring(*stop);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    EXPECT_FALSE(sees(*window, "data_looking"));
+    EXPECT_EQ(people().currentIndex(), 0) << "nobody is chosen";
+    pick("Tara");
+    pick("Ed");  // in place of her
+    held.release();
+    settle();
+    const database::PersonDataExport found = database::export_person_data(
+        services_store(), sessions.at(Role::director), sessions.at(Role::educator).person_id(), {});
+    auto* rows = find<QTableWidget>(*window, "data_rows");
+    ASSERT_EQ(rows->rowCount(), static_cast<int>(found.rows.size()));
+    for (int row = 0; row < rows->rowCount(); ++row)
+        EXPECT_EQ(rows->item(row, 1)->text(),
+                  QString::number(found.rows[static_cast<std::size_t>(row)].rows));
+    EXPECT_TRUE(find<QPushButton>(*window, "export_all")->isEnabled());
+}
+
+TEST_F(PersonalData, LeavingAnotherLanguageOrSigningOutStopsReadingAndALockDoesNot) {
+    open_page();
+    for (const char* way : {"leave", "language", "lock", "sign out"}) {
+        const std::string chosen = way;
+        HeldWork held;
+        go_to_now("rail_data");
+        pick("Tara");
+        if (chosen == "leave") choose_page(*window, "rail_cohort");
+        if (chosen == "language") emit window->context().language_wanted(Language::german);
+        if (chosen == "sign out") window->context().sign_out();
+        if (chosen == "lock") QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock");
+        held.release();
+        settle();
+        if (chosen == "lock") QMetaObject::invokeMethod(window->findChild<LockPage*>(), "unlocked");
+        EXPECT_TRUE(error_shown().isEmpty()) << way << ": " << error_shown().toStdString();
+        EXPECT_EQ(sees(*window, "data_rows"), chosen == "lock") << way;
+    }
+    sign_in(Role::director);
+    go_to("rail_data");
+    EXPECT_EQ(people().currentIndex(), 0) << "nothing stays of the session before";
+}
+
+TEST_F(PersonalData, ErasesInTheBackgroundOnceAndSaysSoAlsoElsewhere) {
+    open_page();
+    choose("Tara");
+    bring(*find<QLineEdit>(*window, "erase_reason"));
+    type(*window, "erase_reason", "asked for it");
+    press("erase_person");
+    {
+        HeldWork held;
+        click(*window, "erase_person_sure");
+        EXPECT_FALSE(find<QPushButton>(*window, "erase_person")->isEnabled()) << "not a second time";
+        EXPECT_FALSE(find<QPushButton>(*window, "export_all")->isEnabled());
+        EXPECT_FALSE(sees(*window, "cancel_job")) << "it would be done all the same";
+        // The pages are made again, and the page is left once more.
+        emit window->context().language_wanted(Language::german);
+        go_to_now("rail_data");
+        EXPECT_TRUE(offers("Tara"));
+        EXPECT_FALSE(find<QPushButton>(*window, "save_retention")->isEnabled()) << "it still erases";
+        emit window->context().language_wanted(Language::english);
+        EXPECT_NE(newest(), "payload.erase");
+        held.release();
+        wait_for_erasure();
+    }
+    EXPECT_EQ(newest(), "payload.erase");
+    EXPECT_TRUE(message().startsWith("Erased.")) << message().toStdString();
+    go_to("rail_data");
+    EXPECT_FALSE(offers("Tara"));
+    EXPECT_TRUE(find<QPushButton>(*window, "save_retention")->isEnabled());
 }
 
 TEST_F(PersonalData, SetsHowLongDataAreKeptAndErasesThoseDueAfterASecondClick) {

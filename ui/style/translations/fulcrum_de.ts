@@ -8309,6 +8309,10 @@
         <translation>Die Dateien der Tabellen lassen sich in einer Tabellenkalkulation öffnen; Zeiten sind in UTC. Aufzeichnungen sind mit gzip gepackt. Das Passwort ist nicht gespeichert, nur ein Prüfwert davon, der nicht in diesen Dateien ist.</translation>
     </message>
     <message>
+        <source>reading what is stored</source>
+        <translation>Gespeichertes wird gelesen</translation>
+    </message>
+    <message>
         <source>writing the recordings</source>
         <translation>Aufzeichnungen werden geschrieben</translation>
     </message>
@@ -16187,6 +16191,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>niemand gewählt</translation>
     </message>
     <message>
+        <source>Reading what is stored …</source>
+        <translation>Gespeichertes wird gelesen …</translation>
+    </message>
+    <message>
         <source>Recordings in this store: %1</source>
         <translation>Aufzeichnungen in diesem Datenbestand: %1</translation>
     </message>
@@ -16201,6 +16209,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Erased. A backup from before still has the person; restoring it erases them again.</source>
         <translation>Gelöscht. Eine ältere Sicherung enthält die Person noch; beim Wiederherstellen wird sie wieder gelöscht.</translation>
+    </message>
+    <message>
+        <source>Looking for people who are due …</source>
+        <translation>Es wird gesucht, wer zu löschen ist …</translation>
     </message>
     <message>
         <source>No end is set: nobody is due.</source>
