@@ -7,17 +7,23 @@
 
 namespace fulcrum::ui {
 
-MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y)
+MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y,
+                             const std::vector<std::size_t>& begins)
     : x_(std::move(x)), y_(std::move(y)) {
     std::size_t kept = 0;
-    bool left_out = false;
+    bool gap = false;
+    auto next = begins.begin();
     for (std::size_t i = 0; i < std::min(x_.size(), y_.size()); ++i) {
+        if (next != begins.end() && *next == i) {
+            gap = true;
+            ++next;
+        }
         if (!std::isfinite(y_[i]) || !std::isfinite(x_[i])) {
-            left_out = true;
+            gap = true;
             continue;
         }
-        if (left_out && kept > 0) gaps_.emplace_back(x_[kept - 1], x_[i]);
-        left_out = false;
+        if (gap && kept > 0) gaps_.emplace_back(x_[kept - 1], x_[i]);
+        gap = false;
         x_[kept] = x_[i];
         y_[kept] = y_[i];
         ++kept;
@@ -117,6 +123,22 @@ std::vector<ChartPoint> MinMaxPyramid::view(double from, double to, std::size_t 
     }
     for (std::size_t i = std::max(begin, last_full * width); i < end; ++i) add(i);
     return reduce_points(candidates, limit);
+}
+
+std::vector<ChartLine> MinMaxPyramid::lines(double from, double to, std::size_t limit) const {
+    std::vector<ChartLine> lines;
+    auto gap = gaps_.begin();
+    for (const ChartPoint& point : view(from, to, limit)) {
+        std::optional<double> between;
+        if (!lines.empty()) {
+            const double before = lines.back().points.back().x;
+            while (gap != gaps_.end() && gap->first < before) ++gap;
+            if (gap != gaps_.end() && gap->second <= point.x) between = 0.5 * (gap->first + gap->second);
+        }
+        if (lines.empty() || between) lines.push_back({{}, between});
+        lines.back().points.push_back(point);
+    }
+    return lines;
 }
 
 std::vector<ChartPoint> reduce_points(const std::vector<ChartPoint>& points, std::size_t limit) {

@@ -19,12 +19,20 @@ struct ChartPoint {
     double x = 0, y = 0;
 };
 
+/// Points that belong together: a line may join them.
+struct ChartLine {
+    std::vector<ChartPoint> points;
+    /// x in the gap before it, where there is no value; of the first line in view none.
+    std::optional<double> gap;
+};
+
 class MinMaxPyramid {
   public:
     MinMaxPyramid() = default;
-    /// x never falls; both have the same length; non-finite y are left out. O(n) time, n/8 indices of memory
-    /// next to the data.
-    MinMaxPyramid(std::vector<double> x, std::vector<float> y);
+    /// x never falls; both have the same length; non-finite y are left out, with a gap in their place.
+    /// `begins`: rising, the samples with a gap before them though nothing is left out. O(n) time, n/8
+    /// indices of memory next to the data.
+    MinMaxPyramid(std::vector<double> x, std::vector<float> y, const std::vector<std::size_t>& begins = {});
 
     /// The same values at other places; `place` never falls. Those that have none are left out.
     MinMaxPyramid moved(const std::function<std::optional<double>(double)>& place) const;
@@ -39,13 +47,15 @@ class MinMaxPyramid {
     double highest() const noexcept { return highest_; }
     /// The value of the last sample at or before x; 0 before the first.
     double value_at(double x) const noexcept;
-    /// The same; none before the first and after the last sample, and where values were left out between two.
+    /// The same; none before the first and after the last sample, and in a gap.
     std::optional<double> at(double x) const noexcept;
 
     /// At most `limit` points (limit >= 5) of the samples in [from, to], with one sample beyond each end so
     /// that lines reach the border. Every sample when they are few enough. The lowest and the highest sample
     /// of the view are always among them. x rises.
     std::vector<ChartPoint> view(double from, double to, std::size_t limit = chart_point_limit) const;
+    /// The same points, divided at each gap.
+    std::vector<ChartLine> lines(double from, double to, std::size_t limit = chart_point_limit) const;
 
   private:
     struct Bucket {
@@ -54,7 +64,7 @@ class MinMaxPyramid {
     static constexpr std::size_t base_width = 16;
     std::vector<double> x_;
     std::vector<float> y_;
-    std::vector<std::pair<double, double>> gaps_;  ///< x of the samples before and after what was left out
+    std::vector<std::pair<double, double>> gaps_;  ///< x of the samples before and after each
     std::vector<std::vector<Bucket>> levels_;      ///< level k: buckets of base_width * 2^k samples
     double lowest_ = 0, highest_ = 0;
 };

@@ -65,9 +65,11 @@ void TimeChart::restyle() {
     for (const Band& band : bands_) {
         QColor faint = p.*band.colour;
         faint.setAlpha(70);
-        band.area->setBrush(faint);
-        band.area->setPen(Qt::NoPen);
-        band.middle->setPen(QPen(p.*band.colour, 1.4, Qt::DotLine));
+        for (const BandPart& part : band.parts) {
+            part.area->setBrush(faint);
+            part.area->setPen(Qt::NoPen);
+            part.middle->setPen(QPen(p.*band.colour, 1.4, Qt::DotLine));
+        }
     }
     setBackgroundBrush(p.card);
 }
@@ -84,10 +86,12 @@ void TimeChart::clear() {
     }
     series_.clear();
     for (const Band& band : bands_) {
-        chart()->removeSeries(band.area);
-        chart()->removeSeries(band.middle);
-        delete band.area;
-        delete band.middle;
+        for (const BandPart& part : band.parts) {
+            chart()->removeSeries(part.area);
+            chart()->removeSeries(part.middle);
+            delete part.area;
+            delete part.middle;
+        }
     }
     bands_.clear();
     selected_from_ = selected_to_ = 0;
@@ -107,33 +111,60 @@ void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::Pen
     chart()->addSeries(line);
     line->attachAxis(x_axis_);
     line->attachAxis(y_axis_);
-    series_.push_back({line, colour, pen, std::move(samples)});
+    series_.push_back({line, colour, pen, std::move(samples), {}});
 }
 
 void TimeChart::add_band(const QString& name, QColor Palette::*colour, const std::vector<ChartBand>& band) {
+    Band added;
+    added.name = name;
+    added.colour = colour;
+    added.data = band;
+    for (std::size_t i = 0; i < band.size(); ++i) {
+        added.highest = std::max(added.highest, band[i].high);
+        added.last = band[i].time;
+        if (i == 0) continue;
+        const double step = band[i].time - band[i - 1].time;
+        added.step = i == 1 ? step : std::min(added.step, step);
+    }
+    for (std::size_t from = 0, to = 0; from < band.size(); from = to) {
+        to = from + 1;
+        while (to < band.size() && added.joins(band[to - 1], band[to])) ++to;
+        added.parts.push_back(make_part(added, from, to));
+    }
+    bands_.push_back(std::move(added));
+    restyle();
+}
+
+TimeChart::BandPart TimeChart::make_part(const Band& band, std::size_t from, std::size_t to) {
     auto* low = new QLineSeries;
     auto* high = new QLineSeries;
-    Band added{new QAreaSeries(high, low), new QLineSeries, colour, band, 0, 0};
-    low->setParent(added.area);
-    high->setParent(added.area);
-    for (const ChartBand& at : band) {
-        low->append(at.time, at.low);
-        high->append(at.time, at.high);
-        added.middle->append(at.time, at.middle);
-        added.highest = std::max(added.highest, at.high);
-        added.last = at.time;
+    const BandPart part{new QAreaSeries(high, low), new QLineSeries};
+    low->setParent(part.area);
+    high->setParent(part.area);
+    const auto append = [&](double time, const ChartBand& at) {
+        low->append(time, at.low);
+        high->append(time, at.high);
+        part.middle->append(time, at.middle);
+    };
+    for (std::size_t i = from; i < to; ++i) append(band.data[i].time, band.data[i]);
+    if (to == from + 1) {  // a point alone has no width
+        low->clear();
+        high->clear();
+        part.middle->clear();
+        const ChartBand& alone = band.data[from];
+        append(alone.time - 0.5 * band.step, alone);
+        append(alone.time + 0.5 * band.step, alone);
     }
-    added.area->setName(name);
+    part.area->setName(band.name);
     for (QtCharts::QAbstractSeries* one :
-         std::initializer_list<QtCharts::QAbstractSeries*>{added.area, added.middle}) {
+         std::initializer_list<QtCharts::QAbstractSeries*>{part.area, part.middle}) {
         chart()->addSeries(one);
         one->attachAxis(x_axis_);
         one->attachAxis(y_axis_);
+        if (one == part.area && from == 0) continue;  // the legend names the band once
+        for (QtCharts::QLegendMarker* marker : chart()->legend()->markers(one)) marker->setVisible(false);
     }
-    for (QtCharts::QLegendMarker* marker : chart()->legend()->markers(added.middle))
-        marker->setVisible(false);
-    bands_.push_back(added);
-    restyle();
+    return part;
 }
 
 void TimeChart::set_selection(double from, double to) {
@@ -213,9 +244,6 @@ double tick_interval(double span) {
 void TimeChart::show_range(double from, double to) {
     const double span = std::clamp(to - from, 0.05, std::max(last_ - first_, 0.05));
     from = std::clamp(from, first_, std::max(first_, last_ - span));
-    // Qt Charts strokes a line's outline at every change of its range or its points: it is spared the points
-    // of the view before in the range of this one.
-    for (Series& series : series_) series.line->clear();
     // The axis lays its ticks out after each change: never the short interval over the long range.
     const double interval = tick_interval(span);
     const bool longer = interval > x_axis_->tickInterval();
@@ -244,14 +272,8 @@ void TimeChart::resizeEvent(QResizeEvent* event) {
 }
 
 void TimeChart::refresh() {
-    for (Series& series : series_) {
-        const std::vector<ChartPoint> points =
-            series.data->view(x_axis_->min(), x_axis_->max(), points_wanted());
-        QVector<QPointF> shown;
-        shown.reserve(static_cast<int>(points.size()));
-        for (const ChartPoint& point : points) shown.push_back({point.x, point.y});
-        series.line->replace(shown);
-    }
+    for (Series& series : series_)
+        series.lines = series.data->lines(x_axis_->min(), x_axis_->max(), points_wanted());
     describe();
     viewport()->update();
     emit points_changed();

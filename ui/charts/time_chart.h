@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Quantities over the time of an attempt: any number of series (at most 4,000 points each, whatever the
-// length), values that hold for a time, lanes of what was on and off, limits, event marks, a cursor. Wheel
-// zooms at the pointer, a drag moves, a click chooses a time, double click shows all; keys: arrows move the
-// cursor, + and - zoom, 0 shows all. Where it is wanted, a drag with Shift selects a range.
+// length; a line ends where nothing was measured), values that hold for a time, lanes of what was on and off,
+// limits, event marks, a cursor. Wheel zooms at the pointer, a drag moves, a click chooses a time, double
+// click shows all; keys: arrows move the cursor, + and - zoom, 0 shows all. Where it is wanted, a drag with
+// Shift selects a range.
 #pragma once
 
 #include <QChartView>
@@ -60,7 +61,8 @@ class TimeChart : public QtCharts::QChartView {
     void add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
                     std::shared_ptr<const MinMaxPyramid> samples);
     void add_limit(const QString& name, double value);
-    /// Behind the series; time rises. At most chart_point_limit points.
+    /// Behind the series; time rises in even steps, and where it makes a longer one the band has a gap. At
+    /// most chart_point_limit points.
     void add_band(const QString& name, QColor Palette::*colour, const std::vector<ChartBand>& band);
     /// Values that held for a time; their ends rise. Drawn as bars from 0.
     void set_steps(const QString& name, QColor Palette::*colour, std::vector<ChartStep> steps);
@@ -91,7 +93,10 @@ class TimeChart : public QtCharts::QChartView {
     void show_peaks(bool shown) { peaks_shown_ = shown; }
     /// The highest sample of a series in view; none where it has no sample there or only zeros.
     std::optional<ChartPoint> peak_of(std::size_t series) const;
-    /// Times of the points that are drawn, and of the ends of steps and lanes in view, rising.
+    /// What is drawn of a series.
+    const std::vector<ChartLine>& lines_of(std::size_t series) const { return series_[series].lines; }
+    /// Times of the points that are drawn, of a moment in each gap between them, and of the ends of steps and
+    /// lanes in view, rising.
     std::vector<double> times_drawn() const;
     /// Of the series, bands, steps and lanes, in the order of the cells of add_values().
     std::vector<ChartColumn> columns() const;
@@ -134,23 +139,35 @@ class TimeChart : public QtCharts::QChartView {
     void restyle();
     void place_plot();
     struct Series {
-        QtCharts::QLineSeries* line = nullptr;
+        QtCharts::QLineSeries* line = nullptr;  ///< for the legend, without points: Qt Charts joins all
         QColor Palette::*colour = &Palette::neutral;
         Qt::PenStyle pen = Qt::SolidLine;
         std::shared_ptr<const MinMaxPyramid> data;
+        std::vector<ChartLine> lines = {};  ///< of the view
     };
-    struct Band {
+    /// A stretch of a band without a gap.
+    struct BandPart {
         QtCharts::QAreaSeries* area = nullptr;
         QtCharts::QLineSeries* middle = nullptr;
+    };
+    struct Band {
+        QString name;
         QColor Palette::*colour = &Palette::neutral;
         std::vector<ChartBand> data = {};
-        double highest = 0, last = 0;
+        std::vector<BandPart> parts = {};
+        double step = 0, highest = 0, last = 0;
+
+        bool joins(const ChartBand& before, const ChartBand& after) const {
+            return after.time - before.time <= 1.5 * step;
+        }
     };
+    BandPart make_part(const Band& band, std::size_t from, std::size_t to);
     struct Lane {
         QString name;
         QColor Palette::*colour = &Palette::neutral;
         std::vector<ChartSpan> spans;
     };
+    void draw_series(QPainter& painter, const QRectF& area) const;
     void draw_selection(QPainter& painter, const QRectF& area) const;
     void draw_peaks(QPainter& painter, const QRectF& area) const;
     void describe();

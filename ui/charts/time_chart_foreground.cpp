@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a chart over time has in front of its series: selection, values that held for a time, lanes, limits,
-// marks, cursor, focus.
+// What a chart over time paints itself: its series, and in front of them the selection, values that held for
+// a time, lanes, limits, marks, cursor, focus.
 #include <QChart>
 #include <QValueAxis>
 #include <algorithm>
@@ -25,6 +25,27 @@ double TimeChart::y_of(double value) const {
     const QRectF area = chart()->plotArea();
     const double span = std::max(y_axis_->max() - y_axis_->min(), 1e-9);
     return area.bottom() - area.height() * (value - y_axis_->min()) / span;
+}
+
+void TimeChart::draw_series(QPainter& painter, const QRectF& area) const {
+    painter.save();
+    painter.setClipRect(area, Qt::IntersectClip);
+    for (const Series& series : series_) {
+        const QColor colour = colours().*series.colour;
+        for (const ChartLine& line : series.lines) {
+            QPolygonF shown;
+            shown.reserve(static_cast<int>(line.points.size()));
+            for (const ChartPoint& point : line.points) shown << QPointF(x_of(point.x), y_of(point.y));
+            if (shown.size() == 1) {  // between two gaps
+                painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
+                painter.drawPoint(shown.front());
+                continue;
+            }
+            painter.setPen(QPen(colour, 1.6, series.pen));
+            painter.drawPolyline(shown);
+        }
+    }
+    painter.restore();
 }
 
 void TimeChart::draw_selection(QPainter& painter, const QRectF& area) const {
@@ -168,6 +189,7 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
     draw_labels(*painter, area);
     painter->setClipRect(area.adjusted(-8, -14, 8, 2));
     painter->setRenderHint(QPainter::Antialiasing);
+    draw_series(*painter, area);
     draw_selection(*painter, area);
     draw_steps(*painter, area);
     draw_lanes(*painter, area);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a TimeChart says of its values: peaks in view, and the columns of its table.
-#include <QAreaSeries>
 #include <QLineSeries>
 #include <QPainter>
 #include <QValueAxis>
@@ -61,19 +60,24 @@ std::optional<ChartPoint> TimeChart::peak_of(std::size_t series) const {
     std::optional<ChartPoint> peak;
     // Of the samples in view the highest one is always among the points that are drawn; one point beyond each
     // end is drawn too.
-    for (const QPointF& point : series_[series].line->pointsVector())
-        if (point.x() >= x_axis_->min() && point.x() <= x_axis_->max() && point.y() > 0 &&
-            (!peak || point.y() > peak->y))
-            peak = ChartPoint{point.x(), point.y()};
+    for (const ChartLine& line : series_[series].lines)
+        for (const ChartPoint& point : line.points)
+            if (point.x >= x_axis_->min() && point.x <= x_axis_->max() && point.y > 0 &&
+                (!peak || point.y > peak->y))
+                peak = point;
     return peak;
 }
 
 std::vector<double> TimeChart::times_drawn() const {
     const auto in_view = [this](double time) { return time >= x_axis_->min() && time <= x_axis_->max(); };
     std::vector<double> times;
-    for (const Series& series : series_)
-        for (const QPointF& point : series.line->pointsVector())
-            if (in_view(point.x())) times.push_back(point.x());
+    for (const Series& series : series_) {
+        for (const ChartLine& line : series.lines) {
+            if (line.gap && in_view(*line.gap)) times.push_back(*line.gap);
+            for (const ChartPoint& point : line.points)
+                if (in_view(point.x)) times.push_back(point.x);
+        }
+    }
     const auto add_ends = [&](const auto& spans) {
         for (const auto& span : spans)
             for (const double end : {span.from, span.to})
@@ -91,7 +95,7 @@ std::vector<ChartColumn> TimeChart::columns() const {
     for (const Series& series : series_) columns.push_back({series.line->name(), unit_});
     for (const Band& band : bands_)
         for (const QString& part : {tr("%1, lower quarter"), tr("%1, middle"), tr("%1, upper quarter")})
-            columns.push_back({part.arg(band.area->name()), unit_});
+            columns.push_back({part.arg(band.name), unit_});
     if (!steps_.empty()) columns.push_back({steps_name_, unit_});
     for (const Lane& lane : lanes_) columns.push_back({lane.name});
     return columns;
@@ -102,7 +106,8 @@ void TimeChart::add_values(double time, std::vector<ChartCell>& cells) const {
     for (const Band& band : bands_) {
         const auto next = std::upper_bound(band.data.begin(), band.data.end(), time,
                                            [](double at, const ChartBand& one) { return at < one.time; });
-        const bool there = next != band.data.begin() && next != band.data.end();
+        const bool there =
+            next != band.data.begin() && next != band.data.end() && band.joins(*(next - 1), *next);
         const auto between = [&](double ChartBand::*value) -> std::optional<double> {
             if (!there) return std::nullopt;
             const ChartBand &before = *(next - 1), &after = *next;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "assessment/trace/cut_strokes.h"
-#include "assessment/trace/trace.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -48,6 +47,20 @@ std::shared_ptr<const MinMaxPyramid> heat_course(const std::vector<Event>& event
     time.push_back(std::max(end, time.back()));
     area.push_back(area.back());
     return std::make_shared<const MinMaxPyramid>(std::move(time), std::move(area));
+}
+
+std::vector<TraceBlock> joined_samples(const std::vector<double>& time, const std::vector<Event>& events,
+                                       double tick_period) {
+    Trace record;
+    record.t = time;
+    record.tick_period = tick_period;
+    split_blocks(record, events);
+    if (record.blocks.empty()) return {};
+    TraceBlock& last = record.blocks.back();
+    while (last.last < time.size() && time[last.last] > record.end &&
+           time[last.last] - time[last.last - 1] <= longest_hold_s + touching_s)
+        ++last.last;
+    return std::move(record.blocks);
 }
 
 std::vector<ChartSpan> spans_of_flag(const std::vector<double>& time, const std::vector<std::uint32_t>& flags,

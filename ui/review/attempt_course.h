@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "assessment/trace/trace.h"
 #include "sim_core/telemetry/event.h"
 #include "ui/charts/decimation.h"
 #include "ui/charts/time_chart.h"
@@ -24,6 +25,12 @@ TractionCourse traction_course(const std::vector<Event>& events, double tick_per
 /// mm2 of tissue that heat has reached and was not meant for; null without an event of it.
 std::shared_ptr<const MinMaxPyramid> heat_course(const std::vector<Event>& events, double tick_period,
                                                  double end);
+
+/// The samples (taken at `time`, s) that a line may join, as the metrics measure across them: none across a
+/// gap of the record, a pause or lost samples. What was recorded during a pause is in no block; what follows
+/// the end of the attempt belongs to the last one.
+std::vector<TraceBlock> joined_samples(const std::vector<double>& time, const std::vector<Event>& events,
+                                       double tick_period);
 
 /// When a flag was set, from samples in order: a sample holds until the next one, the last one before a gap
 /// of the record, or of the part, for one period. The metric energy_time counts the same.

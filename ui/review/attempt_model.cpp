@@ -38,12 +38,20 @@ std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, 
 }
 
 std::vector<float> tip_speed(const std::vector<double>& time, const std::vector<Vector3>& tip,
-                             const std::vector<bool>& inside) {
+                             const std::vector<bool>& inside, const std::vector<std::size_t>& begins) {
     constexpr std::size_t half = speed_window / speed_raster / 2;
     constexpr double to_mm = 1e3, longest = 2;  // of a gap, in windows without a lost sample
     std::vector<float> speed(time.size(), std::numeric_limits<float>::quiet_NaN());
+    std::size_t piece = 0;  // where the present one begins
+    auto next = begins.begin();
     for (std::size_t i = 0; i < time.size(); ++i) {
-        const std::size_t first = i < half ? 0 : i - half, last = std::min(i + half, time.size() - 1);
+        if (next != begins.end() && *next == i) {
+            piece = i;
+            ++next;
+        }
+        const std::size_t piece_end = next == begins.end() ? time.size() : *next;
+        const std::size_t first = i < piece + half ? piece : i - half,
+                          last = std::min(i + half, piece_end - 1);
         const double span = time[last] - time[first];
         const double usual = time.size() < 2 ? 0 : time[1] - time[0];
         if (!(span > 0) || span > longest * 2 * half * usual) continue;
@@ -105,40 +113,75 @@ ChunkPart part_of(const database::TraceOverview& overview, double tick) {
     return part;
 }
 
+/// Which values of a record belong together.
+struct Pieces {
+    std::vector<std::size_t> begins;  ///< of the values that begin a piece, but for the first
+    std::vector<bool> outside;        ///< by value: it belongs to none
+};
+
+/// `sample`: of each value the index in the record.
+template <typename Sample>
+Pieces pieces_of(std::size_t count, const std::vector<TraceBlock>& blocks, const Sample& sample) {
+    Pieces pieces;
+    pieces.outside.resize(count);
+    const std::size_t none = blocks.size();
+    std::size_t block = 0, before = none;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = sample(i);
+        while (block < blocks.size() && blocks[block].last <= at) ++block;
+        pieces.outside[i] = block == blocks.size() || at < blocks[block].first;
+        if (pieces.outside[i]) continue;
+        if (before != none && before != block) pieces.begins.push_back(i);
+        before = block;
+    }
+    return pieces;
+}
+
 /// Every part in its place; both hands at the same time.
-void join(const std::vector<ChunkPart>& parts, AttemptModel& model) {
+void join(const std::vector<ChunkPart>& parts, const std::vector<Event>& events, AttemptModel& model) {
     std::size_t samples = 0;
     for (const ChunkPart& part : parts) samples += part.time.size();
+    std::vector<double> time, raster;
+    std::vector<std::size_t> on_raster;  // samples
+    time.reserve(samples);
+    for (const ChunkPart& part : parts) {
+        for (std::size_t i = 0; i < part.raster.size(); ++i)
+            on_raster.push_back(time.size() + i * speed_raster);
+        time.insert(time.end(), part.time.begin(), part.time.end());
+        raster.insert(raster.end(), part.raster.begin(), part.raster.end());
+    }
+    const std::vector<TraceBlock> blocks = joined_samples(time, events, model.tick);
+    const Pieces of_samples = pieces_of(samples, blocks, [](std::size_t i) { return i; }),
+                 of_raster = pieces_of(raster.size(), blocks, [&](std::size_t i) { return on_raster[i]; });
     const auto join_hand = [&](std::size_t h) {
-        std::vector<double> time;
         std::vector<float> force;
         std::vector<PathPoint> path;
-        time.reserve(samples);
         force.reserve(samples);
         for (const ChunkPart& part : parts) {
-            time.insert(time.end(), part.time.begin(), part.time.end());
             force.insert(force.end(), part.force[h].begin(), part.force[h].end());
             path.insert(path.end(), part.path[h].begin(), part.path[h].end());
             append_spans(model.energy[h], part.energy[h]);
         }
-        std::vector<double> raster;
+        for (std::size_t i = 0; i < samples; ++i)
+            if (of_samples.outside[i]) force[i] = std::numeric_limits<float>::quiet_NaN();
         std::vector<Vector3> tip;
         std::vector<bool> inside;
         for (const ChunkPart& part : parts) {
-            raster.insert(raster.end(), part.raster.begin(), part.raster.end());
             tip.insert(tip.end(), part.tip[h].begin(), part.tip[h].end());
             inside.insert(inside.end(), part.inside[h].begin(), part.inside[h].end());
         }
-        std::vector<float> speed = tip_speed(raster, tip, inside);
-        model.speed[h] = std::make_shared<const MinMaxPyramid>(std::move(raster), std::move(speed));
-        model.force[h] = std::make_shared<const MinMaxPyramid>(std::move(time), std::move(force));
+        for (std::size_t i = 0; i < inside.size(); ++i)
+            if (of_raster.outside[i]) inside[i] = false;
+        std::vector<float> speed = tip_speed(raster, tip, inside, of_raster.begins);
+        model.speed[h] = std::make_shared<const MinMaxPyramid>(raster, std::move(speed), of_raster.begins);
+        model.force[h] = std::make_shared<const MinMaxPyramid>(time, std::move(force), of_samples.begins);
         model.path[h] = thin_path(std::move(path), 2e-4, chart_point_limit);
     };
     std::thread other([&] { join_hand(1); });
     join_hand(0);
     other.join();
     model.samples = samples;
-    model.duration = samples == 0 ? 0 : model.force[0]->last_x();
+    model.duration = samples == 0 ? 0 : time.back();
     // Its ticks continue those of what it began with.
     const std::optional<database::AttemptOrigin>& origin = model.summary.meta.origin;
     model.begin = origin ? std::min(origin->tick * model.tick, model.duration) : 0;
@@ -198,7 +241,7 @@ AttemptModel model_of_trace(database::AttemptSummary summary, std::optional<data
     model.summary = std::move(summary);
     model.score = std::move(score);
     if (scene) take_scene(*scene, model);
-    join({part_of(overview_of(trace->samples), model.tick)}, model);
+    join({part_of(overview_of(trace->samples), model.tick)}, trace->events, model);
     take_events(trace->events, model);
     model.trace = std::move(trace);
     return model;
@@ -221,7 +264,7 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     if (progress && !progress(0.1, {})) return std::nullopt;
     std::vector<ChunkPart> parts;
     if (!model.summary.meta.keep_trace) {
-        join(parts, model);
+        join(parts, {}, model);
         return model;
     }
     attempts.read_overview(
@@ -230,8 +273,9 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
             parts[chunk] = part_of(overview, model.tick);
         });
     if (progress && !progress(0.7, {})) return std::nullopt;
-    join(parts, model);
-    take_events(attempts.read_events(session, attempt_id), model);
+    const std::vector<Event> events = attempts.read_events(session, attempt_id);
+    join(parts, events, model);
+    take_events(events, model);
     if (progress && !progress(1.0, {})) return std::nullopt;
     return model;
 }

@@ -88,9 +88,10 @@ QString external_trace_text(const std::string& source);
 QString product_text(const AttemptModel& model, const TaskDefinition& task);
 
 /// The speed of a tip that was sampled at `time` (s, rising); where it was not inside the body, or samples
-/// are missing, there is no value (NaN). mm/s.
+/// are missing, there is no value (NaN). mm/s. `begins`: rising, the samples with a gap before them, across
+/// which nothing is measured.
 std::vector<float> tip_speed(const std::vector<double>& time, const std::vector<Vector3>& tip,
-                             const std::vector<bool>& inside);
+                             const std::vector<bool>& inside, const std::vector<std::size_t>& begins = {});
 
 /// The four numbers of the debrief. Values as in the score; absent ones say why in `why`.
 struct Headline {

@@ -246,7 +246,9 @@ void ReplayPanel::fill_hud() {
         const TickSample& sample = ticks_->sample(index);
         for (std::size_t h = 0; h < hand_count; ++h) {
             const HandSample& hand = sample.hand[h];
-            hud.display.force[h] = static_cast<float>(model_->force[h]->value_at(time_));
+            // As recorded: the chart has no values during a pause.
+            hud.display.force[h] = static_cast<float>(
+                std::hypot(hand.force[0], hand.force[1], hand.force[2]) * sample_force_unit);
             hud.jaws_closed[h] = (hand.flags & hand_grasping) != 0 || hand.jaw_angle < 50000;
             hud.display.warning[h] = (hand.flags & hand_warned) != 0;
             const auto tissue = static_cast<std::size_t>(std::max<std::int16_t>(hand.tissue, 0));

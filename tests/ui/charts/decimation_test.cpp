@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace fulcrum::ui {
 namespace {
@@ -124,6 +125,43 @@ TEST(Decimation, HasNoValueWhereValuesWereLeftOut) {
     EXPECT_EQ(part.last_x(), 4.0);
     EXPECT_FALSE(part.at(2));
     EXPECT_FALSE(MinMaxPyramid().at(0));
+}
+
+TEST(Decimation, DividesItsPointsAtEachGapWhateverTheView) {
+    Series series = noise(200'000, 4);
+    const std::vector<std::size_t> begins{50'000, 50'003, 120'000};
+    for (std::size_t i = 120'000; i < series.x.size(); ++i) series.x[i] += 30;  // s
+    series.y[80'000] = 40.0F;                                                   // next to a gap
+    for (std::size_t i = 80'001; i < 90'000; ++i) series.y[i] = std::numeric_limits<float>::quiet_NaN();
+    const MinMaxPyramid pyramid(series.x, series.y, begins);
+    using Ends = std::vector<std::pair<double, double>>;
+    const Ends gaps{{49.999, 50.0}, {50.002, 50.003}, {80.0, 90.0}, {119.999, 150.0}};
+    for (const auto& [from, to] : Ends{{0, 250}, {40, 60}, {49.99, 50.01}, {85, 170}}) {
+        const std::vector<ChartPoint> points = pyramid.view(from, to);
+        const std::vector<ChartLine> lines = pyramid.lines(from, to);
+        std::size_t count = 0;
+        for (const ChartLine& line : lines) {
+            ASSERT_FALSE(line.points.empty());
+            EXPECT_EQ(line.gap.has_value(), &line != &lines.front());
+            if (line.gap) {
+                EXPECT_FALSE(pyramid.at(*line.gap)) << *line.gap;
+                EXPECT_LT(*line.gap, line.points.front().x);
+            }
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const double before = line.points[i - 1].x, after = line.points[i].x;
+                for (const auto& [end, begin] : gaps)
+                    EXPECT_FALSE(before <= end + 1e-9 && after >= begin - 1e-9) << before << " to " << after;
+            }
+            count += line.points.size();
+        }
+        EXPECT_EQ(count, points.size()) << "the same points";
+    }
+    EXPECT_EQ(pyramid.lines(0, 250).front().points.front().x, 0.0);
+    EXPECT_TRUE(holds(pyramid.view(0, 250), series.x[80'000], 40.0));
+    EXPECT_EQ(pyramid.lines(49.99, 50.01).size(), 3U);
+    EXPECT_EQ(pyramid.moved([](double x) { return 2 * x; }).lines(0, 500).size(),
+              pyramid.lines(0, 250).size());
+    EXPECT_TRUE(MinMaxPyramid().lines(0, 1).empty());
 }
 
 TEST(TimeAxis, HasTicksThatItsLabelsShowExactly) {

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QChart>
+#include <QLegend>
+#include <QLegendMarker>
 #include <QPainter>
-#include <QXYSeries>
 #include <cmath>
+#include <cstdlib>
 
 #include "tests/ui/painted_words.h"
 #include "ui/charts/time_charts.h"
@@ -30,13 +32,13 @@ struct Shown {
 };
 
 Shown shown(const TimeChart& chart) {
-    const auto* line = static_cast<QtCharts::QXYSeries*>(chart.chart()->series().front());
     Shown result;
-    result.points = line->count();
-    for (const QPointF& point : line->points()) result.highest = std::max(result.highest, point.y());
-    if (result.points > 0) {
-        result.first = line->at(0).x();
-        result.last = line->at(result.points - 1).x();
+    for (const ChartLine& line : chart.lines_of(0)) {
+        for (const ChartPoint& point : line.points) {
+            if (result.points++ == 0) result.first = point.x;
+            result.last = point.x;
+            result.highest = std::max(result.highest, point.y);
+        }
     }
     return result;
 }
@@ -98,6 +100,84 @@ TEST(TimeChart, BeginsWhereTheRecordBegins) {
     chart.clear();
     chart.show_all();
     EXPECT_DOUBLE_EQ(chart.first_shown(), 0);
+}
+
+/// Pixels of the plot in this colour, in the columns between two times.
+int pixels_of(TimeChart& chart, const QColor& colour, double from, double to) {
+    const QImage image = chart.grab().toImage();
+    const QRectF plot = chart.chart()->plotArea();
+    const double span = chart.last_shown() - chart.first_shown(), ratio = image.devicePixelRatio();
+    const auto column = [&](double time) {
+        return static_cast<int>((plot.left() + plot.width() * (time - chart.first_shown()) / span) * ratio);
+    };
+    int found = 0;
+    for (int x = column(from); x < column(to); ++x) {
+        for (int y = static_cast<int>(plot.top() * ratio); y < static_cast<int>(plot.bottom() * ratio); ++y) {
+            const QColor here = image.pixelColor(x, y);
+            const int difference = std::abs(here.red() - colour.red()) +
+                                   std::abs(here.green() - colour.green()) +
+                                   std::abs(here.blue() - colour.blue());
+            found += difference < 150 ? 1 : 0;  // a thin line covers its pixels in part
+        }
+    }
+    return found;
+}
+
+TEST(TimeChart, DrawsNoLineAcrossAGap) {
+    std::vector<double> x;
+    std::vector<float> y;
+    for (int i = 0; i < 20000; ++i) {
+        x.push_back(i < 10000 ? i * 1e-3 : 5 + i * 1e-3);  // nothing from 10 to 15 s
+        y.push_back(i > 4000 && i < 6000 ? std::nanf("") : 3.0F);
+    }
+    TimeChart chart("force (N)");
+    chart.resize(600, 300);
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine,
+                     std::make_shared<MinMaxPyramid>(x, y, std::vector<std::size_t>{10000}));
+    chart.show_all();
+    chart.grab();  // laid out
+    chart.show_all();
+    EXPECT_EQ(chart.lines_of(0).size(), 3U);
+    const QColor colour = colours().left_hand;
+    for (const double drawn : {1.0, 7.0, 20.0}) EXPECT_GT(pixels_of(chart, colour, drawn, drawn + 1), 5);
+    EXPECT_EQ(pixels_of(chart, colour, 4.4, 5.6), 0) << "values that were left out";
+    EXPECT_EQ(pixels_of(chart, colour, 10.4, 14.6), 0) << "a gap of the record";
+    EXPECT_FALSE(chart.chart()->legend()->markers().isEmpty());
+    // In view alone: nothing; one sample alone between two gaps is a dot.
+    chart.show_range(11, 14);
+    EXPECT_EQ(pixels_of(chart, colour, 11, 14), 0);
+    chart.clear();
+    chart.add_series(
+        "left", &Palette::left_hand, Qt::SolidLine,
+        std::make_shared<MinMaxPyramid>(std::vector<double>{0, 1, 2, 3, 4},
+                                        std::vector<float>{3, std::nanf(""), 3, std::nanf(""), 3}));
+    chart.show_all();
+    EXPECT_EQ(chart.lines_of(0).size(), 3U);
+    EXPECT_GT(pixels_of(chart, colour, 1.8, 2.2), 0);
+    EXPECT_EQ(pixels_of(chart, colour, 0.5, 1.5), 0);
+}
+
+TEST(TimeChart, ABandEndsWhereItHasNoValues) {
+    TimeChart chart("force (N)");
+    chart.resize(600, 300);
+    chart.add_band("cohort", &Palette::limit,
+                   {{0.5, 1, 2, 3}, {1.5, 1, 2, 3}, {2.5, 1, 2, 3}, {6.5, 5, 6, 7}, {7.5, 5, 6, 7}});
+    chart.show_all();
+    const auto middle_at = [&chart](double time) {
+        std::vector<ChartCell> cells;
+        chart.add_values(time, cells);
+        return cells.at(1).copied;
+    };
+    EXPECT_EQ(middle_at(2), "2");
+    EXPECT_EQ(middle_at(4), "") << "fewer people have come so far";
+    EXPECT_EQ(middle_at(7), "6");
+    EXPECT_EQ(chart.chart()->series().size(), 4) << "an area and a middle line on each side";
+    int named = 0;
+    for (const QtCharts::QLegendMarker* marker : chart.chart()->legend()->markers())
+        named += marker->isVisible() ? 1 : 0;
+    EXPECT_EQ(named, 1);
+    chart.clear();
+    EXPECT_TRUE(chart.chart()->series().isEmpty());
 }
 
 QStringList painted_words(TimeChart& chart) {
@@ -225,6 +305,23 @@ TEST(TimeCharts, TheirTableHasNoValueWhereNoneWasMeasured) {
     QStringList speeds;
     for (const ChartRow& row : charts.table().rows) speeds << QString::fromStdString(row.cells.at(2).copied);
     EXPECT_EQ(speeds, (QStringList{"5", "", "", "", "", "", "7"})) << speeds.join("|").toStdString();
+}
+
+TEST(TimeCharts, TheirTableHasARowWithoutValuesInAGapOfTheRecord) {
+    TimeCharts charts("Force and speed");
+    auto* force = new TimeChart("force (N)");
+    charts.add(force, "force");
+    charts.resize(500, 500);
+    charts.grab();
+    force->add_series(
+        "left hand", &Palette::left_hand, Qt::SolidLine,
+        std::make_shared<MinMaxPyramid>(std::vector<double>{0, 1, 5, 6}, std::vector<float>{1, 2, 3, 4},
+                                        std::vector<std::size_t>{2}));
+    force->show_all();
+    QStringList rows;
+    for (const ChartRow& row : charts.table().rows)
+        rows << QString::fromStdString(row.cells.at(0).copied + ":" + row.cells.at(1).copied);
+    EXPECT_EQ(rows, (QStringList{"0:1", "1:2", "3:", "5:3", "6:4"})) << rows.join("|").toStdString();
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
-#include "ui/charts/time_chart.h"
+#include "ui/charts/time_charts.h"
 #include "ui/language/language.h"
 #include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
@@ -274,6 +274,58 @@ TEST_F(OneTimeAxis, APauseWithThePedalDownIsNoEnergy) {
     EXPECT_NEAR(left[2].from, 2, 1e-9);
     EXPECT_NEAR(left[3].to, 4, 1e-9);
     EXPECT_NEAR(left[4].to, 4.501, 1e-9);
+}
+
+TEST_F(OneTimeAxis, ALineEndsAtAPauseAndBeginsAgainAfterIt) {
+    AxisRecord paused;
+    paused.pause = true;
+    const AttemptModel& model = *debrief(*ed, record(paused))->model();
+    EXPECT_NEAR(model.duration, 6, 1e-9);
+    for (std::size_t hand = 0; hand < hand_count; ++hand) {
+        for (const MinMaxPyramid* values : {model.force[hand].get(), model.speed[hand].get()}) {
+            EXPECT_TRUE(values->at(3.0)) << hand;
+            EXPECT_FALSE(values->at(3.25)) << hand;
+            EXPECT_TRUE(values->at(3.5)) << hand;
+        }
+    }
+    for (const char* name : {"force_chart", "speed_chart"}) {
+        const std::vector<ChartLine>& lines = chart(name)->lines_of(0);
+        ASSERT_EQ(lines.size(), 2U) << name;
+        EXPECT_LE(lines[0].points.back().x, 3.1 + 1e-9) << name;
+        EXPECT_GE(lines[1].points.front().x, 3.4 - 1e-9) << name;
+    }
+    int rows = 0;
+    for (const ChartRow& row : window->findChild<TimeCharts*>()->table().rows) {
+        const double time = std::stod(row.cells.at(0).copied);
+        if (time < 3.11 || time > 3.39) continue;
+        ++rows;
+        for (std::size_t column = 1; column <= 4; ++column)
+            EXPECT_EQ(row.cells.at(column).copied, "") << time << " s, column " << column;
+    }
+    EXPECT_GT(rows, 0) << "a copy has the gap too";
+}
+
+TEST(JoinedSamples, AreThoseThatTheMetricsMeasureAcross) {
+    const std::vector<double> time{0, 0.1, 0.2, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.05};
+    const std::vector<Event> events{{650, EventKind::samples_lost, 255, -1, 3, 0.0F},
+                                    {1000, EventKind::completed, 255, -1, 0, 0.0F}};
+    const std::vector<TraceBlock> blocks = joined_samples(time, events, 1e-3);
+    ASSERT_EQ(blocks.size(), 3U);
+    EXPECT_EQ(blocks[0].last, 3U) << "a gap of the record";
+    EXPECT_EQ(blocks[1].first, 3U);
+    EXPECT_EQ(blocks[1].last, 5U) << "lost samples";
+    EXPECT_EQ(blocks[2].last, 10U) << "what follows the end stays";
+    EXPECT_TRUE(joined_samples({}, {}, 1e-3).empty());
+    // A device that was taken up elsewhere has not moved there.
+    std::vector<double> raster;
+    std::vector<Vector3> tip;
+    for (int i = 0; i < 10; ++i) {
+        raster.push_back(0.01 * i);
+        tip.emplace_back(i < 5 ? 0 : 0.1, 0, 0);
+    }
+    const std::vector<bool> inside(10, true);
+    for (const float speed : tip_speed(raster, tip, inside, {5})) EXPECT_EQ(speed, 0);
+    EXPECT_GT(tip_speed(raster, tip, inside)[5], 1000);
 }
 
 TEST_F(OneTimeAxis, LeavesOutWhatWasNotRecorded) {
