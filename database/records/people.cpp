@@ -268,7 +268,10 @@ People::Created People::create(const Session& administrator, const std::string& 
     write_roles(store_.connection(), id, roles);
     write_verifier(store_, id, verifier, true);
     Audit(store_).append(administrator, id, "person.create",
-                         json_object({{"login", login}, {"name", display_name}, {"roles", role_list(roles)}}),
+                         json_object({{"login", login},
+                                      {"name", display_name},
+                                      {"roles", role_list(roles)},
+                                      {verifier_key, text_digest(verifier)}}),
                          {{RecordKind::person, id}});
     transaction.commit();
     created.person = read_person(store_, id);

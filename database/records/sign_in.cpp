@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Create programme, sign-in, waiting after wrong tries, passwords, recovery.
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "database/access/session_maker.h"
 #include "database/records/people_rows.h"
@@ -97,7 +98,7 @@ void begin_try(const Store& store, const std::string& login) {
 struct Account {
     std::string id, login, name, verifier;
     bool active = false, one_time = false;
-    UtcMilliseconds expires = 0, changed = 0;
+    UtcMilliseconds expires = 0;
     std::string boot;  ///< machine start at which the password was made
     std::int64_t boot_ms = 0;
 };
@@ -108,12 +109,12 @@ Account find_account(const Store& store, const std::string& login) {
     Query row(
         store.connection(),
         "SELECT p.id, p.login, p.display_name, c.verifier, p.active, c.one_time, COALESCE(c.expires, 0), "
-        "c.changed, c.boot, c.boot_ms "
+        "c.boot, c.boot_ms "
         "FROM person p JOIN credential c ON c.person_id = p.id WHERE p.login_key = ? AND p.active = 1");
     row.bind(login_key(login));
     if (!row.next()) return account;
-    account = {row.text(0), row.text(1),    row.text(2),    row.text(3), row.flag(4),
-               row.flag(5), row.integer(6), row.integer(7), row.text(8), row.integer(9)};
+    account = {row.text(0), row.text(1),    row.text(2), row.text(3),   row.flag(4),
+               row.flag(5), row.integer(6), row.text(7), row.integer(8)};
     return account;
 }
 
@@ -139,17 +140,33 @@ struct PasswordRow {
     bool is_received = false;
 };
 
-/// An account that another station changed comes back with the password of this one, so the time at which the
-/// password was made says whether it is the one that was issued here last.
+/// The digest of the verifier that the payload of such a row names; empty where an older program wrote it.
+std::string named_verifier(const std::string& payload) {
+    return QJsonDocument::fromJson(QByteArray::fromStdString(payload))
+        .object()
+        .value(QLatin1String(verifier_key))
+        .toString()
+        .toStdString();
+}
+
+/// An account that another station changed comes back with the password of this one, also with one from
+/// before the last: the row that names this very password was written when it was issued here. A row of an
+/// older program names none; it counts where the account has not come from elsewhere since.
 PasswordRow find_password_row(const Store& store, const Account& account) {
-    constexpr UtcMilliseconds within_one_deed = 10LL * 1000;  // between the password and its audit row
-    Query issued(store.connection(),
-                 "SELECT sequence, time FROM audit_entry WHERE station_id = ? AND object_id = ? AND "
-                 "operation IN ('person.create', 'password.issue_one_time') ORDER BY sequence DESC LIMIT 1");
-    issued.bind(store.station_id()).bind(account.id);
-    const bool any = issued.next();
-    const std::int64_t here = any ? issued.integer(0) : 0;
-    if (any && std::abs(issued.integer(1) - account.changed) <= within_one_deed) return {here, false};
+    const std::string verifier = text_digest(account.verifier);
+    std::int64_t here = 0;
+    {
+        Query issued(
+            store.connection(),
+            "SELECT e.sequence, COALESCE(p.payload, '') FROM audit_entry e LEFT JOIN audit_payload p ON "
+            "p.station_id = e.station_id AND p.sequence = e.sequence WHERE e.station_id = ? AND e.object_id "
+            "= ? AND e.operation IN ('person.create', 'password.issue_one_time') ORDER BY e.sequence DESC");
+        issued.bind(store.station_id()).bind(account.id);
+        while (issued.next()) {
+            if (named_verifier(issued.text(1)) == verifier) return {issued.integer(0), false};
+            here = std::max(here, issued.integer(0));
+        }
+    }
     Query received(store.connection(),
                    "SELECT COALESCE(MAX(e.sequence), 0) FROM audit_entry e JOIN audit_payload p ON "
                    "p.station_id = e.station_id AND p.sequence = e.sequence WHERE e.station_id = ? AND "
@@ -387,7 +404,8 @@ std::string People::issue_one_time_password(const Session& administrator,
     }
     write_verifier(store_, person_id, verifier, true);
     forget_wrong_tries(store_, person.login);
-    Audit(store_).append(administrator, person_id, "password.issue_one_time", "{}",
+    Audit(store_).append(administrator, person_id, "password.issue_one_time",
+                         json_object({{verifier_key, text_digest(verifier)}}),
                          {{RecordKind::person, person_id}});
     transaction.commit();
     return password;

@@ -103,6 +103,7 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     QJsonObject members = document.object();
     entry.role = members.take(QLatin1String(role_key)).toString().toStdString();
     members.remove(QLatin1String(records_key));
+    members.remove(QLatin1String(verifier_key));
     // Why an attempt became practice the program itself has found; it is nobody's opinion.
     if (is_about_an_attempt(entry.operation) && entry.operation != "attempt.practice") {
         for (const char* words : {"reason", "text", "state"}) {

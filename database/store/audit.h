@@ -14,6 +14,10 @@
 
 namespace fulcrum::database {
 
+/// Key in the payload of a row with which a one-time password was issued: the digest (BLAKE2b-256, hex) of
+/// the password's verifier, by which a sign-in knows the row. Not among what entries() shows.
+inline constexpr const char* verifier_key = "verifier";
+
 struct AuditEntry {
     std::int64_t sequence = 0;
     UtcMilliseconds time = 0;
