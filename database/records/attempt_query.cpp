@@ -3,6 +3,7 @@
 
 #include <QHash>
 
+#include "database/records/replaced_limits.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/force_devices.h"
 #include "database/rows/person_kind.h"
@@ -60,15 +61,16 @@ constexpr Column columns[] = {
     {"s.passed", In::tables},
     {"s.points", In::tables},
     {"COALESCE(s.not_scored_because, '')", In::tables},
-    // 1: by provisional limits; 2: failed without a set of limits, also where the task's own are provisional.
-    // Where the set was replaced before an attempt that had been cut off was scored, the name of the limits
-    // says which it was (Limits::name()).
+    // 1: by provisional limits; 2: failed without a set of limits, also where the task's own are provisional;
+    // 3: the set was replaced before an attempt that had been cut off was scored, and the score does not have
+    // that it was provisional (ReplacedLimits).
     {"CASE WHEN s.passed = 0 AND NOT EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id "
      "AND g.kind = 'benchmark' AND g.limit_value IS NOT NULL) "
      "AND EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.kind = 'benchmark') "
      "THEN CASE WHEN NOT EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id "
      "AND g.not_passed_because LIKE '%\"gate.limits_replaced\"%') THEN 2 "
-     "WHEN a.limits LIKE '%-site@%' THEN 0 WHEN a.limits LIKE '%-provisional@%' THEN 1 ELSE 2 END "
+     "WHEN EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.kind = 'benchmark' AND g.provisional = "
+     "1) THEN 1 ELSE 3 END "
      "WHEN EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1) THEN 1 ELSE 0 END",
      In::tables},
     {"COALESCE(v.reason, '')", In::lists},
@@ -170,7 +172,10 @@ class Fields {
     int column_;
 };
 
-AttemptSummary summary_of_row(const Query& row, const std::vector<std::string>* words = nullptr) {
+/// `replaced`: ReplacedLimits is to decide what it is judged by. Not asked here: another statement would run
+/// between the rows of this one.
+AttemptSummary summary_of_row(const Query& row, bool& replaced,
+                              const std::vector<std::string>* words = nullptr) {
     AttemptSummary attempt;
     Fields fields(row, words);
     const auto text = [&] { return fields.text(); };
@@ -220,6 +225,7 @@ AttemptSummary summary_of_row(const Query& row, const std::vector<std::string>* 
     const std::int64_t judged_by = integer();
     attempt.provisional = judged_by == 1;
     attempt.without_limits = judged_by == 2;
+    replaced = judged_by == 3;
     attempt.void_reason = text();
     attempt.voided_by = text();
     attempt.voided_at = integer();
@@ -293,7 +299,11 @@ Query attempts_query(const Store& store, const Session& session, const AttemptFi
 template <typename Visit>
 void each_row(Query& rows, const AttemptFilter& filter, const Visit& visit) {
     PackedWords words;
-    while (rows.next()) visit(summary_of_row(rows, filter.for_table ? &words.of(rows) : nullptr));
+    while (rows.next()) {
+        bool replaced = false;
+        AttemptSummary attempt = summary_of_row(rows, replaced, filter.for_table ? &words.of(rows) : nullptr);
+        visit(std::move(attempt), replaced);
+    }
 }
 
 }  // namespace
@@ -306,14 +316,31 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
                        limited ? " ORDER BY a.started DESC, a.id LIMIT ?" : " ORDER BY a.started DESC, a.id");
     if (limited) rows.bind(filter.limit);
     std::vector<AttemptSummary> attempts;
-    each_row(rows, filter, [&](AttemptSummary&& attempt) { attempts.push_back(std::move(attempt)); });
+    std::vector<std::size_t> undecided;
+    each_row(rows, filter, [&](AttemptSummary&& attempt, bool replaced) {
+        if (replaced) undecided.push_back(attempts.size());
+        attempts.push_back(std::move(attempt));
+    });
+    ReplacedLimits limits(store.connection());
+    for (const std::size_t i : undecided) limits.decide(attempts[i]);
     return attempts;
 }
 
 void for_each_attempt(const Store& store, const Session& session, const AttemptFilter& filter,
                       const std::function<void(AttemptSummary&&)>& visit) {
     Query rows = attempts_query(store, session, filter, "");
-    each_row(rows, filter, visit);
+    std::vector<AttemptSummary> undecided;
+    each_row(rows, filter, [&](AttemptSummary&& attempt, bool replaced) {
+        if (replaced)
+            undecided.push_back(std::move(attempt));
+        else
+            visit(std::move(attempt));
+    });
+    ReplacedLimits limits(store.connection());
+    for (AttemptSummary& attempt : undecided) {
+        limits.decide(attempt);
+        visit(std::move(attempt));
+    }
 }
 
 [[noreturn]] void unknown_attempt(const std::string& id) {
@@ -339,7 +366,10 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
     Query row(store.connection(), select(false) + "WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next()) unknown_attempt(attempt_id);
-    return summary_of_row(row);
+    bool replaced = false;
+    AttemptSummary attempt = summary_of_row(row, replaced);
+    if (replaced) ReplacedLimits(store.connection()).decide(attempt);
+    return attempt;
 }
 
 std::set<std::string> copies_among(const Store& store, const QString& whose, const std::string& value) {

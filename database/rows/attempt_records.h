@@ -154,7 +154,9 @@ struct AttemptSummary {
     std::uint64_t events = 0;  ///< 0 where the trace was not kept (meta.keep_trace)
     std::string state_hash;
     std::optional<bool> passed;  ///< of the score in force
-    bool provisional = false;    ///< a gate of the score in force has a provisional limit
+    /// A gate of the score in force has a provisional limit; of a failure that was scored after its set had
+    /// been replaced: that set was provisional.
+    bool provisional = false;
     /// It failed, and the gates that a benchmark set judges have no limits: there was no set for it.
     bool without_limits = false;
     std::optional<double> points;

@@ -3,6 +3,7 @@
 // is replaced.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace fulcrum {
@@ -16,5 +17,7 @@ int version_in_file(const std::string& path);
 /// A copy of the set that is replaced, in the folder "superseded" next to it, so that what attempts were held
 /// against can be looked up. Version 0: there is none. Throws std::system_error, InputError.
 void keep_superseded(const std::string& path, int version);
+/// What such a copy of the set at `path`, with this SHA-256, says of being provisional; empty: there is none.
+std::optional<bool> superseded_is_provisional(const std::string& path, const std::string& sha256);
 
 }  // namespace fulcrum

@@ -9,6 +9,7 @@
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/version.h"
 #include "database/rows/crypto.h"
+#include "database/scoring/benchmark_files.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/standard_names.h"
@@ -114,6 +115,10 @@ Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceCla
     limits.set.reset();
     limits.file = {};
     limits.not_comparable = StatementId::limits_replaced;
+    for (const database::AssetFile& file : assets)
+        if (file.name.rfind("benchmarks/", 0) == 0)
+            limits.replaced_provisional =
+                superseded_is_provisional(asset_path(file.name), file.digest).value_or(false);
     return limits;
 }
 
@@ -145,6 +150,12 @@ ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task,
     scored.duration_s = trace.t.empty() ? 0 : trace.t.back();
     scored.score =
         score_attempt(task, trace, events, scored.metrics, limits.comparable(), limits.not_comparable);
+    // A failure counts by the set that was in force at the start (attempt_query.cpp).
+    for (GateResult& gate : scored.score.gates) {
+        if (!limits.replaced_provisional || gate.absent_because.id() != StatementId::limits_replaced)
+            continue;
+        gate.provisional = scored.score.provisional = true;
+    }
     return scored;
 }
 

@@ -38,6 +38,8 @@ struct Limits {
     /// class, fidelity, variant or tissue, or they have to be built again. Without a set and without this the
     /// task has none at all.
     Statement not_comparable;
+    /// Those of the start have been replaced (limits_at_start()), and are known to have been provisional.
+    bool replaced_provisional = false;
 
     /// Name of the set with its version, as stored with an attempt; empty without a set.
     std::string name() const;

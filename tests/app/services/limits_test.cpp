@@ -17,6 +17,7 @@
 #include "assessment/metrics/statement_words.h"
 #include "assessment/scoring/taken_over.h"
 #include "database/records/attempts.h"
+#include "database/scoring/benchmark_files.h"
 #include "database/scoring/limit_trial.h"
 #include "database/scoring/loaded_task.h"
 #include "database/scoring/rescoring.h"
@@ -264,6 +265,42 @@ TEST_F(OwnLimits, OfASiteThatTookTheTasksOverAreFirmUntilTheTaskChangesThem) {
         if (gate["metric"] == "off_screen") gate["limit"] = 31;
     std::ofstream(assets_ / "tasks/A2.json") << newer.dump(1);
     EXPECT_EQ(judged(), (std::vector<std::string>{"off_screen left", "off_screen right"}));
+}
+
+TEST_F(OwnLimits, ThatWereReplacedAreKnownAsProvisionalFromTheirKeptCopy) {
+    const json first = perform({"A2"});
+    const LoadedTask a2 = load_task_and_scene("A2");
+    const Limits begun = limits_for(a2.task, a2.scene, DeviceClass::synthetic);
+    ASSERT_TRUE(begun.set && begun.set->provisional);
+    const database::Store store = database::Store::open(store_);
+    const database::Session station = store.station_session();
+    const database::Attempts attempts(store);
+    const std::string id = first["attempt"].get<std::string>();
+    const std::vector<database::AssetFile> assets = attempts.assets(station, id);
+    const auto replaced_limits = [&] {
+        return limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, begun.name(), assets);
+    };
+    EXPECT_FALSE(replaced_limits().replaced_provisional) << "they are still in force";
+    keep_superseded((assets_ / "benchmarks/A2.json").string(), begun.set->version);
+    change_set("A2", [](json& set) {
+        set["version"] = set["version"].get<int>() + 1;
+        set["provisional"] = false;
+    });
+    const Limits replaced = replaced_limits();
+    EXPECT_EQ(replaced.not_comparable, Statement(StatementId::limits_replaced));
+    EXPECT_TRUE(replaced.replaced_provisional);
+    const ScoredAttempt scored = score_stored(attempts, station, attempts.read(station, id), a2, replaced);
+    int marked = 0;
+    for (const GateResult& gate : scored.score.gates) {
+        if (gate.kind != GateKind::benchmark) continue;
+        ++marked;
+        EXPECT_TRUE(gate.provisional) << gate.metric;
+        EXPECT_FALSE(gate.limit.has_value()) << gate.metric;
+    }
+    EXPECT_GT(marked, 0);
+    EXPECT_FALSE(scored.score.passed.has_value()) << "it is not held against other limits";
+    std::filesystem::remove_all(assets_ / "benchmarks/superseded");
+    EXPECT_FALSE(replaced_limits().replaced_provisional) << "nobody knows";
 }
 
 TEST_F(OwnLimits, ThatHaveToBeBuiltAgainJudgeNothingAndStopNothing) {

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include "assessment/assets/assets.h"
 #include "database/records/person_merge.h"
 #include "database/records/ratings.h"
+#include "database/store/accepted_assets.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database {
@@ -82,31 +86,88 @@ TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     }
 }
 
-TEST(Standings, AFailureScoredAfterItsLimitsWereReplacedCountsByTheLimitsOfItsStart) {
-    const Programme programme;
-    const std::int64_t begin = programme.store->now();
-    for (const char* limits : {"A2-site@1", "A2-provisional@1", ""}) {
-        AttemptResult result = test::example_result(false, 0);
-        for (GateRow& gate : result.score->gates) {
-            if (gate.kind != GateKind::benchmark) continue;
-            gate.limit = gate.z = gate.points = std::nullopt;
-            gate.limit_source.clear();
-            gate.passed = gate.provisional = false;
-            gate.not_passed_because = Statement(StatementId::limits_replaced);
-        }
-        AttemptMeta meta = test::example_meta(programme.id("ann"));
-        meta.limits = limits;
-        Recorder(programme.path, programme.session("ann"), meta, programme.clock.options()).finish(result);
-        programme.clock.pass_s(60);
+/// A failure that was scored after its set had been replaced; `known`: the score has that it was provisional.
+/// Its name says nothing.
+std::string record_replaced(const Programme& programme, const std::string& digest, bool known = false) {
+    AttemptResult result = test::example_result(false, 0);
+    for (GateRow& gate : result.score->gates) {
+        if (gate.kind != GateKind::benchmark) continue;
+        gate.limit = gate.z = gate.points = std::nullopt;
+        gate.limit_source.clear();
+        gate.passed = false;
+        gate.provisional = known;
+        gate.not_passed_because = Statement(StatementId::limits_replaced);
     }
+    AttemptMeta meta = test::example_meta(programme.id("ann"));
+    meta.limits = "A2-site@1";
+    if (!digest.empty()) meta.assets.push_back({"benchmarks/A2.json", digest});
+    Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
+    recorder.finish(result);
+    programme.clock.pass_s(60);
+    return recorder.attempt_id();
+}
+
+TEST(Standings, AFailureScoredAfterItsLimitsWereReplacedCountsByTheSetOfItsStart) {
+    const Programme programme;
+    const AcceptedAssets accepted(*programme.store);
+    const auto digest = [](char of) { return std::string(64, of); };
+    accepted.accept(programme.session("educator"), {"benchmarks/A2.json", digest('a')}, "ours",
+                    R"({"provisional": false})");
+    accepted.accept(programme.session("educator"), {"benchmarks/A2.json", digest('b')}, "for now",
+                    R"({"provisional": true})");
+    for (const char of : {'c', 'd'})
+        accepted.accept(programme.session("educator"), {"benchmarks/A2.json", digest(of)}, "not passed on");
+    // Of ben, by a set that nobody keeps.
+    AttemptMeta judged = test::example_meta(programme.id("ben"));
+    judged.limits = "A2-site@1";
+    judged.assets.push_back({"benchmarks/A2.json", digest('c')});
+    AttemptResult result = test::example_result(true, 70);
+    for (GateRow& gate : result.score->gates) gate.provisional = gate.kind == GateKind::benchmark;
+    Recorder(programme.path, programme.session("ben"), judged, programme.clock.options()).finish(result);
+
+    enum class By { firm, provisional, none };
+    const std::map<std::string, By> expected = {
+        {record_replaced(programme, digest('a')), By::firm},
+        {record_replaced(programme, digest('b')), By::provisional},
+        {record_replaced(programme, digest('c')), By::provisional},
+        {record_replaced(programme, digest('d')), By::none},
+        {record_replaced(programme, digest('d'), true), By::provisional}};
+    const auto check = [&](const AttemptSummary& one) {
+        const By by = expected.at(one.meta.id);
+        EXPECT_EQ(one.provisional, by == By::provisional) << static_cast<int>(by);
+        EXPECT_EQ(one.without_limits, by == By::none) << static_cast<int>(by);
+    };
+    AttemptFilter filter;
+    filter.person_id = programme.id("ann");
+    const Attempts attempts = programme.attempts();
+    const std::vector<AttemptSummary> listed = attempts.list(programme.session("educator"), filter);
+    ASSERT_EQ(listed.size(), expected.size());
+    EXPECT_TRUE(std::is_sorted(listed.begin(), listed.end(), [](const auto& a, const auto& b) {
+        return a.meta.started > b.meta.started;
+    })) << "newest first";
+    for (const AttemptSummary& one : listed) check(one);
+    for (const auto& [id, by] : expected) check(attempts.read(programme.session("educator"), id));
     const PersonRecord counted =
         Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), rectal());
-    ASSERT_EQ(counted.attempts.size(), 3U);
-    for (const CountedAttempt& one : counted.attempts) {
-        const std::int64_t minute = (one.time - begin) / 60'000;
-        EXPECT_EQ(one.provisional, minute == 1) << minute;
-        EXPECT_EQ(one.without_limits, minute == 2) << minute;
-    }
+    ASSERT_EQ(counted.attempts.size(), expected.size());
+    EXPECT_EQ(std::count_if(counted.attempts.begin(), counted.attempts.end(),
+                            [](const CountedAttempt& one) { return one.provisional; }),
+              3);
+}
+
+TEST(Standings, AFailureByAReplacedSetFromBeforeFilesWereKeptCountsAsAnAttemptThatItJudged) {
+    const Programme programme;
+    const std::string unknown = record_replaced(programme, "");
+    EXPECT_TRUE(programme.attempts().read(programme.session("educator"), unknown).without_limits);
+    AttemptMeta judged = test::example_meta(programme.id("ben"));
+    judged.limits = "A2-site@1";
+    AttemptResult result = test::example_result(true, 70);
+    result.score->limits = judged.limits;
+    for (GateRow& gate : result.score->gates) gate.provisional = false;
+    Recorder(programme.path, programme.session("ben"), judged, programme.clock.options()).finish(result);
+    const AttemptSummary known = programme.attempts().read(programme.session("educator"), unknown);
+    EXPECT_FALSE(known.without_limits);
+    EXPECT_FALSE(known.provisional);
 }
 
 TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
