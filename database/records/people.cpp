@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <algorithm>
+#include <map>
 
 #include "database/access/session_maker.h"
 #include "database/records/attempt_query.h"
@@ -438,7 +439,19 @@ std::vector<Person> People::list(const Session& session) const {
     bind_visible_people(rows, session, Operation::list_people);
     std::vector<Person> people;
     while (rows.next()) people.push_back(person_of_row(rows));
-    for (Person& person : people) person.roles = roles_of(store_.connection(), person.id);
+    // One query for all: a programme has thousands.
+    std::map<std::string, std::vector<Role>> held;
+    Query roles(store_.connection(), "SELECT person_id, role FROM person_role");
+    while (roles.next()) {
+        Role role = Role::trainee;
+        if (parse_role(roles.text(1), role)) held[roles.text(0)].push_back(role);
+    }
+    for (Person& person : people) {
+        const auto found = held.find(person.id);
+        if (found == held.end()) continue;
+        person.roles = std::move(found->second);
+        std::sort(person.roles.begin(), person.roles.end());
+    }
     return people;
 }
 

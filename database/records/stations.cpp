@@ -11,12 +11,12 @@ namespace fulcrum::database {
 std::vector<KnownStation> known_stations(const Store& store, const Session& session) {
     store.require(session, Operation::view_audit);
     Connection& connection = store.connection();
-    Query rows(connection,
-               "SELECT s.id, s.name, s.created, "
-               "(SELECT COUNT(*) FROM attempt a WHERE a.station_id = s.id), "
-               "COALESCE((SELECT MAX(a.started) FROM attempt a WHERE a.station_id = s.id), 0), "
-               "COALESCE((SELECT MAX(e.time) FROM audit_entry e WHERE e.station_id = s.id), 0) "
-               "FROM station s ORDER BY s.name, s.id");
+    Query rows(
+        connection,
+        "SELECT s.id, s.name, s.created, COALESCE(a.attempts, 0), COALESCE(a.newest, 0), "
+        "COALESCE((SELECT MAX(e.time) FROM audit_entry e WHERE e.station_id = s.id), 0) "
+        "FROM station s LEFT JOIN (SELECT station_id, COUNT(*) AS attempts, MAX(started) AS newest FROM "
+        "attempt GROUP BY station_id) a ON a.station_id = s.id ORDER BY s.name, s.id");
     std::vector<KnownStation> stations;
     while (rows.next()) {
         KnownStation one;

@@ -37,6 +37,11 @@ class Screens : public ::testing::Test {
         choose_page(*window, name);
         settle();
     }
+    /// Without waiting for what the page reads in the background.
+    void go_to_now(const char* name) {
+        choose_page(*window, name);
+        QCoreApplication::processEvents();
+    }
     /// The trainee's attempt A2, by mouse, with too much force; its id.
     std::string perform();
     void wait_for_debrief();

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDateEdit>
+#include <algorithm>
 
 #include "database/records/people.h"
 #include "ui/administration/audit_words.h"
@@ -36,10 +37,20 @@ QDateEdit* make_day(const QString& label, const char* name) {
     return day;
 }
 
-struct ChainState {
+/// The choice stays what it was.
+void refill(QComboBox* box, const QString& all, const std::vector<std::pair<QString, QString>>& rows) {
+    const QString before = box->currentData().toString();
+    box->clear();
+    box->addItem(all, QString());
+    for (const auto& [shown, id] : rows) box->addItem(shown, id);
+    box->setCurrentIndex(std::max(0, box->findData(before)));
+}
+
+struct LogState {
     std::vector<Sentence> problems;
     std::int64_t rows = 0;
     std::string head;
+    std::vector<std::string> kinds;
 };
 
 }  // namespace
@@ -78,6 +89,7 @@ QWidget* AuditPage::build_filters() {
     auto* row = new FlowRow(filters);
     person_ = make_choice(tr("Person"), "audit_person");
     kind_ = make_choice(tr("Kind"), "audit_kind");
+    kind_->addItem(tr("Everything"), QString());  // until the log was read
     period_ = make_choice(tr("Period"), "audit_period");
     period_->addItem(tr("All time"), all_time);
     period_->addItem(tr("Today"), 0);
@@ -105,7 +117,7 @@ QWidget* AuditPage::build_filters() {
 }
 
 void AuditPage::enter() {
-    fill_filters();
+    fill_people();
     load();
     verify();
     table_->setFocus();
@@ -116,29 +128,25 @@ void AuditPage::leave() {
     job_ = nullptr;
 }
 
-void AuditPage::fill_filters() {
-    const auto refill = [](QComboBox* box, const QString& all,
-                           const std::vector<std::pair<QString, QString>>& rows) {
-        const QString before = box->currentData().toString();
-        box->clear();
-        box->addItem(all, QString());
-        for (const auto& [shown, id] : rows) box->addItem(shown, id);
-        box->setCurrentIndex(std::max(0, box->findData(before)));
-    };
-    std::vector<std::pair<QString, QString>> people, kinds;
+void AuditPage::fill_people() {
+    std::vector<std::pair<QString, QString>> people;
     context().guarded([&] {
         for (const database::Person& person : database::People(context().store()).list(context().session()))
             people.emplace_back(text(person.display_name), text(person.id));
-        QString group;
-        for (const std::string& kind : database::Audit(context().store()).kinds(context().session())) {
-            const QString name = text(kind), front = name.section(QLatin1Char('.'), 0, 0);
-            if (front != group && name.contains(QLatin1Char('.')))
-                kinds.emplace_back(audit_group_text(plain(front)), front);
-            group = front;
-            kinds.emplace_back(audit_operation_text(kind), name);
-        }
     });
     refill(person_, tr("Everyone"), people);
+}
+
+void AuditPage::fill_kinds(const std::vector<std::string>& found) {
+    std::vector<std::pair<QString, QString>> kinds;
+    QString group;
+    for (const std::string& kind : found) {
+        const QString name = text(kind), front = name.section(QLatin1Char('.'), 0, 0);
+        if (front != group && name.contains(QLatin1Char('.')))
+            kinds.emplace_back(audit_group_text(plain(front)), front);
+        group = front;
+        kinds.emplace_back(audit_operation_text(kind), name);
+    }
     refill(kind_, tr("Everything"), kinds);
 }
 
@@ -206,18 +214,19 @@ void AuditPage::verify() {
     leave();
     chain_->setText(tr("Checking the audit log …"));
     chain_->setStyleSheet({});
-    auto state = std::make_shared<ChainState>();
+    auto state = std::make_shared<LogState>();
     job_ = BackgroundJob::run(
         this,
-        [state, path = context().store().path()](const Progress&) {
+        [state, session = context().session(), path = context().store().path()](const Progress&) {
             database::StoreOptions options;
             options.read_only = true;
             const database::Store store = database::Store::open(path, options);
             const database::Audit audit(store);
-            *state = {audit.verify(), audit.count(), audit.head()};
+            *state = {audit.verify(), audit.count(), audit.head(), audit.kinds(session)};
         },
         [this, state] {
             job_ = nullptr;
+            fill_kinds(state->kinds);
             const bool holds = state->problems.empty();
             QString line = holds ? tr("✓ The audit log is intact: %1 rows.\nNewest hash: %2")
                                  : tr("✕ The audit log is damaged: %1 rows.\nNewest hash: %2");

@@ -32,10 +32,12 @@ class AuditPage : public Page {
 
   private:
     QWidget* build_filters();
-    void fill_filters();
+    void fill_people();
+    void fill_kinds(const std::vector<std::string>& found);
     void load();
     void load_older();
     void show_entries(const std::vector<database::AuditEntry>& entries);
+    /// Reads the whole log in the background: whether it holds, and which kinds of rows it has.
     void verify();
     database::AuditFilter filter() const;
 

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QTableWidget>
 #include <algorithm>
+#include <memory>
 
 #include "sim_core/numerics/output_file.h"
 #include "ui/page/background_job.h"
@@ -86,6 +87,7 @@ ImportCard::ImportCard(Context& context)
     layout->addWidget(bar_);
     details_->hide();
     connect(import_, &QPushButton::clicked, this, &ImportCard::import);
+    connect(bar_, &JobBar::cancelled, this, [this] { look_job_ = nullptr; });
 }
 
 ImportCard::~ImportCard() {
@@ -125,8 +127,14 @@ void ImportCard::choose(bool folder) {
     dialog->open();
 }
 
+void ImportCard::stop_looking() {
+    if (look_job_ != nullptr) look_job_->cancel();
+    look_job_ = nullptr;
+}
+
 void ImportCard::forget() {
     if (job_ != nullptr) return;
+    stop_looking();
     plan_.clear();
     left_out_.clear();
     details_->hide();
@@ -140,14 +148,35 @@ void ImportCard::look() {
         path_->setFocus();
         return;
     }
-    context_.guarded([&] {
-        const database::Roster roster = database::read_roster(path.toStdString());
-        plan_ = database::RosterImport(context_.store(), context_.session()).plan_people(roster);
-        for (const Sentence& line : roster.left_out) left_out_ << sentence_text(line);
-        const QDir folder = QFileInfo(path).isDir() ? QDir(path) : QFileInfo(path).dir();
-        passwords_->setText(QDir::toNativeSeparators(folder.filePath(QStringLiteral("passwords.csv"))));
-        show_plan();
-    });
+    struct Found {
+        std::vector<database::PersonImport> plan;
+        std::vector<Sentence> left_out;
+    };
+    auto found = std::make_shared<Found>();
+    look_job_ = BackgroundJob::run(
+        this,
+        [found, list = path.toStdString(), session = context_.session(),
+         store_path = context_.store().path()](const Progress&) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(store_path, options);
+            const database::Roster roster = database::read_roster(list);
+            found->plan = database::RosterImport(store, session).plan_people(roster);
+            found->left_out = roster.left_out;
+        },
+        [this, found, path] {
+            look_job_ = nullptr;
+            plan_ = std::move(found->plan);
+            for (const Sentence& line : found->left_out) left_out_ << sentence_text(line);
+            const QDir folder = QFileInfo(path).isDir() ? QDir(path) : QFileInfo(path).dir();
+            passwords_->setText(QDir::toNativeSeparators(folder.filePath(QStringLiteral("passwords.csv"))));
+            show_plan();
+        },
+        [this](const QString& why) {
+            look_job_ = nullptr;
+            context_.complain(why);
+        });
+    bar_->watch(look_job_, tr("Reading the list …"));
 }
 
 void ImportCard::show_plan() {
@@ -258,6 +287,7 @@ void ImportCard::finish(const std::vector<database::PersonImport>& steps, const 
 }
 
 void ImportCard::stop() {
+    stop_looking();
     if (job_ != nullptr) job_->cancel();
 }
 

@@ -24,7 +24,7 @@ class ImportCard : public QFrame {
   public:
     explicit ImportCard(Context& context);
     ~ImportCard() override;
-    /// Stops a running import; who was created before keeps a password in the file.
+    /// Stops a running import, or the reading of a list; who was created before keeps a password in the file.
     void stop();
 
   signals:
@@ -34,8 +34,9 @@ class ImportCard : public QFrame {
   private:
     QWidget* make_path_row();
     void choose(bool folder);
-    /// Reads the list and shows what an import would do.
+    /// Reads the list in the background and shows what an import would do.
     void look();
+    void stop_looking();
     void show_plan();
     void import();
     void finish(const std::vector<database::PersonImport>& steps, const QString& passwords);
@@ -50,7 +51,7 @@ class ImportCard : public QFrame {
     QLabel* summary_;
     QWidget* details_;
     JobBar* bar_;
-    BackgroundJob* job_ = nullptr;
+    BackgroundJob *job_ = nullptr, *look_job_ = nullptr;
 };
 
 }  // namespace fulcrum::ui

@@ -163,7 +163,8 @@ void StationPage::enter() {
 
 void StationPage::leave() {
     if (job_ != nullptr) job_->cancel();
-    ended();
+    free_buttons();
+    stations_->stop();
 }
 
 void StationPage::start(BackgroundJob* job, const QString& line) {
@@ -175,12 +176,16 @@ void StationPage::start(BackgroundJob* job, const QString& line) {
     server_->set_busy(true);
 }
 
-void StationPage::ended() {
+void StationPage::free_buttons() {
     job_ = nullptr;
     check_->setEnabled(true);
     backup_->setEnabled(true);
     restore_->setEnabled(true);
     server_->set_busy(false);
+}
+
+void StationPage::ended() {
+    free_buttons();
     if (isVisible()) stations_->look();
 }
 

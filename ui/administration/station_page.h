@@ -40,6 +40,7 @@ class StationPage : public Page {
     void show_report(const database::CheckReport& report);
     void start(BackgroundJob* job, const QString& line);
     void ended();
+    void free_buttons();
 
     QLabel *place_, *verdict_;
     QTableWidget *items_, *keys_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/administration/stations_card.h"
 
-#include "database/records/stations.h"
-#include "ui/language/error_text.h"
+#include <memory>
+
 #include "ui/language/language.h"
+#include "ui/page/background_job.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -26,15 +27,33 @@ StationsCard::StationsCard(Context& context) : context_(context) {
 }
 
 void StationsCard::look() {
+    stop();
     hide();
     if (!context_.allowed(database::Operation::view_audit)) return;
-    std::vector<database::KnownStation> stations;
-    try {
-        stations = database::known_stations(context_.store(), context_.session());
-    } catch (const std::exception& error) {
-        context_.complain(error_text(error));
-        return;
-    }
+    auto stations = std::make_shared<std::vector<database::KnownStation>>();
+    job_ = BackgroundJob::run(
+        this,
+        [stations, session = context_.session(), path = context_.store().path()](const Progress&) {
+            database::StoreOptions options;
+            options.read_only = true;
+            *stations = database::known_stations(database::Store::open(path, options), session);
+        },
+        [this, stations] {
+            job_ = nullptr;
+            show_stations(*stations);
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            context_.complain(why);
+        });
+}
+
+void StationsCard::stop() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+}
+
+void StationsCard::show_stations(const std::vector<database::KnownStation>& stations) {
     if (stations.size() < 2) return;
     show();
     table_->setRowCount(0);

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <map>
+#include <memory>
 
 #include "database/records/people.h"
 #include "ui/dashboards/trace_import_card.h"
@@ -110,7 +111,7 @@ void AttemptsPage::enter() {
     table_->setColumnHidden(0, own);  // a trainee sees their own
     hide_columns();
     fill_requests();
-    fill_cut_off();
+    look_for_cut_off();
     load();
     count_stale();
     const bool may_import = !own && context().allowed(database::Operation::import_attempt);
@@ -142,8 +143,10 @@ QWidget* AttemptsPage::build_buttons() {
 
 void AttemptsPage::leave() {
     import_->stop();
-    if (job_ != nullptr) job_->cancel();
-    job_ = nullptr;
+    for (BackgroundJob** job : {&job_, &cut_off_job_}) {
+        if (*job != nullptr) (*job)->cancel();
+        *job = nullptr;
+    }
 }
 
 QFrame* AttemptsPage::build_stale() {
@@ -300,13 +303,34 @@ void AttemptsPage::fill_requests() {
     }
 }
 
-void AttemptsPage::fill_cut_off() {
+void AttemptsPage::look_for_cut_off() {
+    if (cut_off_job_ != nullptr) cut_off_job_->cancel();
+    cut_off_job_ = nullptr;
+    show_cut_off({});
+    if (context().session().role() == database::Role::trainee) return;
+    auto series = std::make_shared<std::vector<database::CutOffSeries>>();
+    cut_off_job_ = BackgroundJob::run(
+        this,
+        [series, session = context().session(), path = context().store().path()](const Progress&) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(path, options);
+            *series = database::Attempts(store).cut_off_series(session);
+        },
+        [this, series] {
+            cut_off_job_ = nullptr;
+            show_cut_off(*series);
+        },
+        [this](const QString& why) {
+            cut_off_job_ = nullptr;
+            context().complain(why);
+        });
+}
+
+void AttemptsPage::show_cut_off(const std::vector<database::CutOffSeries>& series) {
     clear_layout(cut_off_);
-    std::vector<database::CutOffSeries> series;
-    if (context().session().role() != database::Role::trainee)
-        context().guarded(
-            [&] { series = database::Attempts(context().store()).cut_off_series(context().session()); });
     cut_off_card_->setVisible(!series.empty());
+    if (series.empty()) return;
     cut_off_->addWidget(make_label(
         tr("People with three or more interrupted attempts in a row: %1").arg(series.size()), "heading"));
     for (const database::CutOffSeries& one : series) {

@@ -42,7 +42,9 @@ class AttemptsPage : public Page {
     void fill_filters();
     void hide_columns();
     void fill_requests();
-    void fill_cut_off();
+    /// Reads every attempt: in the background.
+    void look_for_cut_off();
+    void show_cut_off(const std::vector<database::CutOffSeries>& series);
     void load();
     void open_row(int row);
 
@@ -54,7 +56,7 @@ class AttemptsPage : public Page {
     QLabel *stale_, *stale_names_;
     QPushButton* recompute_;
     JobBar* bar_;
-    BackgroundJob* job_ = nullptr;
+    BackgroundJob *job_ = nullptr, *cut_off_job_ = nullptr;
     QComboBox *cohort_, *person_, *task_;
     QTableWidget* table_;
     TraceImportCard* import_;

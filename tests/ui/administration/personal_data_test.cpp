@@ -4,13 +4,12 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QThreadPool>
-#include <future>
 
 #include "database/rows/connection.h"
 #include "database/store/audit.h"
 #include "database/sync/person_data.h"
 #include "tests/database/station_keys.h"
+#include "tests/ui/held_work.h"
 #include "tests/ui/screens.h"
 #include "ui/administration/personal_data_page.h"
 #include "ui/language/language.h"
@@ -20,36 +19,6 @@
 
 namespace fulcrum::ui::window_test {
 namespace {
-
-/// Work in the background waits until it is released.
-class HeldWork {
-  public:
-    HeldWork() : threads_(pool().maxThreadCount()) {
-        pool().waitForDone();
-        pool().setMaxThreadCount(1);
-        BackgroundJob::run(
-            &owner_, [released = release_.get_future().share()](const Progress&) { released.wait(); }, [] {},
-            [](const QString&) {});
-    }
-    ~HeldWork() {
-        release();
-        pool().waitForDone();
-        pool().setMaxThreadCount(threads_);
-    }
-    HeldWork(const HeldWork&) = delete;
-    HeldWork& operator=(const HeldWork&) = delete;
-    void release() {
-        if (!released_) release_.set_value();
-        released_ = true;
-    }
-
-  private:
-    static QThreadPool& pool() { return *QThreadPool::globalInstance(); }
-    QObject owner_;
-    std::promise<void> release_;
-    int threads_;
-    bool released_ = false;
-};
 
 class PersonalData : public Screens {
   protected:
@@ -78,11 +47,6 @@ class PersonalData : public Screens {
         settle();
     }
     QString message() { return window->findChild<QLabel*>("message_text")->text(); }
-    /// Without waiting for what the page reads then.
-    void go_to_now(const char* name) {
-        choose_page(*window, name);
-        QCoreApplication::processEvents();
-    }
     void press(const char* name) {
         bring(*find<QAbstractButton>(*window, name));
         click(*window, name);

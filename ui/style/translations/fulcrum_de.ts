@@ -14633,6 +14633,10 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::ImportCard</name>
     <message>
+        <source>Reading the list …</source>
+        <translation>Die Liste wird gelesen …</translation>
+    </message>
+    <message>
         <source>new account</source>
         <translation>neues Konto</translation>
     </message>
