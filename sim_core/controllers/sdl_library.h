@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions and numbers of SDL 2 that game controllers need, declared here so that the program is built
-// without it. Checked against its header where that is installed (tests/sim_core/controllers).
+// without it. Checked against its header (tests/sim_core/controllers).
 #pragma once
 
 #include <cstdint>

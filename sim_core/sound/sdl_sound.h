@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions and numbers of SDL 2 that sound needs, declared here so that the program is built without it.
-// Checked against its header where that is installed (tests/sim_core/sound).
+// Checked against its header (tests/sim_core/sound).
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/virtual_pad.h"
 
-#if __has_include(<SDL2/SDL.h>)
 #define SDL_MAIN_HANDLED
 #include <SDL2/SDL.h>
 #include <dlfcn.h>
@@ -76,13 +75,3 @@ std::unique_ptr<VirtualPad> make_pad_of_sdl(const char* name) {
 }
 
 }  // namespace fulcrum::app::program_test
-
-#else
-
-namespace fulcrum::app::program_test {
-std::unique_ptr<VirtualPad> make_pad_of_sdl(const char*) {
-    return nullptr;
-}
-}  // namespace fulcrum::app::program_test
-
-#endif

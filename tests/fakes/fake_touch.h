@@ -32,6 +32,7 @@ struct FakeTouchPage {
     std::atomic<std::uint32_t> old_firmware{0};  ///< 1: errors are put down to the firmware
     std::atomic<std::uint32_t> init_errors{0};   ///< how many calls get it; then hdInitDevice works
     std::atomic<std::uint32_t> hang{0};          ///< 1: the servo loop stops
+    std::atomic<std::uint32_t> of_desktop{0};    ///< 1: it takes the language of the desktop, as libraries do
     std::atomic<std::uint32_t> inits{0}, closed_in_order{0}, rate{0};
     std::atomic<std::uint32_t> misuse{0};  ///< calls in an order that the library does not allow
     std::atomic<std::uint32_t> comma{0};   ///< 1: numbers were written in the language of the desktop

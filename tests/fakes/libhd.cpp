@@ -86,6 +86,7 @@ std::uint32_t hdInitDevice(const char* name) {
     if (!runs) mapped.map();
     std::printf("DEVELOPER EDITION: commercial distribution is prohibited\n");
     std::fflush(stdout);
+    if (page()->of_desktop == 1) std::setlocale(LC_ALL, "");
     char number[16];
     std::snprintf(number, sizeof number, "%.1f", 0.5);
     if (std::strcmp(number, "0.5") != 0) page()->comma = 1;

@@ -339,8 +339,9 @@ TEST_F(SiteTissue, TheHeadOfTheSitesColumnIsWholeInLargeGermanText) {
 }
 
 TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
-    const fulcrum::test::GermanLocale
-        german;  // in a locale with decimal commas numbers still have a decimal point
+    // In a locale with decimal commas numbers still have a decimal point.
+    const fulcrum::test::GermanLocale german;
+    ASSERT_TRUE(german.in_force()) << "localedef cannot make de_DE: install the package locales";
     programme.store.reset();
     const std::string password_file = programme.folder.filePath("password.txt").toStdString();
     QFile out(QString::fromStdString(password_file));

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Game controllers through the real loading of a library: a fake of SDL 2 with every fault, and SDL 2 itself
-// with a virtual controller where it is installed.
+// with a virtual controller.
 #include "sim_core/controllers/game_controller.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cmath>
 #include <thread>
 
@@ -16,11 +15,10 @@
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_sdl.h"
 #include "tests/support/built.h"
+#include "tests/support/german_locale.h"
 
-#if __has_include(<SDL2/SDL.h>)
 #define SDL_MAIN_HANDLED
 #include <SDL2/SDL.h>
-#endif
 
 namespace fulcrum {
 namespace {
@@ -272,22 +270,20 @@ TEST_F(GameControllers, AreListedWhileOneIsReadAndWhileNoneIs) {
 }
 
 TEST_F(GameControllers, MeasuresItsRateInAGermanProgram) {
-    std::setlocale(LC_ALL, "de_DE.UTF-8");
+    const test::GermanLocale german;
+    ASSERT_TRUE(german.in_force()) << "localedef cannot make de_DE: install the package locales";
     const auto pad = GameController::open();
     ASSERT_TRUE(until([&] { return pad->readings().rate > 0; }));
     const ControllerReadings now = pad->readings();
     EXPECT_GT(now.rate, 100);
     EXPECT_LT(now.rate, 260);
     EXPECT_GT(now.worst_gap, 0.003);
-    std::setlocale(LC_ALL, "C");
 }
-
-#if __has_include(<SDL2/SDL.h>)
 
 /// SDL 2 itself, loaded as the program loads it, with a controller that exists in it alone.
 TEST(GameControllerOfSdl, AVirtualControllerIsReadAndRumbles) {
     void* const library = dlopen("libSDL2-2.0.so.0", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) GTEST_SKIP() << dlerror();
+    ASSERT_NE(library, nullptr) << dlerror();
     const auto function = [library](const char* name) { return dlsym(library, name); };
     const auto init = reinterpret_cast<decltype(&SDL_InitSubSystem)>(function("SDL_InitSubSystem"));
     const auto quit = reinterpret_cast<decltype(&SDL_QuitSubSystem)>(function("SDL_QuitSubSystem"));
@@ -298,7 +294,7 @@ TEST(GameControllerOfSdl, AVirtualControllerIsReadAndRumbles) {
     const auto open = reinterpret_cast<decltype(&SDL_JoystickOpen)>(function("SDL_JoystickOpen"));
     const auto set_axis =
         reinterpret_cast<decltype(&SDL_JoystickSetVirtualAxis)>(function("SDL_JoystickSetVirtualAxis"));
-    if (attach == nullptr) GTEST_SKIP() << "this SDL 2 has no virtual controllers";
+    ASSERT_NE(attach, nullptr) << "this SDL 2 has no virtual controllers: install one from 2.24 on";
     ASSERT_EQ(init(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER), 0);
     static std::atomic<int> slow{-1};
     SDL_VirtualJoystickDesc description{};
@@ -330,8 +326,6 @@ TEST(GameControllerOfSdl, AVirtualControllerIsReadAndRumbles) {
     }
     quit(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
 }
-
-#endif
 
 }  // namespace
 }  // namespace fulcrum

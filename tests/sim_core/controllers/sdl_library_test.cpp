@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions and numbers of SDL 2 that are declared here are those of its header, where that is installed.
+// The functions and numbers of SDL 2 that are declared here are those of its header.
 #include <gtest/gtest.h>
 
 #include <type_traits>
 
 #include "sim_core/controllers/sdl_library.h"
 
-#if __has_include(<SDL2/SDL.h>)
 #define SDL_MAIN_HANDLED
 #include <SDL2/SDL.h>
-#endif
 
 namespace fulcrum::controllers {
 namespace {
-
-#if __has_include(<SDL2/SDL.h>)
 
 /// A parameter or result as the machine passes it: pointers, enums and integers by their size and sign.
 template <typename T>
@@ -107,14 +103,6 @@ TEST(SdlLibrary, KnowsTheNumbersOfTheHeader) {
     EXPECT_STREQ(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS");
     EXPECT_STREQ(SDL_HINT_GAMECONTROLLER_USE_BUTTON_LABELS, "SDL_GAMECONTROLLER_USE_BUTTON_LABELS");
 }
-
-#else
-
-TEST(SdlLibrary, DeclaresTheFunctionsOfTheHeader) {
-    GTEST_SKIP() << "SDL2/SDL.h is not installed";
-}
-
-#endif
 
 }  // namespace
 }  // namespace fulcrum::controllers
