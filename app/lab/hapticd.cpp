@@ -100,7 +100,8 @@ Measured measure_hapticd(double seconds) {
         row("force: from the program to the motors", trial.force_delay);
         counts +=
             "Load " + name + ": " + std::to_string(trial.device_late) + " of " +
-            std::to_string(trial.device_ticks) + " ticks of the device process and " +
+            std::to_string(trial.device_ticks) + " ticks of the device process (" +
+            std::to_string(trial.device_late_own) + " by its own doing) and " +
             std::to_string(trial.reader_late) + " of " + std::to_string(trial.reader_ticks) +
             " ticks of the program began a period late or more; " + lab::short_number(trial.rate, 5) +
             " readings a second; real-time priority of the program: " + (trial.real_time ? "yes" : "no") +
@@ -110,6 +111,7 @@ Measured measure_hapticd(double seconds) {
                         {"rate_hz", trial.rate},
                         {"device_ticks", trial.device_ticks},
                         {"device_late", trial.device_late},
+                        {"device_late_own", trial.device_late_own},
                         {"reader_ticks", trial.reader_ticks},
                         {"reader_late", trial.reader_late},
                         {"reader_real_time", trial.real_time},

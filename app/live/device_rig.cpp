@@ -118,6 +118,7 @@ DeviceTiming DeviceRig::timing() const {
     state_.loop.read(loop);
     timing.device_ticks = loop.ticks - loop_at_begin_.ticks;
     timing.device_late = loop.late - loop_at_begin_.late;
+    timing.device_late_own = loop.late_own - loop_at_begin_.late_own;
     timing.real_time_priority = loop.real_time != 0;
     return timing;
 }

@@ -97,6 +97,7 @@ DeviceTrial try_device(DaemonClient& client, double seconds, double peak_force,
     client.state().loop.read(at_end);
     trial.device_ticks = at_end.ticks - at_begin.ticks;
     trial.device_late = at_end.late - at_begin.late;
+    trial.device_late_own = at_end.late_own - at_begin.late_own;
     for (int i = 0; i < device_slots; ++i) {
         if (client.facts().slot[i])
             trial.readings = std::max(trial.readings, trial.newest[i].sequence - first[i].sequence);

@@ -16,7 +16,7 @@ struct DeviceTrial {
     std::uint64_t readings = 0;
     std::uint64_t reader_ticks = 0;
     std::uint64_t reader_late = 0;  ///< ticks of the reader that began a period or more late
-    std::uint64_t device_ticks = 0, device_late = 0;
+    std::uint64_t device_ticks = 0, device_late = 0, device_late_own = 0;
     Durations reader_wake;  ///< delay of the reader's ticks: what the program has without the daemon
     Durations device_wake;  ///< difference of two readings from the device's period
     Durations pose_age;     ///< from reading the device to the program's tick that uses it

@@ -10,7 +10,9 @@
 #include "app/live/force_release.h"
 #include "app/live/frame_follower.h"
 #include "app/live/real_time.h"
+#include "app/live/record_items.h"
 #include "app/live/scope_hold.h"
+#include "app/live/sleep_account.h"
 #include "app/live/world_products.h"
 #include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
@@ -27,16 +29,6 @@ constexpr int recorder_pace_ms = 20;  // a broken limit is stored within 50 ms: 
 constexpr int catch_up_ticks = 20;    // above this delay the deadline is moved instead
 constexpr std::int64_t longest_gap_ns =
     1000LL * 1'000'000;  // stopped for longer, an assessed attempt is practice: there was time to think
-
-struct RecordTick {
-    RigSample input;
-    TickSample sample;
-};
-struct RecordWorld {
-    bool is_event = false;
-    Event event;
-    StepRecord step;
-};
 
 }  // namespace
 

@@ -32,6 +32,7 @@ nlohmann::json statistics_json(const LoopStatistics& statistics) {
                           {"jitter_us", durations_json(device->jitter)},
                           {"ticks", device->device_ticks},
                           {"late", device->device_late},
+                          {"late_own", device->device_late_own},
                           {"real_time_priority", device->real_time_priority}};
     return json;
 }

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/live/histogram.h"
-#include "app/live/tick_account.h"
+#include "sim_core/devices/tick_account.h"
 
 namespace fulcrum::app {
 
@@ -18,6 +18,7 @@ struct DeviceTiming {
     Durations force_delay;  ///< from the program's command to the device's tick that renders it
     Durations jitter;       ///< time between two readings, less the device's period
     std::uint64_t device_ticks = 0, device_late = 0;  ///< ticks of that process; those a period late
+    std::uint64_t device_late_own = 0;                ///< of these: because of its own work or waits
     bool real_time_priority = false;                  ///< of that process
 };
 

@@ -119,6 +119,7 @@ nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) 
                                {"rate_hz", trial.rate},
                                {"ticks", trial.device_ticks},
                                {"late_ticks", trial.device_late},
+                               {"late_ticks_own", trial.device_late_own},
                                {"jitter_us", to_json(trial.device_wake)},
                                {"pose_age_us", to_json(trial.pose_age)},
                                {"force_delay_us", to_json(trial.force_delay)},

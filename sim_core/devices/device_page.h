@@ -74,6 +74,7 @@ struct FaultReport {
 struct LoopReport {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;         ///< ticks that began a period or more after their time
+    std::uint64_t late_own = 0;     ///< of these: because of the process's own work or waits (TickAccount)
     std::int64_t worst_late = 0;    ///< ns
     std::int64_t period = 1000000;  ///< ns
     std::uint64_t real_time = 0;    ///< 1: with real-time priority

@@ -11,6 +11,7 @@
 #include "sim_core/devices/force_guard.h"
 #include "sim_core/devices/jitter.h"
 #include "sim_core/devices/sentence_packet.h"
+#include "sim_core/devices/tick_account.h"
 #include "sim_core/hapticd/rights.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -88,16 +89,25 @@ bool run_loop(Backend& backend, StatePage& state, const CommandPage& command, pi
     loop.real_time = real_time ? 1 : 0;
     DevicePose poses[device_slots];
     Jitter jitter(loop.period);
+    TickAccount account(loop.period);
+    std::int64_t worked = 0;  // ns, by the tick before
+    ThreadUse used;
     std::int64_t deadline = monotonic_ns() + loop.period;
     while (state.stopping.load(std::memory_order_relaxed) == 0) {
         sleep_until(deadline);
         const std::int64_t now = monotonic_ns(), late = now - deadline;
+        const ThreadUse at_begin = use_of_this_thread();
         ++loop.ticks;
-        if (late >= loop.period) ++loop.late;
+        const Lateness lateness = account.begin(late, worked, used);
+        if (lateness != Lateness::in_time) ++loop.late;
+        if (lateness == Lateness::by_program) ++loop.late_own;
         loop.worst_late = std::max(loop.worst_late, late);
         jitter.came(now);
         loop.jitter = jitter.seconds();
-        if (late >= catch_up * loop.period) deadline = now;
+        if (late >= catch_up * loop.period) {
+            deadline = now;
+            account.clock_moved();
+        }
         deadline += loop.period;
         backend.read(now, poses);
         for (int i = 0; i < device_slots; ++i) {
@@ -121,6 +131,8 @@ bool run_loop(Backend& backend, StatePage& state, const CommandPage& command, pi
         }
         if (backend.lost()) return true;
         state.loop.write(loop);
+        worked = monotonic_ns() - now;
+        used = use_of_this_thread() - at_begin;
     }
     for (Motors& hand : motors) hand.off(monotonic_ns(), ForceOff::no_program);
     return false;

@@ -231,17 +231,20 @@ lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
         {"world step, us: p50, p99, p99.9, worst", durations(statistics.step)},
     };
     if (const auto& device = statistics.device) {
-        table.rows.insert(table.rows.end(),
-                          {{"ticks of the device process", number(static_cast<double>(device->device_ticks))},
-                           {"of them a period late", number(static_cast<double>(device->device_late))},
-                           {"pose, from the device to the program's tick, us: p50, p99, p99.9, worst",
-                            durations(device->pose_age)},
-                           {"force, from the program to the motors, us: p50, p99, p99.9, worst",
-                            durations(device->force_delay)},
-                           {"time between two readings, less the period, us: p50, p99, p99.9, worst",
-                            durations(device->jitter)},
-                           {"real-time priority granted to the device process",
-                            device->real_time_priority ? "yes" : "no"}});
+        table.rows.insert(
+            table.rows.end(),
+            {{"ticks of the device process", number(static_cast<double>(device->device_ticks))},
+             {"of them a period late by its own doing", number(static_cast<double>(device->device_late_own))},
+             {"of them a period late by the scheduler",
+              number(static_cast<double>(device->device_late - device->device_late_own))},
+             {"pose, from the device to the program's tick, us: p50, p99, p99.9, worst",
+              durations(device->pose_age)},
+             {"force, from the program to the motors, us: p50, p99, p99.9, worst",
+              durations(device->force_delay)},
+             {"time between two readings, less the period, us: p50, p99, p99.9, worst",
+              durations(device->jitter)},
+             {"real-time priority granted to the device process",
+              device->real_time_priority ? "yes" : "no"}});
     }
     table.rows.insert(
         table.rows.end(),
