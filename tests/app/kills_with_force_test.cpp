@@ -27,6 +27,7 @@
 #include "database/records/people.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/counters.h"
+#include "tests/app/daemon_processes.h"
 #include "tests/app/program_path.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_touch.h"
@@ -60,20 +61,6 @@ std::string in_ms(std::int64_t ns) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", static_cast<double>(ns) / 1e6);
     return text;
-}
-
-/// A process of the daemon whose parent is `parent`; 0: none.
-pid_t daemon_child_of(pid_t parent) {
-    std::error_code gone;
-    for (const auto& entry : std::filesystem::directory_iterator("/proc", gone)) {
-        std::ifstream stat(entry.path() / "stat");
-        pid_t pid = 0, its_parent = 0;
-        std::string name, state;
-        if (stat >> pid >> name >> state >> its_parent && its_parent == parent && state != "Z" &&
-            name.rfind("(fulcrum-haptic", 0) == 0)
-            return pid;
-    }
-    return 0;
 }
 
 /// The page with the daemon's own report of the forces, as that process has it open.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What another process may still do, as the system reports it.
+// What another process may still do and what it has loaded, as the system reports it.
 #pragma once
 
 #include <sys/types.h>
@@ -27,6 +27,15 @@ inline bool is_filtered(pid_t process) {
         ++threads;
     }
     return threads > 0;
+}
+
+/// It has this file in its memory, such as a library: by a part of its path.
+inline bool has_mapped(pid_t process, const std::string& file) {
+    std::ifstream maps("/proc/" + std::to_string(process) + "/maps");
+    std::string line;
+    while (std::getline(maps, line))
+        if (line.find(file) != std::string::npos) return true;
+    return false;
 }
 
 }  // namespace fulcrum::test

@@ -10,9 +10,9 @@
 #include <QSlider>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
+#include "tests/app/daemon_processes.h"
 #include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/own_folder.h"
@@ -52,18 +52,6 @@ struct ScriptedDevice {
 
 class DeviceWindow : public ScriptedDevice, public Window {
   protected:
-    /// A process of fulcrum-hapticd whose parent is `parent`; 0: none.
-    static pid_t child_of(pid_t parent) {
-        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-            std::ifstream stat(entry.path() / "stat");
-            pid_t pid = 0, its_parent = 0;
-            std::string name, state;
-            if (stat >> pid >> name >> state >> its_parent && its_parent == parent && state != "Z" &&
-                name.rfind("(fulcrum-haptic", 0) == 0)
-                return pid;
-        }
-        return 0;
-    }
     double right_x() { return theatre().session()->snapshot().tools[1].tip.x(); }
     QString panel() { return find<QLabel>(window, "panel_text")->text(); }
     QString cover() { return theatre().view()->cover().join(QStringLiteral(" / ")); }
@@ -90,15 +78,15 @@ TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo
     EXPECT_EQ(services.device_in_use().clutch, ui::ClutchButton::own);
     const double begun = right_x();
     ASSERT_TRUE(wait_for([&] { return std::abs(right_x() - begun) > 2e-3; })) << "the script moves the hand";
-    const pid_t overseer = child_of(getpid());
+    const pid_t overseer = daemon_child_of(getpid());
     ASSERT_GT(overseer, 0);
-    const pid_t device = child_of(overseer);
+    const pid_t device = daemon_child_of(overseer);
     ASSERT_GT(device, 0);
 
     ASSERT_EQ(kill(device, SIGKILL), 0);
     ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::device_lost; }));
     ASSERT_TRUE(wait_for([&] { return aligned().back; })) << "the device process is started again";
-    EXPECT_NE(child_of(overseer), device);
+    EXPECT_NE(daemon_child_of(overseer), device);
 
     ASSERT_EQ(kill(overseer, SIGKILL), 0);
     ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
@@ -133,13 +121,13 @@ TEST_F(DeviceWindow, AStoppedProcessOfTheDaemonPausesAndNothingIsLost) {
     const double begun = right_x();
     ASSERT_TRUE(wait_for([&] { return std::abs(right_x() - begun) > 2e-3; }));
     const auto phase = [&] { return theatre().session()->phase(); };
-    const pid_t overseer = child_of(getpid()), device = child_of(overseer);
+    const pid_t overseer = daemon_child_of(getpid()), device = daemon_child_of(overseer);
     ASSERT_GT(device, 0);
     // The overseer ends a stopped device process and starts another.
     ASSERT_EQ(kill(device, SIGSTOP), 0);
     ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::device_lost; }, 10000));
     ASSERT_TRUE(wait_for([&] { return aligned().back; }, 10000));
-    EXPECT_NE(child_of(overseer), device);
+    EXPECT_NE(daemon_child_of(overseer), device);
     ASSERT_TRUE(wait_for([&] { return aligned().in_place; }, 10000)) << "the script comes by";
     QTest::keyClick(theatre().view(), Qt::Key_Return);
     ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }, 10000));
@@ -162,7 +150,7 @@ TEST_F(DeviceWindow, AStoppedProcessOfTheDaemonPausesAndNothingIsLost) {
 
     home();
     start("A2", false);
-    EXPECT_NE(child_of(getpid()), overseer) << "one that is stopped is opened again";
+    EXPECT_NE(daemon_child_of(getpid()), overseer) << "one that is stopped is opened again";
     const double again = right_x();
     EXPECT_TRUE(wait_for([&] { return std::abs(right_x() - again) > 2e-3; }, 10000));
     abandon();
@@ -234,7 +222,7 @@ TEST_F(DeviceWindow, AnAttemptDoesNotBeginByItselfWhileItsDeviceIsAway) {
     const auto phase = [&] { return theatre().session()->phase(); };
     const auto begun = [&] { return phase() != AttemptPhase::ready || cover().isEmpty(); };
     const auto asks = [&] { return cover().contains("move the handle "); };
-    const pid_t overseer = child_of(getpid());
+    const pid_t overseer = daemon_child_of(getpid());
     ASSERT_GT(overseer, 0);
     ASSERT_EQ(kill(overseer, SIGSTOP), 0);
     EXPECT_TRUE(wait_for([&] { return cover().contains("hand: does not answer"); }, 10000))
@@ -245,12 +233,12 @@ TEST_F(DeviceWindow, AnAttemptDoesNotBeginByItselfWhileItsDeviceIsAway) {
     QTest::qWait(1000);
 
     // The device is unplugged: its process ends, and another one is started.
-    const pid_t device = child_of(overseer);
+    const pid_t device = daemon_child_of(overseer);
     ASSERT_GT(device, 0);
     ASSERT_EQ(kill(device, SIGKILL), 0);
     EXPECT_FALSE(wait_for(begun, 3000)) << static_cast<int>(phase());
     EXPECT_TRUE(wait_for(asks, 10000)) << cover().toStdString();
-    EXPECT_NE(child_of(overseer), device);
+    EXPECT_NE(daemon_child_of(overseer), device);
     QTest::keyClick(theatre().view(), Qt::Key_Return);
     ASSERT_TRUE(wait_for([&] { return phase() == AttemptPhase::running; }));
     abandon();

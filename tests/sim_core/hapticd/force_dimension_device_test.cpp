@@ -16,6 +16,7 @@
 #include "tests/fakes/fake_page.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/built.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum {
 namespace {
@@ -91,6 +92,7 @@ TEST_F(ForceDimensionThroughTheDaemon, PosesAreTurnedIntoTheDeviceFrame) {
         EXPECT_DOUBLE_EQ(now.jaw, 0.2);
         EXPECT_EQ(now.buttons, std::uint32_t{button_energy});
     }
+    EXPECT_TRUE(test::is_filtered(client.device_process())) << "the thread that reads it as well";
     EXPECT_EQ(page->misuse, 0U);
 }
 

@@ -16,6 +16,7 @@
 #include "tests/fakes/fake_sdl.h"
 #include "tests/support/built.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/process_rights.h"
 
 #define SDL_MAIN_HANDLED
 #include <SDL2/SDL.h>
@@ -91,6 +92,7 @@ TEST_F(JoystickOfTheDaemon, AnglesMoveTheHandleAsThoseOfATrainerDo) {
         const DevicePose now = pose(client);
         return (Vector3(now.position[0], now.position[1], now.position[2]) - place).norm() < 1e-4;
     }));
+    EXPECT_TRUE(test::is_filtered(client.device_process())) << "the thread that reads SDL as well";
     const DevicePose now = pose(client);
     EXPECT_EQ(now.present, 1U);
     EXPECT_EQ(now.jaw, 1);

@@ -18,6 +18,7 @@
 #include "tests/support/built.h"
 #include "tests/support/fake_spacenavd.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum {
 namespace {
@@ -47,6 +48,7 @@ TEST_F(SpaceMouseOfSpacenavd, TheCapMovesTheHandleAndTurnsTheRollInBothProtocols
         EXPECT_TRUE(client.facts().slot[scope_slot]);
         EXPECT_FALSE(client.facts().slot[0]);
         ASSERT_TRUE(until([&] { return daemon.connected() && pose(client, scope_slot).present == 1; }));
+        EXPECT_TRUE(test::is_filtered(client.device_process())) << "while its connection is open";
         EXPECT_EQ(daemon.sensitivity, protocol == 0 ? 1.0F : 0.0F);
         daemon.send_event(3, {1, 2, 3, 4, 5, 6, 7});  // another device was connected: of no concern
         // To the right, down and away from the person; the cap turned clockwise.

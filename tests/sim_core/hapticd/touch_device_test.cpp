@@ -16,6 +16,7 @@
 #include "tests/support/allocation_count.h"
 #include "tests/support/built.h"
 #include "tests/support/german_locale.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum {
 namespace {
@@ -95,6 +96,8 @@ TEST_F(TouchThroughTheDaemon, PosesOfTwoDevicesComeInMetresWithRollJawAndButtons
     page->device[1].buttons = 0;
     EXPECT_TRUE(until([&] { return pose(client, 1).jaw == 1 && pose(client, 1).buttons == 0; }));
     EXPECT_EQ(page->rate, 1000U);
+    EXPECT_TRUE(test::is_filtered(client.device_process())) << "the thread of its library as well";
+    EXPECT_TRUE(test::has_mapped(client.device_process(), "libHD.so"));
     EXPECT_EQ(page->misuse, 0U);
     EXPECT_TRUE(client.message().empty());
 }

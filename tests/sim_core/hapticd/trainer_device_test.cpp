@@ -12,6 +12,7 @@
 #include "tests/support/allocation_count.h"
 #include "tests/support/built.h"
 #include "tests/support/fake_trainer.h"
+#include "tests/support/process_rights.h"
 
 namespace fulcrum::test::arduino {
 namespace one {
@@ -195,6 +196,7 @@ TEST(TrainerOnAPort, MovesItsPartsAndPressesTheirButtons) {
         EXPECT_TRUE(client.facts().slot[slot]);
         EXPECT_TRUE(until([&] { return trainer_present(client, slot); }));
     }
+    EXPECT_TRUE(test::is_filtered(client.device_process())) << "while its port is open";
     EXPECT_FALSE(client.facts().force[0] || client.facts().force[1]);
     const Vector3 handle(0.03, -0.05, 0.21);
     trainer.move('L', handle);

@@ -30,10 +30,11 @@ struct HandInWorld {
         return scene;
     }
     /// One tick with the handle at a place in the trocar's frame.
-    const TickOutput& tick(const Vector3& handle) {
+    const TickOutput& tick(const Vector3& handle, std::uint32_t flags = 0) {
         const auto slot = static_cast<std::size_t>(ticks % static_cast<std::uint32_t>(scene.ticks_per_step));
         RigSample input;
         input.tick = ++ticks;
+        input.flags = flags;
         for (const InstrumentSpec& spec : scene.instruments)
             input.hand[static_cast<int>(spec.hand)] = start_sample(spec.trocar, spec.start_insertion);
         if (scene.camera) input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
@@ -143,6 +144,34 @@ TEST(HandInWorld, TheDeviceChangesNothingThatIsRecordedOfTheTissue) {
     EXPECT_EQ(hashes[0], hashes[1]);
     for (std::size_t i = 0; i < samples[0].size(); ++i)
         ASSERT_EQ(std::memcmp(&samples[0][i], &samples[1][i], sizeof(TickSample)), 0) << i;
+}
+
+// With the limits that the loop gives each hand: no force jumps at a hand that is on tissue when an attempt
+// begins or is resumed.
+TEST(HandInWorld, TheForceRisesFromZeroAtTheStartAndAfterAPause) {
+    HandInWorld at(1000);
+    at.loop.set_device(Hand::left, test::ideal_device());
+    const Vector3 centre = at.centre(), up = (at.pivot.position - centre).normalized();
+    const Vector3 pressing = handle_for_tip(at.pivot, centre + 0.011 * up);
+    constexpr int ramp = 300;
+    constexpr double swapped = 0.02;  // N, by which a new model may be off until the difference has decayed
+    const auto expect_ramp = [&](const char* when) {
+        double pressed = 0, sent = 0;
+        for (int n = 1; n <= ramp + 50; ++n) {
+            const TickOutput& output = at.tick(pressing);
+            const std::int32_t* force = output.sample.hand[0].force;
+            pressed = sample_force_unit * Vector3(force[0], force[1], force[2]).norm();
+            sent = output.device_force[0].norm();
+            const double share = std::min(1.0, n / static_cast<double>(ramp));
+            ASSERT_LE(sent, 1.05 * share * pressed + swapped) << when << ", tick " << n;
+        }
+        EXPECT_GT(pressed, 0.1) << when;
+        EXPECT_GT(sent, 0.8 * pressed) << when;
+    };
+    expect_ramp("at the start");
+    for (int n = 0; n < 100; ++n) at.tick(pressing, rig_paused);
+    ASSERT_EQ(at.tick(pressing, rig_paused).device_force[0], Vector3(Vector3::Zero()));
+    expect_ramp("after the pause");
 }
 
 // Along the shaft the hand feels what the tip gives; across it the force is turned round and multiplied by

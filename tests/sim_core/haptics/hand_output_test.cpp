@@ -192,6 +192,43 @@ TEST(HandOutput, IsFiniteAndSmallForAnyInput) {
     }
 }
 
+// With the limits of the product: at the start, after a loss or a pause, and as new.
+TEST(HandOutput, RisesOverTheRampWheneverItBegins) {
+    ForceOutput device = test::ideal_device();
+    device.torque = 0.05;
+    HandTick tick = contact_at(0.2, Vector3::UnitZ(), 500, 0, 0.002, Vector3::Zero());
+    tick.load.add(Vector3(0.05, 0, -0.2), Vector3(0, 0.4, 0), Vector3(0, 0.4, 0), Matrix3::Zero(),
+                  Matrix3::Zero());
+    HandOutput whole = output_to(device);
+    const HandForce model = settled(whole, tick);
+    ASSERT_GT(model.force.norm(), 1 - 1e-9);
+    ASSERT_GT(model.torque, 0.01);
+    const std::uint32_t ramp = SafetyLimits().ramp_ticks;
+    ASSERT_GT(ramp, 100U);
+    HandOutput output;
+    output.set_device(device);
+    const auto expect_ramp = [&](const char* when) {
+        HandForce last;
+        for (std::uint32_t n = 1; n <= ramp; ++n) {
+            const HandForce sent = output.step(tick);
+            const double share = n / static_cast<double>(ramp);
+            ASSERT_LE(sent.force.norm(), share * model.force.norm() + 1e-9) << when << ", tick " << n;
+            ASSERT_LE(sent.torque, share * model.torque + 1e-9) << when << ", tick " << n;
+            ASSERT_GE(sent.force.norm(), last.force.norm() - 1e-12) << when << ", tick " << n;
+            last = sent;
+        }
+        EXPECT_NEAR((output.step(tick).force - model.force).norm(), 0, 1e-9) << when;
+    };
+    expect_ramp("at the start");
+    tick.connected = false;
+    for (int i = 0; i < 50; ++i) output.step(tick);
+    ASSERT_EQ(output.step(tick).force, Vector3(Vector3::Zero()));
+    tick.connected = true;
+    expect_ramp("connected again");
+    output.restart();
+    expect_ramp("as new");
+}
+
 TEST(HandOutput, FallsAtTheSlewLimitWhenTheDeviceIsLostUnderLoad) {
     ForceOutput device = test::ideal_device();
     device.torque = 0.05;

@@ -70,42 +70,69 @@ TEST(SceneAssembler, DrawsTheMesenteryAtThePositionOfTheMembrane) {
     }
 }
 
-// A push of about 20 N: the device is 25 mm behind the wall, the instrument is drawn at it.
-TEST(SceneAssembler, DrawsAnInstrumentAtTheWallThatItsDeviceIsBehind) {
-    const Scene scene = load_scene(scenes + "b1_bowel.json");
-    World world(scene, 1);
-    HapticLoop loop(scene, world);
-    const InstrumentSpec& spec = *scene.instrument(Hand::left);
-    const Trocar trocar = make_trocar(spec.trocar);
-    const Vector3 start = trocar.position + spec.start_insertion * trocar.rotation.col(2);
-    const CavityPoint wall = world.wall()->closest(start, 0.2);
-    ASSERT_GE(wall.triangle, 0);
-    std::vector<TickOutput> outputs(static_cast<std::size_t>(scene.ticks_per_step));
-    DeviceSample left = start_sample(spec.trocar, spec.start_insertion);
-    for (std::uint32_t tick = 1; tick <= 1000; ++tick) {
+/// A scene whose left hand a test puts somewhere, tick by tick; the others stay where they begin.
+struct LeftHandInScene {
+    explicit LeftHandInScene(const char* file)
+        : scene(load_scene(scenes + file)),
+          world(scene, 1),
+          loop(scene, world),
+          spec(*scene.instrument(Hand::left)),
+          trocar(make_trocar(spec.trocar)),
+          start(trocar.position + spec.start_insertion * trocar.rotation.col(2)),
+          outputs(static_cast<std::size_t>(scene.ticks_per_step)),
+          left(start_sample(spec.trocar, spec.start_insertion)) {}
+    void put(const Vector3& tip) {
         RigSample input;
-        input.tick = tick;
+        input.tick = ++tick;
         for (const InstrumentSpec& other : scene.instruments)
             input.hand[static_cast<int>(other.hand)] = start_sample(other.trocar, other.start_insertion);
-        input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
-        const double share = std::min(1.0, tick / 800.0);
+        if (scene.camera) input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
         DeviceReading reading;
-        reading.handle =
-            handle_for_tip(trocar, start + share * (wall.position - 0.025 * wall.normal - start));
+        reading.handle = handle_for_tip(trocar, tip);
         input.hand[0] = left = quantise(reading, left);
-        outputs[(tick - 1) % outputs.size()] = loop.tick(input);
-        if (tick % outputs.size() != 0) continue;
+        const TickOutput& output = outputs[(tick - 1) % outputs.size()] = loop.tick(input);
+        const std::int32_t* counts = output.sample.hand[0].force;
+        force = sample_force_unit * Vector3(counts[0], counts[1], counts[2]).norm();
+        if (tick % outputs.size() != 0) return;
         world.step(outputs.data(), outputs.size());
         loop.adopt(world.local_models());
     }
-    const std::int32_t* force = outputs.back().sample.hand[0].force;
-    EXPECT_GT(sample_force_unit * Vector3(force[0], force[1], force[2]).norm(), 5);
+    void put(const Vector3& tip, int ticks) {
+        for (int i = 0; i < ticks; ++i) put(tip);
+    }
+    /// In a straight line.
+    void move(const Vector3& from, const Vector3& to, int ticks) {
+        for (int i = 1; i <= ticks; ++i) put(from + static_cast<double>(i) / ticks * (to - from));
+    }
+    const Scene scene;
+    World world;
+    HapticLoop loop;
+    const InstrumentSpec& spec;
+    const Trocar trocar;
+    const Vector3 start;
+    std::vector<TickOutput> outputs;
+    DeviceSample left;
+    std::uint32_t tick = 0;
+    double force = 0;  ///< N, on the tissue
+};
+
+// A push of about 20 N: the device is 25 mm behind the wall, the instrument is drawn at it.
+TEST(SceneAssembler, DrawsAnInstrumentAtTheWallThatItsDeviceIsBehind) {
+    LeftHandInScene at("b1_bowel.json");
+    const InstrumentSpec& spec = at.spec;
+    const World& world = at.world;
+    const CavityPoint wall = world.wall()->closest(at.start, 0.2);
+    ASSERT_GE(wall.triangle, 0);
+    const Vector3 behind = wall.position - 0.025 * wall.normal;
+    at.move(at.start, behind, 800);
+    at.put(behind, 200);
+    EXPECT_GT(at.force, 5);
     const WorldSnapshot& snapshot = world.snapshot();
     const auto inside_wall = [&](const Vector3& tip) {
         return spec.tip_radius - world.wall()->closest(tip, 0.1).distance;
     };
     EXPECT_GT(inside_wall(snapshot.tools[0].tip), 0.015) << "the device is behind the wall";
-    SceneAssembler assembler(scene, snapshot);
+    SceneAssembler assembler(at.scene, snapshot);
     const SceneFrame& frame = assembler.assemble(snapshot);
     ASSERT_EQ(frame.tools.size(), 3U);
     EXPECT_FALSE(frame.tools[0].ghost);
@@ -141,6 +168,73 @@ TEST(SceneAssembler, DrawsAnInstrumentAtTheWallThatItsDeviceIsBehind) {
         }
     }
     EXPECT_GT(changed, 100);
+}
+
+TEST(SceneAssembler, DrawsAnInstrumentAtTheSphereThatItsDeviceIsIn) {
+    LeftHandInScene at("a2_targets.json");
+    const std::vector<TargetSphere>& spheres = at.world.snapshot().targets;
+    const auto own = std::find_if(spheres.begin(), spheres.end(),
+                                  [](const TargetSphere& sphere) { return sphere.hand == Hand::left; });
+    ASSERT_NE(own, spheres.end());
+    const Vector3 centre = own->centre, out = (at.trocar.position - centre).normalized();
+    const double touching = own->radius + at.spec.tip_radius;
+    const auto inside = [&](const Vector3& tip) { return touching - (tip - centre).norm(); };
+    constexpr double pushed = 0.004;  // m
+    const Vector3 deep = centre + (touching - pushed) * out;
+    const Vector3 before = centre + (touching + 0.02) * out;
+    at.move(at.start, before, 400);
+    at.move(before, deep, 400);
+    at.put(deep, 200);
+    EXPECT_NEAR(at.force, 600 * pushed, 0.3) << "it presses on the sphere";
+    const WorldSnapshot& snapshot = at.world.snapshot();
+    EXPECT_NEAR(inside(snapshot.tools[0].tip), pushed, 1e-4) << "the device is in the sphere";
+    SceneAssembler assembler(at.scene, snapshot);
+    const SceneFrame& frame = assembler.assemble(snapshot);
+    ASSERT_EQ(frame.tools.size(), 3U);
+    EXPECT_LT(inside(frame.tools[0].pose.tip), 1e-4) << "what is seen stops at its surface";
+    EXPECT_GT(inside(frame.tools[0].pose.tip), -1e-4) << "and not before it";
+    EXPECT_TRUE(frame.tools[2].ghost) << "the device's own pose";
+    EXPECT_EQ(frame.tools[2].pose.tip, snapshot.tools[0].tip);
+}
+
+/// m, how deep a ball of this radius is in the drawn bowel, by the nearest point of its surface.
+double depth_in_drawn_bowel(const SceneFrame& frame, std::size_t vertices, const Vector3& middle,
+                            double radius) {
+    double nearest = 1e9, inside = 0;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const float *p = frame.bowel_positions + 3 * v, *n = frame.bowel_normals + 3 * v;
+        const Vector3 apart = middle - Vector3(p[0], p[1], p[2]);
+        if (apart.norm() >= nearest) continue;
+        nearest = apart.norm();
+        inside = radius - apart.dot(Vector3(n[0], n[1], n[2]));
+    }
+    return inside;
+}
+
+// Bowel gives way and is drawn dented: the tip is seen in the dent, and is not inside what is drawn.
+TEST(SceneAssembler, DrawsAnInstrumentOnTheBowelThatItPresses) {
+    LeftHandInScene at("b1_bowel.json");
+    const std::vector<RingFrame>& rings = at.world.snapshot().bowel.rings;
+    const Vector3 ring =
+        std::min_element(rings.begin(), rings.end(), [&](const RingFrame& a, const RingFrame& b) {
+            return (a.position - at.trocar.position).norm() < (b.position - at.trocar.position).norm();
+        })->position;
+    const Vector3 out = (at.trocar.position - ring).normalized();
+    Vector3 tip = ring + 0.03 * out;
+    at.move(at.start, tip, 400);
+    while (at.force < 1.5 && (tip - ring).dot(out) > -0.03) at.put(tip -= 5e-5 * out);
+    at.put(tip, 300);
+    ASSERT_GT(at.force, 0.8) << "it presses, at " << (tip - ring).dot(out) << " m from where it was";
+    WorldSnapshot snapshot = at.world.snapshot();
+    const Vector3 device = snapshot.tools[0].tip;
+    const std::size_t vertices = bowel_anatomy(at.scene).surface.vertices.size();
+    SceneAssembler assembler(at.scene, snapshot);
+    const SceneFrame& frame = assembler.assemble(snapshot);
+    EXPECT_LT(depth_in_drawn_bowel(frame, vertices, frame.tools[0].pose.tip, at.spec.tip_radius), 0.0015);
+    // Without what gives way in the picture it would be deep in it.
+    snapshot.bowel.dent_count = 0;
+    assembler.assemble(snapshot);
+    EXPECT_GT(depth_in_drawn_bowel(frame, vertices, device, at.spec.tip_radius), 0.0015);
 }
 
 TEST(SceneAssembler, DrawsASceneWithTargetsOnly) {
