@@ -18,6 +18,11 @@ constexpr int late_ticks = 5;
 constexpr int overseer_ticks = 100;
 constexpr double us_in_ns = 1e-3;
 
+/// us. Another process wrote the times: their difference may not fit into an integer.
+double us_between(std::int64_t earlier, std::int64_t later) {
+    return us_in_ns * (static_cast<double>(later) - static_cast<double>(earlier));
+}
+
 }  // namespace
 
 DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, CommandPage& command,
@@ -129,7 +134,7 @@ void DeviceRig::see_force(int hand) noexcept {
         report.command_time <= rendered_[hand])
         return;
     rendered_[hand] = report.command_time;
-    force_delay_.add(us_in_ns * static_cast<double>(report.time - report.command_time));
+    force_delay_.add(us_between(report.command_time, report.time));
 }
 
 void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, DeviceSample& sample) noexcept {
@@ -141,10 +146,10 @@ void DeviceRig::read_slot(Driven& driven, bool is_scope, std::int64_t now, Devic
         const std::uint64_t more = pose.sequence - driven.newest.sequence;
         driven.meter.add(static_cast<int>(std::min<std::uint64_t>(more, 1000)),
                          1e-9 * static_cast<double>(pose.time));
-        pose_age_.add(us_in_ns * static_cast<double>(now - pose.time));
+        pose_age_.add(us_between(pose.time, now));
         if (more == 1 && driven.newest.sequence != 0)
-            jitter_.add(us_in_ns *
-                        std::abs(static_cast<double>(pose.time - driven.newest.time - device_period_)));
+            jitter_.add(std::abs(us_between(driven.newest.time, pose.time) -
+                                 us_in_ns * static_cast<double>(device_period_)));
     }
     driven.newest = pose;
     DeviceReading reading = driven.start;

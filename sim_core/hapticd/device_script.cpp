@@ -218,10 +218,15 @@ class ScriptReader {
                 QT_TRANSLATE_NOOP("errors", "write [ … ]"));
         for (std::size_t i = 0; i < faults.size(); ++i) {
             const std::string place = "/faults/" + std::to_string(i);
-            known(faults[i], place, {"t", "for", "kind"});
+            known(faults[i], place, {"t", "for", "kind", "after_force"});
             ScriptedFault fault;
             fault.time = number(faults[i], place, "t", 0, 0, 1e6);
             fault.length = number(faults[i], place, "for", 0.1, 0.001, 1e6);
+            const json after_force = faults[i].value("after_force", json(false));
+            if (!after_force.is_boolean())
+                bad(place + "/after_force", QT_TRANSLATE_NOOP("errors", "must be true or false"),
+                    QT_TRANSLATE_NOOP("errors", "correct it"));
+            fault.after_force = after_force.get<bool>();
             const json kind = faults[i].value("kind", json());
             if (kind == "silence")
                 fault.kind = ScriptedFaultKind::silence;

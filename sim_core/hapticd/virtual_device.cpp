@@ -46,9 +46,12 @@ void VirtualDevice::read(std::int64_t now, DevicePose (&poses)[device_slots]) no
     const double period = std::clamp(static_cast<double>(now - before_) * 1e-9, 0.0, 4e-3);
     before_ = now;
     ++sequence_;
+    if (pushed_ == 0 && !(rendered_[0].isZero(0) && rendered_[1].isZero(0))) pushed_ = now;
+    const double since_force = pushed_ != 0 ? static_cast<double>(now - pushed_) * 1e-9 : -1;
     const ScriptedFault* fault = nullptr;
     for (const ScriptedFault& one : script_.faults) {
-        if (time >= one.time && time < one.time + one.length) fault = &one;
+        const double at = one.after_force ? since_force : time;
+        if (at >= one.time && at < one.time + one.length) fault = &one;
     }
     for (int i = 0; i < device_slots; ++i) {
         DevicePose& pose = poses[i];

@@ -29,6 +29,7 @@ enum class ScriptedFaultKind : std::uint8_t { silence, not_a_number, jump };
 /// For `length` s from `time` on the device does this.
 struct ScriptedFault {
     double time = 0, length = 0;  ///< s
+    bool after_force = false;     ///< `time` counts from the first force on a hand
     ScriptedFaultKind kind = ScriptedFaultKind::silence;
 };
 
@@ -60,6 +61,7 @@ class VirtualDevice : public Backend {
     MovingHand hands_[2];
     Vector3 rendered_[2] = {Vector3::Zero(), Vector3::Zero()};
     std::int64_t begun_ = 0, before_ = 0;
+    std::int64_t pushed_ = 0;  // ns, first reading after a force; 0: none yet
     std::uint64_t sequence_ = 0;
 };
 

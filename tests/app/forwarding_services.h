@@ -90,6 +90,7 @@ class ForwardingServices : public ui::ApplicationServices {
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         ui::AttemptRequest asked = request;
         if (between) asked.rig = between(request.rig);
+        if (seed != 0) asked.seed = seed;
         return own_->start_attempt(asked);
     }
     Statement why_not_comparable(const database::Session& session, const std::string& task_id,
@@ -153,7 +154,8 @@ class ForwardingServices : public ui::ApplicationServices {
 
     /// Gets the real device, returns the device that the attempt reads instead.
     std::function<std::shared_ptr<Rig>(std::shared_ptr<Rig>)> between;
-    bool hears = false;  ///< sound is played
+    std::uint64_t seed = 0;  ///< of the next attempts; 0: drawn, as in the program
+    bool hears = false;      ///< sound is played
 
   private:
     std::unique_ptr<ui::ApplicationServices> own_;

@@ -3,7 +3,6 @@
 // in an assessed attempt: the force at its motors is 0 within 50 ms, and nothing is lost. The device is a
 // fake of libHD whose motors are memory that this test maps: it outlives all of them. FULCRUM_FORCE_KILLS
 // sets the number of rounds (300 for the long run); FULCRUM_FORCE_KILLS_PAGE is the folder for its page.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -14,8 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -61,19 +58,6 @@ std::string in_ms(std::int64_t ns) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", static_cast<double>(ns) / 1e6);
     return text;
-}
-
-/// The page with the daemon's own report of the forces, as that process has it open.
-SharedPage<StatePage> state_page_of(pid_t process) {
-    std::error_code gone;
-    const std::string folder = "/proc/" + std::to_string(process) + "/fd";
-    for (const auto& entry : std::filesystem::directory_iterator(folder, gone)) {
-        const std::string target = std::filesystem::read_symlink(entry.path(), gone).string();
-        if (target.rfind("/memfd:fulcrum-device-state", 0) != 0) continue;
-        const int page = open(entry.path().c_str(), O_RDONLY | O_CLOEXEC);
-        if (page >= 0) return SharedPage<StatePage>::open(page, false);
-    }
-    return {};
 }
 
 /// By the record: a tip pressed clearly harder than A2 allows (4 N), and not for a tick alone.

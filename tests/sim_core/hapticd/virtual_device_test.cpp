@@ -79,6 +79,26 @@ TEST_F(VirtualDeviceTest, FaultsBeginAndEndWhenTheScriptSaysSo) {
     EXPECT_EQ(poses[0].present, 1U);
 }
 
+TEST_F(VirtualDeviceTest, AFaultCanWaitForTheFirstForce) {
+    auto made = device(R"({"format": "fulcrum-device-script", "force": {}, "left": {"path": [{"t": 0}]},
+        "faults": [{"t": 1, "for": 0.5, "kind": "silence", "after_force": true}]})");
+    DevicePose poses[device_slots];
+    const auto present_at = [&](int milliseconds) {
+        made.read(milliseconds * ms, poses);
+        return poses[0].present == 1;
+    };
+    EXPECT_TRUE(present_at(10'000));
+    EXPECT_TRUE(present_at(11'200)) << "whatever the time";
+    made.render(0, Vector3(0, 0.1, 0), 0);
+    EXPECT_TRUE(present_at(20'000));
+    made.render(0, Vector3::Zero(), 0);
+    EXPECT_FALSE(present_at(21'200)) << "a second after the first force";
+    EXPECT_TRUE(present_at(21'600));
+    EXPECT_THROW(device(R"({"format": "fulcrum-device-script", "left": {"path": [{"t": 0}]},
+        "faults": [{"kind": "silence", "after_force": 1}]})"),
+                 InputError);
+}
+
 TEST_F(VirtualDeviceTest, ReplaysARecording) {
     std::ofstream((folder / "hands.csv").string()) << "t,slot,x,y,z,roll,jaw,buttons\n0,left,0,0,0,0,1,0\n"
                                                       "0,scope,0,0,0,0,1,0\n1,left,0.01,0,-0.02,0.5,0,1\n";
