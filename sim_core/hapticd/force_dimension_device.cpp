@@ -87,9 +87,10 @@ ForceDimensionDevice::ForceDimensionDevice(ForceDimensionNumbers numbers) : numb
     facts_.rate = rate;
 }
 
-std::string ForceDimensionDevice::last_error() const {
+Sentence ForceDimensionDevice::last_error() const {
     const char* const words = library_.last_error();
-    return "the maker's driver reports '" + std::string(words != nullptr ? words : "") + "'";
+    return {QT_TRANSLATE_NOOP("errors", "the maker's driver reports %1"),
+            "'" + std::string(words != nullptr ? words : "") + "'"};
 }
 
 void ForceDimensionDevice::open_hand(int hand, int number) {

@@ -40,7 +40,7 @@ class ForceDimensionDevice : public ServoBackend {
         FaultMemory memory;
     };
     void open_hand(int hand, int number);
-    std::string last_error() const;
+    Sentence last_error() const;
     void run() noexcept;
     void serve(int hand, std::int64_t now) noexcept;
     void check(Hand& one, std::int64_t now) noexcept;

@@ -3,6 +3,7 @@
 // hands_at_work_test.cpp.
 #include <gtest/gtest.h>
 
+#include <QPainter>
 #include <QProcess>
 #include <QSettings>
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/built.h"
+#include "tests/ui/painted_words.h"
 #include "ui/shell/idle_watch.h"
 
 namespace fulcrum::app::program_test {
@@ -47,6 +49,25 @@ class ControllerWindow : public FakeController, public Window {
         QTest::qWait(60);
         pad().buttons = 0;
         QTest::qWait(60);
+    }
+    /// Rumble is an intensity: no newtons are felt with it.
+    void expect_not_felt_on_the_screen() {
+        ui::window_test::WordsDevice device(theatre().view()->size());
+        QPainter painter(&device);
+        ui::paint_hud(painter, theatre().view()->rect(), theatre().view()->hud());
+        painter.end();
+        QString words;
+        for (const ui::window_test::PaintedWords& painted : device.words())
+            words += painted.words + QLatin1Char('\n');
+        EXPECT_TRUE(words.contains("force is shown, not felt")) << words.toStdString();
+    }
+    void expect_not_felt_in_the_debrief() {
+        const QString notes = shown("debrief_notes");
+        EXPECT_TRUE(notes.contains("Force was not felt: this device cannot render it. It was shown as bars."))
+            << notes.toStdString();
+        EXPECT_FALSE(notes.contains("Force was felt")) << notes.toStdString();
+        EXPECT_FALSE(newest_attempt().meta.force_devices[0].has_value());
+        EXPECT_FALSE(newest_attempt().meta.force_devices[1].has_value());
     }
     void expect_stored(AttemptState state) {
         const database::AttemptSummary attempt = newest_attempt();
@@ -237,8 +258,10 @@ TEST_F(ControllerWindow, AnExpertWorksBySticksAndTriggersAndContactIsFeltAndHear
         ASSERT_TRUE(hand.work_until(done, 240000)) << task;
         const std::int64_t pale = theatre().view()->pale_at();
         EXPECT_GT(hand.events(), 50);
+        expect_not_felt_on_the_screen();
         keep_picture(window, QStringLiteral("62-controller-") + QLatin1String(task));
         abandon();
+        expect_not_felt_in_the_debrief();
         expect_stored(AttemptState::abandoned);
         // From the first tick with a force to the motor.
         const database::Attempts attempts(*services.store());

@@ -27,8 +27,9 @@ struct FakeForceDimensionDevice {
 struct FakeForceDimensionPage {
     FakeForceDimensionDevice device[2];
     std::atomic<int> count{2};
-    std::atomic<std::uint32_t> hang{0};    ///< 1: calls do not return
-    std::atomic<std::uint32_t> misuse{0};  ///< calls for a device that is not open
+    std::atomic<std::uint32_t> old_firmware{0};  ///< 1: errors are put down to the firmware
+    std::atomic<std::uint32_t> hang{0};          ///< 1: calls do not return
+    std::atomic<std::uint32_t> misuse{0};        ///< calls for a device that is not open
 };
 
 }  // namespace fulcrum::test

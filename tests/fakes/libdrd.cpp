@@ -112,7 +112,7 @@ int dhdGetStatus(int* status, char id) {
 }
 #if !defined(FAKE_FORCE_DIMENSION_OLD)
 const char* dhdErrorGetLastStr() {
-    return "no device found";
+    return page()->old_firmware == 1 ? "firmware version is not supported" : "no device found";
 }
 #endif
 

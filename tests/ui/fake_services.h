@@ -12,6 +12,7 @@
 
 #include "database/records/recorder.h"
 #include "database/rows/trace_codec.h"
+#include "sim_core/numerics/input_error.h"
 #include "ui/services/application_services.h"
 
 namespace fulcrum::ui::window_test {
@@ -108,6 +109,7 @@ class FakeServices : public ApplicationServices {
     }
     void set_force_scale(const std::string& kind, double scale) override { scales[kind] = scale; }
     void open_device() override {
+        if (refuses) throw *refuses;
         if (!readings) readings = readings_when_open;
     }
     void choose_device(const std::string& kind) override {
@@ -173,6 +175,7 @@ class FakeServices : public ApplicationServices {
     bool at_ring = false;
     CalibrationState calibrating;
     std::optional<DeviceReadings> readings_when_open;
+    std::optional<InputError> refuses;  ///< what open_device() says instead
     std::string chosen;
     bool can_choose = false, rumbles = true;
     SlotChoice parts;

@@ -105,6 +105,36 @@ TEST_F(TouchWindow, AReadingThatIsNotPossiblePausesTheAttemptWithForceZeroUntilI
     EXPECT_EQ(page->misuse, 0U);
 }
 
+TEST_F(TouchWindow, ConnectAndTryItOnThePageOfSettingsSaysWhyTheDeviceDoesNotOpenAndWhatToDo) {
+    create_programme_and_trainee();
+    ui::window_test::click(window, "rail_settings");
+    const auto tried = [&] {
+        ui::window_test::bring(*find<QPushButton>(window, "open_device"));
+        ui::window_test::click(window, "open_device");
+    };
+    page->init_errors = 1000;
+    struct Case {
+        std::uint32_t firmware, error;
+        const char* words;
+    };
+    for (const Case& one :
+         {Case{1, 0x0302,
+               "3D Systems Touch:Left Device: the maker's driver reports 0x0302 Firmware version is not "
+               "supported; update the firmware of the device with its maker's program"},
+          Case{0, 0x0600, "the maker's driver reports 0x0600; install the licence of OpenHaptics"}}) {
+        page->old_firmware = one.firmware;
+        page->init_error = one.error;
+        tried();
+        EXPECT_TRUE(wait_for([&] { return shown("message_text").contains(one.words); }, 10000))
+            << shown("message_text").toStdString();
+        EXPECT_TRUE(sees(window, "open_device")) << "it can be tried again";
+    }
+    page->init_errors = 0;
+    tried();
+    EXPECT_TRUE(wait_for([&] { return shown("device_readings").contains("readings per second"); }, 10000));
+    EXPECT_EQ(page->misuse, 0U);
+}
+
 TEST_F(TouchWindow, AnAttemptThatBeginsWithoutAnAnswerResumesWhereItsInstrumentsBegin) {
     create_programme_and_trainee();
     ui::window_test::click(window, "briefing_A2");

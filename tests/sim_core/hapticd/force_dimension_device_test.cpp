@@ -25,7 +25,7 @@ using test::says;
 using test::until;
 
 constexpr std::int64_t limit = 50'000'000;  // ns
-constexpr int force_status = 5, force_off_cause = 14;
+constexpr int force_status = 5, error_status = 9, force_off_cause = 14;
 
 class ForceDimensionThroughTheDaemon : public ::testing::Test {
   protected:
@@ -192,6 +192,29 @@ TEST_F(ForceDimensionThroughTheDaemon, ADeviceThatDoesNotAnswerIsOpenedAgain) {
     lost_and_back(DeviceFault::no_answer, [&](int on) { device.force_fails = static_cast<unsigned>(on); });
     lost_and_back(DeviceFault::no_answer, [&](int on) { device.status[1] = 1 - on; });
     lost_and_back(DeviceFault::servo_stopped, [&](int on) { page->hang = static_cast<unsigned>(on); });
+}
+
+TEST_F(ForceDimensionThroughTheDaemon, AFirmwareThatTheLibraryNamesIsTheReasonAndSaysWhatToUpdate) {
+    page->old_firmware = 1;
+    page->device[0].opens = 0;
+    const std::string refusal = error_of("force-dimension:,0");
+    EXPECT_NE(
+        refusal.find("device 0: the device does not open: the maker's driver reports 'firmware version is "
+                     "not supported'; update the firmware of the device"),
+        std::string::npos)
+        << refusal;
+    page->device[0].opens = 1;
+    DaemonClient client(test::hapticd_program(), "force-dimension:,0");
+    ASSERT_TRUE(until([&] { return is_present(client, 1); }));
+    const std::int64_t begin = monotonic_ns();
+    page->device[0].status[error_status] = 1;
+    ASSERT_TRUE(until([&] { return !is_present(client, 1); }));
+    EXPECT_LE(monotonic_ns() - begin, limit);
+    EXPECT_TRUE(says(client, words_of(DeviceFault::firmware))) << client.message().words();
+    page->device[0].status[error_status] = 0;
+    page->old_firmware = 0;
+    EXPECT_TRUE(until([&] { return client.poll() == DaemonClient::Health::good && is_present(client, 1); }))
+        << client.message().words();
 }
 
 TEST_F(ForceDimensionThroughTheDaemon, WhatKeepsItFromOpeningIsNamedWithWhatToDo) {

@@ -152,6 +152,66 @@ TEST_F(DevicesOnThePage, ReadingsAreShownWhileTheDeviceIsOpen) {
     EXPECT_TRUE(shown->text().contains("Right hand: does not answer"));
 }
 
+// As the daemon refuses them: touch_device_test.cpp, force_dimension_device_test.cpp.
+TEST_F(DevicesOnThePage, OneThatIsTriedInVainSaysWhyAndWhatToDoInBothLanguages) {
+    use_haptic_device();
+    open_page();
+    const auto reported = [](const char* words) {
+        return Sentence(QT_TRANSLATE_NOOP("errors", "the maker's driver reports %1"), std::string(words));
+    };
+    const Sentence update = QT_TRANSLATE_NOOP("errors",
+                                              "update the firmware of the device with its maker's program, "
+                                              "or install the driver that belongs to it");
+    const struct {
+        InputError error;
+        const char *english, *german;
+    } cases[] = {
+        {InputError(device_row("touch")->title, "default device",
+                    reported("0x0302 Firmware version is not supported"), update),
+         "3D Systems Touch:default device: the maker's driver reports 0x0302 Firmware version is not "
+         "supported; update the firmware of the device",
+         "der Treiber des Herstellers meldet 0x0302 Firmware version is not supported; aktualisieren Sie die "
+         "Firmware des Geräts"},
+        {InputError(device_row("force-dimension")->title, "device 0",
+                    {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"),
+                     reported("firmware version is not supported")},
+                    update),
+         "Force Dimension:device 0: the device does not open: the maker's driver reports firmware version is "
+         "not supported; update the firmware of the device",
+         "das Gerät lässt sich nicht öffnen: der Treiber des Herstellers meldet firmware version is not "
+         "supported; aktualisieren Sie die Firmware des Geräts"},
+        {InputError(device_row("touch")->title, "default device", reported("0x0600 Invalid license"),
+                    QT_TRANSLATE_NOOP("errors", "install the licence of OpenHaptics")),
+         "the maker's driver reports 0x0600 Invalid license; install the licence of OpenHaptics",
+         "der Treiber des Herstellers meldet 0x0600 Invalid license; installieren Sie die Lizenz von "
+         "OpenHaptics"}};
+    for (const Language language : {Language::english, Language::german}) {
+        window->set_language(language);
+        settle();
+        for (const auto& one : cases) {
+            services.refuses.emplace(one.error);
+            bring(*find<QPushButton>(*window, "open_device"));
+            click(*window, "open_device");
+            const QString wanted =
+                QString::fromUtf8(language == Language::english ? one.english : one.german);
+            EXPECT_TRUE(wait_for([&] { return error_shown().contains(wanted); }, 3000))
+                << error_shown().toStdString() << "\n\n"
+                << wanted.toStdString();
+            EXPECT_TRUE(sees(*window, "open_device")) << "it can be tried again";
+        }
+    }
+    window->set_language(Language::english);
+    settle();
+    // The same while it is open.
+    services.refuses.reset();
+    services.readings_when_open.emplace();
+    services.trouble = words_of(DeviceFault::firmware);
+    click(*window, "open_device");
+    EXPECT_TRUE(wait_for([&] {
+        return words().contains("the firmware of the device does not suit it. Update the firmware");
+    })) << words().toStdString();
+}
+
 TEST_F(DevicesOnThePage, AreDrawnInBothThemesAndLanguages) {
     use_haptic_device();
     for (const Theme theme : {Theme::light, Theme::dark}) {

@@ -108,6 +108,22 @@ TEST_F(KeysOnThePage, TheTheatreUsesAndShowsTheKeysOfThePerson) {
         EXPECT_EQ(page.view()->hud().next_key, "Y") << "the usual one of a mouse in the left hand";
         EXPECT_EQ(page.view()->hud().pedal_key, "H");
         keep("theatre-keys");
+        // The buttons of a mouse in the left hand are changed over.
+        ASSERT_TRUE(wait_for([&] { return page.session()->phase() == AttemptPhase::running; }));
+        const Hand hand = page.input()->active_hand();
+        const auto jaw = [&] { return page.input()->targets().hand[static_cast<int>(hand)].jaw; };
+        ASSERT_GT(jaw(), 0);
+        QTest::mousePress(page.view(), Qt::RightButton);
+        EXPECT_TRUE(wait_for([&] { return jaw() == 0; }, 5000)) << "the right one closes the jaws";
+        EXPECT_EQ(page.input()->active_hand(), hand);
+        QTest::mouseRelease(page.view(), Qt::RightButton);
+        EXPECT_TRUE(wait_for([&] { return jaw() > 0; }, 5000));
+        QTest::mousePress(page.view(), Qt::LeftButton);
+        EXPECT_NE(page.input()->active_hand(), hand) << "the left one takes the other hand";
+        QTest::mouseRelease(page.view(), Qt::LeftButton);
+        QTest::qWait(100);
+        for (const DeviceReading& one : page.input()->targets().hand)
+            EXPECT_GT(one.jaw, 0) << "and closes nothing";
     });
 }
 

@@ -243,6 +243,23 @@ TEST(HudLayout, TheHintNamesTheKeysOfThePerson) {
     use_language(Language::english);
 }
 
+// A bar in newtons could be taken for what the hand feels, also where a controller rumbles.
+TEST(HudLayout, SaysWhereForceIsShownAndNotFelt) {
+    for (const bool felt : {false, true}) {
+        Shown shown = everything(GoalKind::divide_line);
+        shown.hud.task = &shown.task;
+        shown.hud.force_felt = felt;
+        WordsDevice device(QSize(1280, 720));
+        QPainter painter(&device);
+        paint_hud(painter, QRectF(0, 0, 1280, 720), shown.hud);
+        painter.end();
+        QString words;
+        for (const PaintedWords& painted : device.words()) words += painted.words + QLatin1Char('\n');
+        EXPECT_TRUE(words.contains("2.4 N")) << words.toStdString();
+        EXPECT_EQ(words.contains("force is shown, not felt"), !felt) << words.toStdString();
+    }
+}
+
 TEST(HudLayout, ForcesKeepTheirPlaceWhenAWarningAppears) {
     const auto hand_at = [](Shown& shown) {
         shown.hud.task = &shown.task;
