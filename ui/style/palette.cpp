@@ -6,6 +6,8 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+#include "ui/style/keyboard_aid.h"
+
 /// Resources of a static library are linked in only where somebody asks for them, outside any namespace.
 static void load_style_resources() {
     Q_INIT_RESOURCE(style);
@@ -63,7 +65,8 @@ QPushButton[role="link"]:hover, QPushButton[role="link"]:focus { text-decoration
 QPushButton[role="card"] { background: @card; border: 1px solid @line; border-radius: 10px; padding: 14px; text-align: left; }
 QPushButton[role="card"]:focus, QPushButton[role="card"]:hover { border: 2px solid @accent; padding: 13px; }
 QLineEdit, QPlainTextEdit, QTextEdit, QComboBox, QSpinBox, QDoubleSpinBox { background: @window; border: 1px solid @line; border-radius: 6px; padding: 6px 8px; selection-background-color: @accent; selection-color: @accent_text; }
-QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus { border: 2px solid @accent; padding: 5px 7px; }
+QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid @accent; padding: 5px 7px; }
+QLabel:focus { background: @raised; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px; height: 12px; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 22px; border: none; background: transparent; }
@@ -71,6 +74,7 @@ QAbstractSpinBox::up-arrow { image: url(:/style/icons/arrow_up_@theme.svg); widt
 QAbstractSpinBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: @card; selection-background-color: @accent; selection-color: @accent_text; border: 1px solid @line; }
 QTableWidget, QTableView, QListWidget { background: @card; alternate-background-color: @raised; border: 1px solid @line; border-radius: 8px; gridline-color: @line; selection-background-color: @accent; selection-color: @accent_text; }
+QTableView:focus, QListWidget:focus { border-color: @accent; }
 QTableView::item { border: none; padding: 4px 5px; }
 QListWidget::item { border: none; padding: 4px 8px; }
 QTableView::item:selected, QListWidget::item:selected { background: @accent; color: @accent_text; }
@@ -168,6 +172,7 @@ void apply_theme(QApplication& application, Theme theme) {
     if (!application.property(styled).toBool()) {
         application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
         application.setProperty(styled, true);
+        aid_keyboard(application);
     }
     QFont font = application.font();
     font.setPointSizeF(usual_points * percent_in_force / 100.0);

@@ -3,15 +3,18 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QStyle>
 #include <algorithm>
 #include <vector>
 
+#include "ui/style/announce.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::ui {
@@ -69,24 +72,54 @@ class EnterButton : public QPushButton {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override {
-        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-            click();
-        } else {
+        const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        if (!enter) {
             QPushButton::keyPressEvent(event);
+        } else if (!event->isAutoRepeat()) {
+            click();  // held, it would press the next button too, to which the first press has led
         }
     }
 };
 
+/// Signs at the ends of words, which a screen reader would spell out.
+QString without_signs(const QString& shown) {
+    static const QString signs = QStringLiteral("▲▼◀▶←→ ");
+    int first = 0, last = shown.size();
+    while (first < last && signs.contains(shown[first])) ++first;
+    while (last > first && signs.contains(shown[last - 1])) --last;
+    return shown.mid(first, last - first);
+}
+
 }  // namespace
 
+QString button_text(QString shown) {
+    return shown.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
 QPushButton* make_button(const QString& shown, const char* name, const char* role) {
-    auto* button = new EnterButton(shown);
+    auto* button = new EnterButton(button_text(shown));
     button->setObjectName(QString::fromLatin1(name));
-    button->setAccessibleName(shown);
+    if (const QString spoken = without_signs(shown); spoken != shown) button->setAccessibleName(spoken);
     button->setCursor(Qt::PointingHandCursor);
     button->setAutoDefault(false);
     if (role != nullptr) button->setProperty("role", role);
     return button;
+}
+
+void ask_twice(QPushButton* first, QPushButton* sure) {
+    QObject::connect(first, &QPushButton::clicked, sure, [first, sure] {
+        sure->show();
+        announce(first, QCoreApplication::translate("fulcrum::ui::text",
+                                                    "Nothing has happened yet. To confirm, choose: %1")
+                            .arg(sure->text().replace(QLatin1String("&&"), QLatin1String("&"))));
+    });
+    for (QPushButton* button : {first, sure}) {
+        auto* back = new QShortcut(Qt::Key_Escape, button, nullptr, nullptr, Qt::WidgetShortcut);
+        QObject::connect(back, &QShortcut::activated, sure, [first, sure] {
+            if (sure->hasFocus()) first->setFocus();
+            sure->hide();
+        });
+    }
 }
 
 QComboBox* make_narrow_choice(const char* name, const QString& accessible_name, int characters) {
@@ -165,8 +198,24 @@ QTableWidget* make_table(const QStringList& columns, const char* name) {
     return table;
 }
 
+namespace {
+
+/// Its tool tip is its description for a screen reader as well.
+class DescribedCell : public QTableWidgetItem {
+  public:
+    using QTableWidgetItem::QTableWidgetItem;
+    QVariant data(int role) const override {
+        const QVariant own = QTableWidgetItem::data(role);
+        if (role != Qt::AccessibleDescriptionRole || own.isValid()) return own;
+        const QVariant tip = QTableWidgetItem::data(Qt::ToolTipRole);
+        return tip == QTableWidgetItem::data(Qt::DisplayRole) ? QVariant() : tip;
+    }
+};
+
+}  // namespace
+
 QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment) {
-    auto* item = new QTableWidgetItem(shown);
+    auto* item = new DescribedCell(shown);
     item->setTextAlignment(alignment);
     return item;
 }

@@ -32,8 +32,15 @@ class ElidedLabel : public QLabel {
 inline constexpr int widest_line = 800;
 /// The text with a line break wherever a line would be wider; a word that is too long is broken as well.
 QString in_lines(const QString& shown, const QFontMetrics& metrics, int width);
-/// A button whose object name and accessible name are set; role "primary", "link", "card" or null.
+/// Of text that anybody wrote: '&' is a letter there, and no key of the button.
+QString button_text(QString shown);
+/// A button with an object name; role "primary", "link", "card" or null. A screen reader reads what it shows,
+/// also after a change, without arrows at the ends; an accessible name of its own is only for what is not
+/// clear without its surroundings. Enter and Space press it once, however long they are held.
 QPushButton* make_button(const QString& shown, const char* name, const char* role = nullptr);
+/// For what cannot be undone: `first` shows `sure`, and Escape on either of them hides it again. `sure` does
+/// not get the focus, so that no key that is pressed once too often is the second press.
+void ask_twice(QPushButton* first, QPushButton* sure);
 /// A choice that is as wide as so many characters at least, whatever its longest line; the rest ends in "…".
 QComboBox* make_narrow_choice(const char* name, const QString& accessible_name, int characters);
 /// A rounded frame with a vertical layout (reach it by card->layout()).

@@ -20320,6 +20320,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Device: %1.</source>
         <translation>Gerät: %1.</translation>
     </message>
+    <message>
+        <source>Nothing has happened yet. To confirm, choose: %1</source>
+        <translation>Noch ist nichts geschehen. Zur Bestätigung wählen: %1</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::themes</name>
