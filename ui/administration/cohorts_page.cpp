@@ -92,7 +92,6 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     layout->addLayout(row);
     layout->addStretch(1);
     connect(add_button, &QPushButton::clicked, this, &CohortsPage::add);
-    connect(new_name_, &QLineEdit::returnPressed, this, &CohortsPage::add);
     connect(save_button, &QPushButton::clicked, this, &CohortsPage::save);
     connect(list_, &QListWidget::currentRowChanged, this, &CohortsPage::select);
     auto* outer = new QVBoxLayout(this);

@@ -109,7 +109,6 @@ QFrame* PeoplePage::build_add() {
     card_layout(card)->addLayout(form);
     QPushButton* button = make_button(tr("Add person"), "add_person", "primary");
     connect(button, &QPushButton::clicked, this, &PeoplePage::add);
-    connect(new_login_, &QLineEdit::returnPressed, this, &PeoplePage::add);
     card_layout(card)->addWidget(button, 0, Qt::AlignLeft);
     return card;
 }

@@ -100,7 +100,6 @@ QWidget* ServerCard::make_form() {
     for (QLineEdit* field : {address_, token_}) {
         layout->addWidget(field);
         connect(field, &QLineEdit::textChanged, this, &ServerCard::update_buttons);
-        connect(field, &QLineEdit::returnPressed, this, &ServerCard::enrol);
     }
     connect(enrol_, &QPushButton::clicked, this, &ServerCard::enrol);
     layout->addWidget(enrol_, 0, Qt::AlignLeft);

@@ -111,7 +111,6 @@ QWidget* TissuesPage::build_editor() {
         make_label(tr("No values have been set at this site yet: those of the scene apply."), "muted");
     card_layout(card)->addWidget(no_history_);
     connect(save_, &QPushButton::clicked, this, &TissuesPage::save);
-    connect(reason_, &QLineEdit::returnPressed, save_, &QPushButton::click);
     connect(back_, &QPushButton::clicked, this, &TissuesPage::back_to_scene);
     return card;
 }

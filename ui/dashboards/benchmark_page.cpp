@@ -169,7 +169,6 @@ QWidget* BenchmarkPage::make_saving() {
         row->add(button);
         column->addLayout(row);
         connect(edit, &QLineEdit::textChanged, this, &BenchmarkPage::look);
-        connect(edit, &QLineEdit::returnPressed, button, &QPushButton::click);
     };
     add(note_, put_, "benchmark_note", tr("Why this set is made (in the audit log and in the set)"),
         tr("Put in force"), "benchmark_put", "primary");

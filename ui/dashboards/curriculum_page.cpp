@@ -232,10 +232,8 @@ void CurriculumPage::connect_parts() {
     connect(problem_list_, &QListWidget::itemClicked, this,
             [this] { go_to_problem(problem_list_->currentRow()); });
     connect(path_, &QLineEdit::textChanged, this, &CurriculumPage::look);
-    connect(path_, &QLineEdit::returnPressed, save_, &QPushButton::click);
     connect(save_, &QPushButton::clicked, this, &CurriculumPage::save);
     connect(reason_, &QLineEdit::textChanged, this, &CurriculumPage::look);
-    connect(reason_, &QLineEdit::returnPressed, publish_, &QPushButton::click);
     connect(publish_, &QPushButton::clicked, this, &CurriculumPage::publish);
     connect(discard_, &QPushButton::clicked, this, [this] {
         start_over();

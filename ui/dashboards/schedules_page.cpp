@@ -109,7 +109,6 @@ QLayout* SchedulesPage::build_adding() {
     connect(choose, &QPushButton::clicked, this,
             [this] { choose_folder(folder_, tr("Folder of the reports")); });
     connect(folder_, &QLineEdit::textChanged, this, &SchedulesPage::look);
-    connect(folder_, &QLineEdit::returnPressed, add_, &QPushButton::click);
     connect(add_, &QPushButton::clicked, this, &SchedulesPage::add);
     return row;
 }
@@ -147,7 +146,6 @@ QWidget* SchedulesPage::build_research() {
     connect(choose, &QPushButton::clicked, this,
             [this] { choose_folder(research_folder_, tr("Folder of the files for research")); });
     connect(research_folder_, &QLineEdit::textChanged, this, &SchedulesPage::look);
-    connect(research_folder_, &QLineEdit::returnPressed, export_, &QPushButton::click);
     connect(export_, &QPushButton::clicked, this, &SchedulesPage::export_research);
     connect(research_bar_, &JobBar::cancelled, this, [this] {
         job_ = nullptr;

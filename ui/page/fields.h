@@ -4,6 +4,7 @@
 
 #include <QFormLayout>
 #include <QLineEdit>
+#include <vector>
 
 #include "ui/style/widgets.h"
 
@@ -19,11 +20,20 @@ inline QLineEdit* make_field(QFormLayout* form, const QString& label, const char
     return edit;
 }
 
+/// Enter in a field leads to the next one, and in the last to the button: it performs nothing itself.
+inline void enter_leads_on(const std::vector<QLineEdit*>& fields, QPushButton* button) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        QWidget* next = i + 1 < fields.size() ? static_cast<QWidget*>(fields[i + 1]) : button;
+        QObject::connect(fields[i], &QLineEdit::returnPressed, next, [next] { next->setFocus(); });
+    }
+}
+
 /// Each character as wide as the others; can be selected.
 inline QLabel* make_code_label(const char* name) {
     QLabel* label = make_label({}, "number");
     label->setObjectName(QString::fromLatin1(name));
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setFocusPolicy(Qt::StrongFocus);  // to be read and copied without a mouse
     QFont mono(QStringLiteral("monospace"));
     mono.setStyleHint(QFont::Monospace);
     label->setFont(mono);

@@ -65,7 +65,6 @@ ExportRow::ExportRow(const char* save_name, QWidget* parent)
     row->add(save_);
     connect(format_, QOverload<int>::of(&QComboBox::activated), this, &ExportRow::format_chosen);
     connect(path_, &QLineEdit::textChanged, this, &ExportRow::look);
-    connect(path_, &QLineEdit::returnPressed, save_, &QPushButton::click);
     connect(other, &QPushButton::clicked, this, &ExportRow::choose);
     connect(save_, &QPushButton::clicked, this, [this] { emit save_wanted(path()); });
 }

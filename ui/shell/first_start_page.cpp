@@ -132,9 +132,7 @@ QWidget* FirstStartPage::build_form() {
     connect(back_, &QPushButton::clicked, this, [this] { steps_->setCurrentIndex(0); });
     create_ = make_button(tr("Create programme"), "create_confirm", "primary");
     connect(create_, &QPushButton::clicked, this, &FirstStartPage::create);
-    for (QLineEdit* edit : {programme_, name_, login_, password_, repeat_}) {
-        connect(edit, &QLineEdit::returnPressed, this, &FirstStartPage::create);
-    }
+    enter_leads_on({programme_, name_, login_, password_, repeat_}, create_);
     buttons->addWidget(back_);
     buttons->addStretch();
     buttons->addWidget(create_);

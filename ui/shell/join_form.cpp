@@ -42,8 +42,8 @@ JoinForm::JoinForm(Context& context) : context_(context) {
     connect(join_, &QPushButton::clicked, this, &JoinForm::join);
     for (QLineEdit* edit : {address_, token_}) {
         connect(edit, &QLineEdit::textChanged, this, &JoinForm::update_button);
-        connect(edit, &QLineEdit::returnPressed, this, &JoinForm::join);
     }
+    enter_leads_on({address_, token_}, join_);
     buttons->addWidget(back_button);
     buttons->addStretch();
     buttons->addWidget(join_);

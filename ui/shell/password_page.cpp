@@ -52,9 +52,7 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
             emit this->context().home_wanted();
         }
     });
-    for (QLineEdit* edit : {old_, new_, again_}) {
-        connect(edit, &QLineEdit::returnPressed, this, &PasswordPage::change);
-    }
+    enter_leads_on({old_, new_, again_}, change_);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 640, PagePlace::centred));

@@ -86,8 +86,8 @@ QFrame* RepairPage::build_restore() {
     restore_ = make_button(tr("Restore this backup"), "restore_backup", "primary");
     for (QLineEdit* edit : {login_, password_}) {
         connect(edit, &QLineEdit::textChanged, this, &RepairPage::update_buttons);
-        connect(edit, &QLineEdit::returnPressed, this, &RepairPage::restore);
     }
+    enter_leads_on({login_, password_}, restore_);
     connect(restore_, &QPushButton::clicked, this, &RepairPage::restore);
     card_layout(card)->addWidget(restore_, 0, Qt::AlignLeft);
     return card;

@@ -206,6 +206,8 @@ TEST_F(SiteTissue, EducatorsSetValuesOnTheirPageAndTheBriefingStatesIt) {
 
     type(window, "tissue_reason", "as in our patients");
     QTest::keyClick(find<QLineEdit>(window, "tissue_reason"), Qt::Key_Return);
+    EXPECT_FALSE(state->text().contains("version 1")) << "Enter in a field saves nothing";
+    click(window, "save_tissues");
     EXPECT_TRUE(state->text().contains("version 1")) << state->text().toStdString();
     const QString limits = find<QLabel>(window, "tissue_limits")->text();
     EXPECT_TRUE(limits.contains("there 0.04") && limits.contains("--device-class haptic") &&

@@ -27,6 +27,7 @@
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/heard.h"
 #include "ui/dashboards/limit_rows.h"
 #include "ui/dashboards/limits_chart.h"
 #include "ui/language/language.h"
@@ -325,6 +326,8 @@ TEST_F(BuildingLimits, ASetThatAnotherOneOvertookIsNotPutInForce) {
     note->setFocus();
     QTest::keyClicks(note, "Too late");
     QTest::keyClick(note, Qt::Key_Return);
+    EXPECT_FALSE(sees(*window, "message_text")) << "Enter in a field puts nothing in force";
+    click(*window, "benchmark_put");
     EXPECT_TRUE(label("message_text").contains("cannot follow it")) << label("message_text").toStdString();
     EXPECT_EQ(load_benchmark(file().string()).version, other.version);
     EXPECT_TRUE(database::AcceptedAssets(*services->store()).list().empty());
@@ -403,7 +406,7 @@ TEST_F(BuildingLimits, FitTheSmallestWindowWithLargeTextInBothThemesAndLanguages
             bring(*widget);
             const QRect place(widget->mapTo(window.get(), QPoint()), widget->size());
             EXPECT_TRUE(place.left() >= 0 && place.right() <= window->width()) << look.name << " " << name;
-            EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
+            EXPECT_FALSE(spoken_name(widget).isEmpty()) << name;
             EXPECT_FALSE(widget->visibleRegion().isEmpty()) << look.name << " " << name;
         }
         keep(look.name);
