@@ -11,6 +11,7 @@
 
 #include "sim_core/numerics/output_file.h"
 #include "ui/page/background_job.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -207,6 +208,7 @@ void ImportCard::show_plan() {
     import_->setEnabled(created + changed > 0);
     passwords_->setEnabled(created > 0);
     details_->show();
+    announce(summary_, summary_->text());
 }
 
 void ImportCard::import() {

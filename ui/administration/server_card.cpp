@@ -11,6 +11,7 @@
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
 #include "ui/page/mail_room.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -224,6 +225,7 @@ void ServerCard::show_result(const database::SyncResult& result) {
     for (const Sentence& conflict : result.conflicts) lines << QStringLiteral("▲ ") + sentence_text(conflict);
     result_->setText(lines.join(QLatin1Char('\n')));
     result_->show();
+    announce(result_, result_->text());
 }
 
 }  // namespace fulcrum::ui

@@ -12,6 +12,7 @@
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
+#include "ui/style/announce.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -238,6 +239,7 @@ void StationPage::show_report(const database::CheckReport& report) {
     verdict_->setText(verdict_of(report));
     set_tint(verdict_, report.ok ? Tint::good : Tint::bad);
     verdict_->show();
+    announce(verdict_, verdict_->text());
     items_->setRowCount(0);
     for (const database::CheckItem& item : report.items) {
         const int row = items_->rowCount();

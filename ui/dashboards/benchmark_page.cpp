@@ -15,6 +15,7 @@
 #include "ui/dashboards/limit_rows.h"
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -370,6 +371,7 @@ void BenchmarkPage::show_result() {
                                    .arg(decimal(build.set->k, 1))
                                    .arg(decimal(100 * build.set->expert_pass_share, 1))
                              : tr("✕ Refused: %1.").arg(sentence_text(build.refusal)));
+    announce(verdict_, verdict_->text());
     explained_->setText(explained().join(QLatin1Char('\n')));
     explained_->setVisible(!explained_->text().isEmpty());
     site_->setText(limits_of_site());

@@ -14,6 +14,7 @@
 #include "ui/page/background_job.h"
 #include "ui/page/station_note.h"
 #include "ui/reports/scheduled_reports.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -317,6 +318,7 @@ void SchedulesPage::export_research() {
                     .arg(written->people)
                     .arg(written->left_out));
             research_result_->show();
+            announce(research_result_, research_result_->text());
         },
         [this](const QString& why) {
             job_ = nullptr;

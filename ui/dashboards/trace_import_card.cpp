@@ -14,6 +14,7 @@
 #include "database/records/people.h"
 #include "database/store/store.h"
 #include "ui/page/background_job.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -222,6 +223,7 @@ void TraceImportCard::forget() {
 void TraceImportCard::show_problem(const QString& why) {
     problem_->setText(why);
     problem_->show();
+    announce_problem(problem_, why);
     bring(problem_);
 }
 
@@ -313,6 +315,7 @@ void TraceImportCard::show_preview() {
     const QDateTime now = QDateTime::fromMSecsSinceEpoch(context_.store().now());
     performed_->setText((written.isValid() ? std::min(written, now) : now).toString(time_format));
     details_->show();
+    announce(details_, summary_->text());
     bring(details_);
     (person_->currentData().toString().isEmpty() ? static_cast<QWidget*>(person_) : exercise_)->setFocus();
 }

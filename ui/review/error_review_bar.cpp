@@ -10,6 +10,7 @@
 #include "database/records/reviews.h"
 #include "sim_core/telemetry/event_errors.h"
 #include "ui/review/attempt_model.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -184,7 +185,7 @@ void ErrorReviewBar::add(database::ErrorVerdict verdict) {
     const std::string reason = plain(reason_->text().trimmed());
     if (!event_) return;
     if (reason.empty()) {
-        chosen_->setText(tr("Give a reason first: the trainee reads it."));
+        announce_problem(chosen_, tr("Give a reason first: the trainee reads it."));
         reason_->setFocus();
         return;
     }

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -106,8 +107,8 @@ void CalibrationBox::show_state() {
     begin_->setEnabled(!now.runs);
     steps_->setVisible(now.runs);
     if (now.runs) {
-        step_->setText(
-            tr("Step %1 of %2: %3").arg(now.step).arg(now.steps).arg(sentence_text(now.what_to_do)));
+        announce_change(
+            step_, tr("Step %1 of %2: %3").arg(now.step).arg(now.steps).arg(sentence_text(now.what_to_do)));
         seen_->setText(sentence_text(now.seen));
         next_->setEnabled(now.ready);
         skip_->setVisible(now.can_skip);
@@ -118,6 +119,7 @@ void CalibrationBox::show_state() {
     result_->setText(sentence_text(now.result));
     set_tint(result_, now.good ? Tint::good : Tint::bad);
     result_->setVisible(!now.result.empty());
+    announce_problem(result_, sentence_text(now.result));
     context_.services().stop_calibration();
     show_device();
     begin_->setFocus();

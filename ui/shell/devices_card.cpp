@@ -9,6 +9,8 @@
 #include "ui/language/words.h"
 #include "ui/page/background_job.h"
 #include "ui/shell/device_test.h"
+#include "ui/style/announce.h"
+#include "ui/style/kept_focus.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -171,6 +173,7 @@ void DevicesCard::show_readings() {
     const QString trouble = sentence_text(devices.device_trouble());
     trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
+    announce_change(trouble_, trouble);
     QStringList lines;
     const auto now = devices.device_readings();
     if (now) {

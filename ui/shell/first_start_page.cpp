@@ -12,6 +12,7 @@
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
 #include "ui/shell/join_form.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -182,12 +183,13 @@ void FirstStartPage::enter() {
 void FirstStartPage::create() {
     if (!create_->isEnabled()) return;
     if (password_->text() != repeat_->text()) {
-        problem_->setText(tr("The two passwords are not the same."));
+        announce_problem(problem_, tr("The two passwords are not the same."));
         repeat_->setFocus();
         return;
     }
     if (password_->text().size() < database::password_minimum_length) {
-        problem_->setText(
+        announce_problem(
+            problem_,
             tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
         password_->setFocus();
         return;
@@ -218,7 +220,7 @@ void FirstStartPage::create() {
             context().set_session((*created)->administrator);
             steps_->setCurrentIndex(2);
         },
-        [this](const QString& error) { problem_->setText(error); });
+        [this](const QString& error) { announce_problem(problem_, error); });
     connect(job, &BackgroundJob::ended, this, [this] {
         for (QPushButton* button : {create_, back_}) button->setEnabled(true);
     });

@@ -8,6 +8,7 @@
 #include "database/sync/sync.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
+#include "ui/style/announce.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -98,7 +99,7 @@ void JoinForm::join() {
         [this, complete] {
             if (*complete) emit joined();
         },
-        [this](const QString& why) { problem_->setText(capital(why)); });
+        [this](const QString& why) { announce_problem(problem_, capital(why)); });
     connect(job, &BackgroundJob::ended, this, [this] {
         busy_ = false;
         update_button();

@@ -7,6 +7,7 @@
 #include <QKeySequence>
 #include <QRadioButton>
 
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/widgets.h"
 
@@ -103,11 +104,16 @@ void KeysCard::show_keys() {
     message_->setVisible(!message_->text().isEmpty());
 }
 
+/// What the person is asked for, or why a key was not taken.
+void KeysCard::say(const char* role, const QString& words) {
+    set_role(message_, role);
+    announce_problem(message_, words);
+    show_keys();
+}
+
 void KeysCard::wait_for_key(KeyAction action) {
     waiting_ = action;
-    set_role(message_, nullptr);
-    message_->setText(tr("Press the new key for “%1”, or Escape.").arg(title_of(action)));
-    show_keys();
+    say(nullptr, tr("Press the new key for “%1”, or Escape.").arg(title_of(action)));
     keys_[static_cast<std::size_t>(action)]->setFocus();
 }
 
@@ -143,21 +149,16 @@ void KeysCard::take_key(int key) {
     }
     const QString pressed = QKeySequence(key).toString(QKeySequence::NativeText);
     if (!KeyMap::can_be_used(key)) {
-        set_role(message_, "bad");
-        message_->setText(
+        say("bad",
             KeyMap::is_needed(key)
                 ? tr("This key is needed for something else. Press another one, or Escape.")
                 : tr("This key has no name under which it could be kept. Press another one, or Escape."));
-        show_keys();
         return;
     }
     if (const std::optional<KeyAction> other = map_.assign(*waiting_, key)) {
-        set_role(message_, "bad");
-        message_->setText(
-            tr("%1 is already used (%2: %3). Press another key, or Escape and change that one first.")
-                .arg(pressed, title_of(key_actions()[static_cast<std::size_t>(*other)].group),
-                     title_of(*other)));
-        show_keys();
+        say("bad", tr("%1 is already used (%2: %3). Press another key, or Escape and change that one first.")
+                       .arg(pressed, title_of(key_actions()[static_cast<std::size_t>(*other)].group),
+                            title_of(*other)));
         return;
     }
     message_->clear();

@@ -29,6 +29,7 @@ class KeysCard : public QFrame {
     void wait_for_key(KeyAction action);
     void take_key(int key);
     void show_keys();
+    void say(const char* role, const QString& words);
     void keep();
     Context& context_;
     KeyMap map_ = KeyMap::standard(false);

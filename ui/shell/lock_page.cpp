@@ -8,6 +8,7 @@
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/shell/sign_in_page.h"
+#include "ui/style/announce.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -85,7 +86,7 @@ void LockPage::enter() {
 }
 
 void LockPage::set_notice(const QString& line) {
-    notice_->setText(line);
+    announce_problem(notice_, line);
 }
 
 void LockPage::unlock() {
@@ -103,7 +104,7 @@ void LockPage::unlock() {
         this, context().store().path(), login, plain(password_->text()), session.role(),
         [this](const database::Session&) { emit unlocked(); },
         [this](const QString& why) {
-            problem_->setText(why);
+            announce_problem(problem_, why);
             password_->clear();
             password_->setFocus();
         });

@@ -22,7 +22,9 @@
 #include "ui/shell/repair_page.h"
 #include "ui/shell/settings_page.h"
 #include "ui/shell/sign_in_page.h"
+#include "ui/style/announce.h"
 #include "ui/style/appearance.h"
+#include "ui/style/kept_focus.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_page.h"
@@ -142,6 +144,7 @@ void MainWindow::connect_context() {
         if (page<TheatrePage>()->take_over(std::move(from))) show_page(page<TheatrePage>());
     });
     connect(&context_, &Context::interrupted_scored, this, [this] {
+        const KeptFocus focus(current_page());
         if (typeid(*current_page()) == typeid(HomePage)) current_page()->enter();
     });
     connect(&context_, &Context::debrief_wanted, this, [this](const QString& attempt_id, double time_s) {
@@ -198,17 +201,6 @@ void MainWindow::connect_first_pages() {
     connect(repair, &RepairPage::try_again, this, &MainWindow::start, Qt::UniqueConnection);
     connect(repair, &RepairPage::restored, this, &MainWindow::start_restored, Qt::UniqueConnection);
     connect(repair, &RepairPage::look_around_wanted, this, &MainWindow::look_around, Qt::UniqueConnection);
-}
-
-void MainWindow::show_banner() {
-    const database::Store* store = context_.services().store();
-    const bool shown = store != nullptr && (store->is_demo() || store->is_server());
-    if (shown)
-        banner_text_->setText(
-            store->is_demo() ? tr("Demonstration: the people and their attempts are simulated.")
-                             : tr("Programme server, read only: attempts, ratings and decisions are made at "
-                                  "the stations."));
-    banner_->setVisible(shown);
 }
 
 void MainWindow::start() {
@@ -310,8 +302,12 @@ void MainWindow::rebuild() {
             show_page(page<SettingsPage>());
         else
             show_home();
-        auto* control = centralWidget()->findChild<QWidget*>(used);
-        if (control != nullptr) control->setFocus();
+        // Without a name it would be any widget, such as one that nobody sees the focus on.
+        auto* control = used.isEmpty() ? nullptr : centralWidget()->findChild<QWidget*>(used);
+        if (control != nullptr) {
+            control->setFocus();
+            bring_into_view(control);
+        }
     } else if (shown == typeid(SignInPage)) {
         show_sign_in();
     } else {
@@ -447,6 +443,7 @@ void MainWindow::switch_user() {
 }
 
 void MainWindow::lock() {
+    used_before_lock_ = focusWidget();
     if (TheatrePage* theatre = running_theatre()) theatre->pause();
     keep_comment_on(current_page());
     message_area_->hide();
@@ -457,16 +454,13 @@ void MainWindow::lock() {
 void MainWindow::unlock() {
     idle_.unlocked();
     layers_->setCurrentIndex(0);
-    if (current_page() != nullptr) current_page()->setFocus();
-}
-
-void MainWindow::show_message(const QString& line, bool is_error) {
-    message_text_->setText(line);
-    set_role(message_, is_error ? "error" : "message");
-    message_area_->show();
-    // Good news disappears after a while; a problem stays until the user closes it.
-    message_timer_.stop();
-    if (!is_error) message_timer_.start();
+    if (!message_area_->isHidden()) announce(message_area_, message_text_->text());  // came behind the lock
+    QWidget* const used = used_before_lock_;
+    if (running_theatre() == nullptr && used != nullptr && used->isVisible() &&
+        current_page()->isAncestorOf(used))
+        used->setFocus();
+    else if (current_page() != nullptr)
+        current_page()->setFocus();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

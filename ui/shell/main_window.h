@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 #include <map>
 #include <typeindex>
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
     std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
     std::map<std::type_index, Page*> pages_;
     bool fitted_ = false;  ///< to the screen, with its real frame
+    QPointer<QWidget> used_before_lock_;
     LockPage* lock_page_ = nullptr;
 };
 

@@ -5,8 +5,10 @@
 #include <QStackedWidget>
 #include <typeinfo>
 
+#include "database/store/store.h"
 #include "ui/shell/lock_page.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/announce.h"
 #include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -28,7 +30,11 @@ void MainWindow::build() {
     rail_ = new QFrame;
     rail_->setProperty("role", "rail");
     auto* close = new QShortcut(Qt::Key_Escape, rail_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-    connect(close, &QShortcut::activated, this, [this] { menu_->setChecked(false); });
+    connect(close, &QShortcut::activated, this, [this] {
+        if (!narrow_) return;  // it is a part of the window
+        menu_->setChecked(false);
+        menu_->setFocus();
+    });
     rail_layout_ = new QVBoxLayout(rail_);
     rail_layout_->setContentsMargins(8, 16, 8, 16);
     rail_layout_->setSpacing(4);
@@ -56,6 +62,19 @@ QWidget* MainWindow::build_banner() {
     row->addWidget(banner_text_);
     banner_->hide();
     return banner_;
+}
+
+void MainWindow::show_banner() {
+    const database::Store* store = context_.services().store();
+    const bool shown = store != nullptr && (store->is_demo() || store->is_server());
+    if (shown)
+        banner_text_->setText(
+            store->is_demo() ? tr("Demonstration: the people and their attempts are simulated.")
+                             : tr("Programme server, read only: attempts, ratings and decisions are made at "
+                                  "the stations."));
+    const bool is_new = shown && banner_->isHidden();
+    banner_->setVisible(shown);
+    if (is_new) announce(banner_, banner_text_->text());
 }
 
 QWidget* MainWindow::build_top_bar() {
@@ -161,6 +180,17 @@ QWidget* MainWindow::build_message() {
     message_timer_.setInterval(6000);
     connect(&message_timer_, &QTimer::timeout, message_area_, &QWidget::hide);
     return message_area_;
+}
+
+void MainWindow::show_message(const QString& line, bool is_error) {
+    message_text_->setText(line);
+    set_role(message_, is_error ? "error" : "message");
+    message_area_->show();
+    // What is said behind the lock is for the person who unlocks it.
+    if (layers_->currentWidget() != lock_page_) announce(message_area_, line);
+    // Good news disappears after a while; a problem stays until the user closes it.
+    message_timer_.stop();
+    if (!is_error) message_timer_.start();
 }
 
 }  // namespace fulcrum::ui

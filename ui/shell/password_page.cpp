@@ -7,6 +7,7 @@
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
+#include "ui/style/announce.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -73,12 +74,13 @@ void PasswordPage::enter() {
 void PasswordPage::change() {
     if (!change_->isEnabled()) return;
     if (new_->text() != again_->text()) {
-        problem_->setText(tr("The two new passwords are not the same."));
+        announce_problem(problem_, tr("The two new passwords are not the same."));
         again_->setFocus();
         return;
     }
     if (new_->text().size() < database::password_minimum_length) {
-        problem_->setText(
+        announce_problem(
+            problem_,
             tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
         new_->setFocus();
         return;
@@ -99,7 +101,7 @@ void PasswordPage::change() {
             context().say(tr("Password changed."));
         },
         [this](const QString& why) {
-            problem_->setText(why);
+            announce_problem(problem_, why);
             old_->setFocus();
         });
     connect(job, &BackgroundJob::ended, this, [this] {

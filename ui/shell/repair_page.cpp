@@ -12,6 +12,7 @@
 #include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -301,6 +302,7 @@ void RepairPage::restore() {
             password_->clear();
             refused_->setText(capital(why));
             refused_->show();
+            announce_problem(refused_, capital(why));
             password_->setFocus();
         });
     restore_bar_->watch(job_, tr("Restoring the backup …"));

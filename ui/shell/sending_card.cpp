@@ -4,6 +4,7 @@
 #include <QCheckBox>
 
 #include "ui/language/language.h"
+#include "ui/style/announce.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -72,6 +73,7 @@ void SendingCard::show_state() {
     state_->setVisible(!lines.isEmpty());
     trouble_->setText(sentence_text(now.trouble));
     trouble_->setVisible(!now.trouble.empty());
+    announce_change(trouble_, sentence_text(now.trouble));
 }
 
 }  // namespace fulcrum::ui

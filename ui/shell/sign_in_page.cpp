@@ -8,6 +8,7 @@
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
+#include "ui/style/announce.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -213,7 +214,7 @@ void SignInPage::fill_demo() {
 void SignInPage::sign_in() {
     if (busy_) return;
     if (login_->text().trimmed().isEmpty() || password_->text().isEmpty()) {
-        problem_->setText(tr("Enter your login and your password."));
+        announce_problem(problem_, tr("Enter your login and your password."));
         (login_->text().trimmed().isEmpty() ? login_ : password_)->setFocus();
         return;
     }
@@ -228,7 +229,7 @@ void SignInPage::sign_in() {
         },
         [this](const QString& why) {
             password_->clear();
-            problem_->setText(why);
+            announce_problem(problem_, why);
             password_->setFocus();
         });
     connect(job, &BackgroundJob::ended, this, [this] {
@@ -267,7 +268,7 @@ void SignInPage::recover() {
             new_code_card_->show();
             noted_->setFocus();
         },
-        [this](const QString& why) { problem_->setText(why); });
+        [this](const QString& why) { announce_problem(problem_, why); });
     connect(job, &BackgroundJob::ended, this, [this] { set_busy(false); });
     job_->watch(job, tr("Checking the recovery code …"), JobBar::Cancel::none);
 }

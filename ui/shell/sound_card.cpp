@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/language/language.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -100,6 +101,7 @@ void SoundCard::show_state() {
     test_->setEnabled(now.wanted && trouble.empty());
     trouble_->setText(sentence_text(trouble));
     trouble_->setVisible(!trouble.empty());
+    announce_change(trouble_, sentence_text(trouble));
 }
 
 }  // namespace fulcrum::ui

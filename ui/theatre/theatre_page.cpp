@@ -3,6 +3,7 @@
 
 #include "assessment/task/asked_hand.h"
 #include "ui/services/device_in_scene.h"
+#include "ui/style/announce.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
@@ -338,6 +339,7 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     place_panel();
     panel_->raise();
     if (can_choose && isVisible()) resume_->setFocus();
+    if (isVisible()) announce(panel_, heading + QLatin1Char(' ') + line);
 }
 
 void TheatrePage::tick() {

@@ -10,6 +10,7 @@
 #include <QTableWidget>
 
 #include "tests/ui/hands.h"
+#include "tests/ui/heard.h"
 #include "ui/charts/figure_chart.h"
 #include "ui/charts/time_charts.h"
 

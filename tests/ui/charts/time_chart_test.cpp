@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tests/ui/heard.h"
 #include "tests/ui/painted_words.h"
 #include "ui/charts/time_charts.h"
 

@@ -17,6 +17,8 @@
 #include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/heard.h"
+#include "ui/charts/time_chart.h"
 #include "ui/charts/time_charts.h"
 #include "ui/language/language.h"
 #include "ui/review/compare_page.h"
