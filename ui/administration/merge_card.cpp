@@ -112,6 +112,7 @@ void MergeCard::merge() {
             database::PersonMerge(context_.store())
                 .merge(context_.session(), person_, chosen(), plain(reason_->text().trimmed()));
         })) {
+        reason_->setFocus();  // not on the button that takes this button's place
         context_.say(tr("Merged."));
         emit merged();
     }
@@ -122,6 +123,7 @@ void MergeCard::undo() {
             database::PersonMerge(context_.store())
                 .undo(context_.session(), person_, plain(reason_->text().trimmed()));
         })) {
+        reason_->setFocus();
         context_.say(tr("The merge was undone."));
         emit merged();
     }

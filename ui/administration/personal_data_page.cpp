@@ -91,10 +91,7 @@ QFrame* PersonalDataPage::build_person() {
     erase_ = make_button(tr("Erase this person"), "erase_person");
     erase_sure_ = make_button(tr("Erase for good"), "erase_person_sure", "primary");
     connect(reason_, &QLineEdit::textChanged, this, &PersonalDataPage::update_buttons);
-    connect(erase_, &QPushButton::clicked, this, [this] {
-        erase_sure_->show();
-        erase_sure_->setFocus();
-    });
+    ask_twice(erase_, erase_sure_);
     connect(erase_sure_, &QPushButton::clicked, this, &PersonalDataPage::erase);
     row->add(erase_);
     row->add(erase_sure_);
@@ -142,6 +139,7 @@ QFrame* PersonalDataPage::build_retention() {
         erase_due_sure_->show();
         erase_due_sure_->setFocus();
     });
+    ask_twice(erase_due_, erase_due_sure_);
     connect(erase_due_sure_, &QPushButton::clicked, this, &PersonalDataPage::erase_due);
     buttons_row->add(erase_due_);
     buttons_row->add(erase_due_sure_);
@@ -288,6 +286,7 @@ void PersonalDataPage::export_to(const QString& folder) {
 void PersonalDataPage::erase() {
     const std::string person = chosen();
     if (job_ != nullptr || person.empty()) return;
+    person_->setFocus();  // not on what comes next when the button is gone
     erase_sure_->hide();
     Context* const owner = &context();
     BackgroundJob* const job = BackgroundJob::run(
@@ -384,6 +383,7 @@ void PersonalDataPage::save_retention() {
 
 void PersonalDataPage::erase_due() {
     if (job_ != nullptr) return;
+    months_->setFocus();
     erase_due_sure_->hide();
     std::vector<std::string> ids;
     for (const database::DuePerson& one : due_) ids.push_back(one.id);

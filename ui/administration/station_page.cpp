@@ -143,6 +143,7 @@ void StationPage::change_key() {
     try {
         const database::SigningKey key = database::rotate_station_key(context().store(), context().session(),
                                                                       plain(key_reason_->text().trimmed()));
+        key_reason_->setFocus();  // the button is disabled, and the next one does something else
         show_keys();
         context().say(tr("The station signs with the key %1 from now on. Keep a copy of its file.")
                           .arg(text(key.fingerprint.substr(0, 16))));

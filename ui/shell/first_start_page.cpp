@@ -219,6 +219,7 @@ void FirstStartPage::create() {
             code_->setText(text((*created)->recovery_code));
             context().set_session((*created)->administrator);
             steps_->setCurrentIndex(2);
+            code_->setFocus();
         },
         [this](const QString& error) { announce_problem(problem_, error); });
     connect(job, &BackgroundJob::ended, this, [this] {

@@ -102,7 +102,9 @@ QFrame* RepairPage::build_other_ways() {
     aside_ = make_button(tr("Keep the file under another name"), "put_aside");
     connect(aside_, &QPushButton::clicked, this, [this] {
         aside_confirm_->show();
-        aside_confirm_->findChild<QPushButton*>(QStringLiteral("put_aside_confirm"))->setFocus();
+        // Not on the one that does it: a key pressed once too often takes it back.
+        aside_confirm_->findChild<QPushButton*>(QStringLiteral("put_aside_cancel"))->setFocus();
+        announce(aside_confirm_, aside_confirm_->findChild<QLabel*>()->text());
     });
     other_ = make_button(tr("Open another programme …"), "open_other");
     connect(other_, &QPushButton::clicked, this, [this] {
@@ -126,7 +128,10 @@ QFrame* RepairPage::build_other_ways() {
     QPushButton* confirm = make_button(tr("Give it another name"), "put_aside_confirm", "primary");
     QPushButton* cancel = make_button(tr("Cancel"), "put_aside_cancel");
     connect(confirm, &QPushButton::clicked, this, &RepairPage::put_aside);
-    connect(cancel, &QPushButton::clicked, aside_confirm_, &QWidget::hide);
+    connect(cancel, &QPushButton::clicked, this, [this] {
+        aside_->setFocus();
+        aside_confirm_->hide();
+    });
     sure_row->add(confirm);
     sure_row->add(cancel);
     card_layout(aside_confirm_)->addWidget(sure);
@@ -300,7 +305,6 @@ void RepairPage::restore() {
         [this, ended](const QString& why) {
             ended();
             password_->clear();
-            refused_->setText(capital(why));
             refused_->show();
             announce_problem(refused_, capital(why));
             password_->setFocus();

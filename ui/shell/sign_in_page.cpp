@@ -266,7 +266,7 @@ void SignInPage::recover() {
             form_->setEnabled(false);
             new_code_->setText(text(*next));
             new_code_card_->show();
-            noted_->setFocus();
+            new_code_->setFocus();  // not on the button that takes it away
         },
         [this](const QString& why) { announce_problem(problem_, why); });
     connect(job, &BackgroundJob::ended, this, [this] { set_busy(false); });
