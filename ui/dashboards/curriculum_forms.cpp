@@ -4,16 +4,17 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "ui/dashboards/form_parts.h"
+#include "ui/style/announce.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -44,8 +45,21 @@ void put_problems(QLabel* label, const std::vector<CurriculumProblem>& problems,
             continue;
         lines << CurriculumWords::tr("%1: %2").arg(field_words(one.field), problem_words(one));
     }
-    label->setText(lines.join(QLatin1Char('\n')));
     label->setVisible(!lines.isEmpty());
+    announce_change(label, lines.join(QLatin1Char('\n')));
+}
+
+void ExactBox::show_value(double exact, int least_decimals) {
+    if (exact == exact_value()) return;  // also while it is typed, digit by digit
+    constexpr int most_decimals = 9;
+    int needed = least_decimals;
+    while (needed < most_decimals &&
+           std::abs(QString::number(exact, 'f', needed).toDouble() - exact) > 1e-12 * std::abs(exact))
+        ++needed;
+    setDecimals(needed);
+    setValue(exact);
+    exact_ = exact;
+    shown_ = value();
 }
 
 QWidget* add_named(QFormLayout* form, const QString& name, QWidget* field) {
@@ -196,7 +210,7 @@ TaskRatingsForm::TaskRatingsForm(QWidget* parent) : QWidget(parent) {
     raters_->setObjectName(QStringLiteral("ratings_raters"));
     raters_->setRange(1, most_raters);
     add_named(form, tr("Raters, at least"), raters_);
-    lowest_ = new QDoubleSpinBox;
+    lowest_ = new ExactBox;
     lowest_->setObjectName(QStringLiteral("ratings_lowest"));
     lowest_->setRange(0, 100);
     lowest_->setSingleStep(0.5);
@@ -238,7 +252,7 @@ void TaskRatingsForm::show_task(const CurriculumTask& task) {
     }
     form_->setCurrentIndex(std::max(0, row));
     raters_->setValue(rule.raters);
-    lowest_->setValue(task.ratings ? rule.lowest_mean : 3);
+    lowest_->show_value(task.ratings ? rule.lowest_mean : 3, 2);
     every_item_->setChecked(rule.every_item);
     blind_->setChecked(rule.blind);
     items_ = rule.items;
@@ -262,7 +276,7 @@ void TaskRatingsForm::apply(CurriculumTask& task) const {
     RatingRule rule;
     rule.form = plain(form_->currentData().toString());
     rule.raters = raters_->value();
-    rule.lowest_mean = lowest_->value();
+    rule.lowest_mean = lowest_->exact_value();
     rule.every_item = every_item_->isChecked();
     rule.blind = blind_->isChecked();
     if (rule.form == items_form_) rule.items = items_;  // those of another form mean nothing here
@@ -313,6 +327,7 @@ StagesForm::StagesForm(QWidget* parent) : QWidget(parent) {
         if (at < 0) return;
         rows_.erase(rows_.begin() + at);
         fill();
+        if (!remove_->isEnabled()) table_->setFocus();
         emit changed();
     });
     connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
@@ -370,8 +385,8 @@ void StagesForm::show_problems(const std::vector<CurriculumProblem>& problems) {
     for (const CurriculumProblem& one : problems)
         if (one.field == CurriculumField::title || one.field == CurriculumField::stages)
             lines << problem_words(one);
-    problems_->setText(lines.join(QLatin1Char('\n')));
     problems_->setVisible(!lines.isEmpty());
+    announce_change(problems_, lines.join(QLatin1Char('\n')));
 }
 
 void StagesForm::apply(Curriculum& draft) {

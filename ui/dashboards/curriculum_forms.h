@@ -11,7 +11,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -20,6 +19,8 @@ class QSpinBox;
 class QTableWidget;
 
 namespace fulcrum::ui {
+
+class ExactBox;
 
 /// Where a problem is, in words: "Prerequisites".
 QString field_words(CurriculumField field);
@@ -69,7 +70,7 @@ class TaskRatingsForm : public QWidget {
     QCheckBox *wanted_, *every_item_, *blind_;
     QComboBox* form_;
     QSpinBox* raters_;
-    QDoubleSpinBox* lowest_;
+    ExactBox* lowest_;
     QLabel* problems_;
 };
 

@@ -123,10 +123,11 @@ void PassRuleDesigner::set_dials() {
     setting_ = true;
     kind_->setCurrentIndex(static_cast<int>(tried_.kind));
     const bool of = tried_.kind == PassRuleKind::k_of_n, sum = tried_.kind == PassRuleKind::lc_cusum;
-    const auto set = [](const Dial& dial, bool shown, int low, int high, int value) {
+    const auto set = [](Dial& dial, bool shown, int low, int high, int value) {
         dial.row->setVisible(shown);
         dial.slider->setRange(std::min(low, value), std::max(high, value));
         dial.slider->setValue(value);
+        dial.given = value;
     };
     const int low_share = qRound(100 * tried_.p0), high_share = qRound(100 * tried_.p1);
     set(passes_, !sum, 1, of ? tried_.n : most_passes, tried_.k);
@@ -139,9 +140,17 @@ void PassRuleDesigner::set_dials() {
     acceptable_.value->setText(QStringLiteral("%1 %").arg(low_share));
     unacceptable_.value->setText(QStringLiteral("%1 %").arg(high_share));
     limit_.value->setText(figure(tried_.h));
+    // A screen reader reads steps of the slider otherwise.
+    for (const Dial* dial : {&passes_, &among_, &acceptable_, &unacceptable_, &limit_})
+        dial->slider->setAccessibleDescription(dial->value->text());
     setting_ = false;
 }
 
+bool PassRuleDesigner::Dial::is_moved() const {
+    return slider->value() != given;
+}
+
+/// A dial that was not moved leaves the rule's own value, of which it shows a rounded one.
 void PassRuleDesigner::read_dials() {
     if (setting_) return;
     const PassRule before = tried_;
@@ -152,9 +161,10 @@ void PassRuleDesigner::read_dials() {
     if (tried_.kind == PassRuleKind::k_of_n && before.kind != PassRuleKind::k_of_n)
         tried_.n = std::clamp(tried_.k + 1, 1, most_among);
     tried_.k = std::min(tried_.k, tried_.n);
-    tried_.p0 = acceptable_.slider->value() / 100.0;
-    tried_.p1 = std::max(unacceptable_.slider->value(), acceptable_.slider->value() + 1) / 100.0;
-    tried_.h = limit_.slider->value() * limit_step;
+    if (acceptable_.is_moved()) tried_.p0 = acceptable_.slider->value() / 100.0;
+    if (unacceptable_.is_moved()) tried_.p1 = unacceptable_.slider->value() / 100.0;
+    if (tried_.p1 <= tried_.p0) tried_.p1 = (acceptable_.slider->value() + 1) / 100.0;
+    if (limit_.is_moved()) tried_.h = limit_.slider->value() * limit_step;
     set_dials();
     refresh();
     emit changed();

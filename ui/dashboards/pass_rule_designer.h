@@ -36,6 +36,8 @@ class PassRuleDesigner : public QWidget {
         QWidget* row = nullptr;
         QSlider* slider = nullptr;
         QLabel *name = nullptr, *value = nullptr;
+        int given = 0;  ///< by the rule, not by the person; rounded
+        bool is_moved() const;
     };
     Dial make_dial(const QString& name, const char* object);
     void set_dials();

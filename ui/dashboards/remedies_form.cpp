@@ -2,7 +2,6 @@
 #include "ui/dashboards/remedies_form.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QListWidget>
 #include <algorithm>
 #include <initializer_list>
@@ -19,6 +18,7 @@ namespace {
 
 constexpr int most_remedies_of_a_task = 12;
 constexpr double largest_bound = 1e6;
+constexpr int least_bound_decimals = 3;
 
 /// Adds it as it is in the file where it is not among the choices: its problem is shown.
 void choose(QComboBox* box, const std::string& id) {
@@ -63,10 +63,10 @@ RemediesForm::RemediesForm(QWidget* parent) : QWidget(parent) {
     side_->addItem(tr("above the bound"), true);
     side_->addItem(tr("below the bound"), false);
     add_named(form, tr("When it is"), side_);
-    bound_ = new QDoubleSpinBox;
+    bound_ = new ExactBox;
     bound_->setObjectName(QStringLiteral("remedy_bound"));
     bound_->setRange(-largest_bound, largest_bound);
-    bound_->setDecimals(3);
+    bound_->setDecimals(least_bound_decimals);
     add_named(form, tr("Bound"), bound_);
     kind_ = make_narrow_choice("remedy_kind", {}, 14);
     kind_->addItem(tr("practise a part"), static_cast<int>(RemedyKind::practise_from));
@@ -174,9 +174,10 @@ void RemediesForm::show_remedy() {
     side_->setCurrentIndex(side_->findData(remedy->above));
     side_->setEnabled(metric == nullptr || metric->direction == Direction::context ||
                       problem_of(*remedy).has_value());
-    bound_->setSuffix(unit_text(remedy->unit).isEmpty() ? QString()
-                                                        : QLatin1Char(' ') + unit_text(remedy->unit));
-    bound_->setValue(remedy->bound);
+    const QString unit = unit_text(remedy->unit);
+    const QString suffix = unit.isEmpty() ? QString() : QLatin1Char(' ') + unit;
+    if (suffix != bound_->suffix()) bound_->setSuffix(suffix);  // it writes what is being typed again
+    bound_->show_value(remedy->bound, least_bound_decimals);
     kind_->setCurrentIndex(kind_->findData(static_cast<int>(remedy->kind)));
     show_target(*remedy);
     setting_ = false;
@@ -211,7 +212,7 @@ void RemediesForm::read_remedy() {
     const Remedy before = remedy;
     remedy.metric = data_of(metric_);
     remedy.above = side_->currentData().toBool();
-    remedy.bound = bound_->value();
+    remedy.bound = bound_->exact_value();
     if (const MetricDescriptor* metric = find_metric(remedy.metric)) {
         remedy.unit = metric->unit;
         if (remedy.metric != before.metric && metric->direction != Direction::context)

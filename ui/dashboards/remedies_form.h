@@ -9,13 +9,14 @@
 #include "assessment/curriculum/curriculum_draft.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
 
 namespace fulcrum::ui {
+
+class ExactBox;
 
 class RemediesForm : public QWidget {
     Q_OBJECT
@@ -53,7 +54,7 @@ class RemediesForm : public QWidget {
     QListWidget* list_;
     QWidget* fields_;
     QComboBox *metric_, *side_, *kind_, *target_, *variant_;
-    QDoubleSpinBox* bound_;
+    ExactBox* bound_;
     QPushButton *add_, *remove_, *up_, *down_;
     QLabel* problems_;
 };
