@@ -117,7 +117,10 @@ class GridDelegate : public QStyledItemDelegate {
                const QModelIndex& index) const override {
         QStyledItemDelegate::paint(painter, option, index);
         const auto* task = reinterpret_cast<const PersonTask*>(index.data(cell_role).toULongLong());
-        if (task == nullptr) return;
+        if (task == nullptr) {
+            if ((option.state & QStyle::State_HasFocus) != 0) paint_focus(*painter, option.rect);
+            return;
+        }
         const int side =
             std::min(option.rect.height() - 8, static_cast<int>(1.5 * option.fontMetrics.height()));
         const QRect badge(option.rect.left() + 8, option.rect.center().y() - side / 2, side, side);
@@ -134,7 +137,16 @@ class GridDelegate : public QStyledItemDelegate {
             *painter,
             QRectF(badge.right() + 8, badge.top(), option.rect.right() - 8 - (badge.right() + 8), side),
             task->recent);
+        if ((option.state & QStyle::State_HasFocus) != 0) paint_focus(*painter, option.rect);
         painter->restore();
+    }
+    /// Around the current cell, within what is selected as well.
+    static void paint_focus(QPainter& painter, const QRect& cell) {
+        painter.save();
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(colours().text, 2));
+        painter.drawRect(cell.adjusted(1, 1, -2, -2));
+        painter.restore();
     }
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         const int line = option.fontMetrics.height();
@@ -235,6 +247,9 @@ class Legend : public QWidget {
             one.provisional = true;
             shown_.push_back(one);
         }
+        QStringList words;
+        for (const TaskStanding& one : shown_) words << standing_name(one);
+        setAccessibleDescription(words.join(QStringLiteral(", ")));
     }
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return lay_out(nullptr, width); }
@@ -310,6 +325,7 @@ CohortGrid::CohortGrid(QWidget* parent) : QWidget(parent), model_(new CohortGrid
     view_->setItemDelegate(new GridDelegate(view_));
     view_->setSelectionMode(QAbstractItemView::SingleSelection);
     view_->setShowGrid(false);
+    view_->setTabKeyNavigation(false);  // Tab leads on to the next control, arrows to the next cell
     view_->setAlternatingRowColors(true);
     view_->verticalHeader()->hide();
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

@@ -102,7 +102,7 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     foot_ = make_label(
         tr("✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points "
            "and the number of attempts that count, with the type of device used last of those that have any; "
-           "+1: with one type of device more. The tool tip shows all."),
+           "+1: with one type of device more. The tool tip shows all, also where the arrow keys lead."),
         "muted");
     layout->addWidget(foot_);
     show_versions_ = make_button(tr("Show versions of limits and metrics"), "show_versions", "link");

@@ -11,6 +11,8 @@
 #include <QTableView>
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -135,6 +137,11 @@ class PracticeDelegate : public QStyledItemDelegate {
         if ((option.state & QStyle::State_Selected) != 0)
             painter->fillRect(option.rect.adjusted(2, 2, -2, -2), colours().card);
         paint_days(*painter, QRectF(option.rect).adjusted(4, 4, -4, -4), *week);
+        if ((option.state & QStyle::State_HasFocus) != 0) {
+            painter->setBrush(Qt::NoBrush);
+            painter->setPen(QPen(colours().text, 2));
+            painter->drawRect(option.rect.adjusted(1, 1, -2, -2));
+        }
         painter->restore();
     }
 };
@@ -142,7 +149,12 @@ class PracticeDelegate : public QStyledItemDelegate {
 /// One square for each step of colour, with its words.
 class PracticeLegend : public QWidget {
   public:
-    PracticeLegend() { setFixedHeight(static_cast<int>(1.5 * fontMetrics().height())); }
+    PracticeLegend() {
+        setFixedHeight(static_cast<int>(1.5 * fontMetrics().height()));
+        QStringList words;
+        for (const auto& step : steps()) words << step.second;
+        setAccessibleName(words.join(QStringLiteral(", ")));
+    }
 
   protected:
     void paintEvent(QPaintEvent*) override {
@@ -150,11 +162,7 @@ class PracticeLegend : public QWidget {
         painter.setRenderHint(QPainter::Antialiasing);
         const int side = height() - 4;
         int x = 0;
-        const std::pair<int, QString> steps[] = {{0, PracticeView::tr("no attempt")},
-                                                 {1, PracticeView::tr("1 attempt")},
-                                                 {2, PracticeView::tr("2 or 3 attempts")},
-                                                 {4, PracticeView::tr("4 attempts or more")}};
-        for (const auto& [count, words] : steps) {
+        for (const auto& [count, words] : steps()) {
             const Week one{count, 0, 0, 0, 0, 0, 0};
             painter.save();
             painter.setClipRect(x, 0, side, height());
@@ -166,6 +174,15 @@ class PracticeLegend : public QWidget {
             painter.drawText(QRect(x, 0, whole, height()), Qt::AlignVCenter, words);
             x += whole + 18;
         }
+    }
+
+  private:
+    /// Attempts on a day, from which on it has this colour.
+    static std::vector<std::pair<int, QString>> steps() {
+        return {{0, PracticeView::tr("no attempt")},
+                {1, PracticeView::tr("1 attempt")},
+                {2, PracticeView::tr("2 or 3 attempts")},
+                {4, PracticeView::tr("4 attempts or more")}};
     }
 };
 
@@ -181,6 +198,7 @@ PracticeView::PracticeView(QWidget* parent) : QWidget(parent), model_(new Practi
     view_->setItemDelegate(new PracticeDelegate(view_));
     view_->setSelectionMode(QAbstractItemView::SingleSelection);
     view_->setShowGrid(false);
+    view_->setTabKeyNavigation(false);  // Tab leads on to the next control, arrows to the next cell
     view_->verticalHeader()->hide();
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view_->setMinimumHeight(300);

@@ -12,6 +12,7 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QThreadPool>
+#include <QToolTip>
 #include <future>
 #include <nlohmann/json.hpp>
 
@@ -108,6 +109,34 @@ TEST_F(CohortViews, TheGridShowsEveryoneIsFilteredOrderedAndOpenedByKeys) {
     QTest::keyClick(grid, Qt::Key_Return);
     ASSERT_EQ(window->current_page()->objectName(), "progress_page");
     EXPECT_EQ(find<QComboBox>(*window, "progress_task")->currentData().toString(), "A2");
+}
+
+TEST_F(CohortViews, TabLeavesTheGridArrowsMoveInItAndACellSaysWhatItShows) {
+    open();
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    const std::pair<int, const char*> pictures[] = {{0, "cohort_grid"}, {2, "practice_days"}};
+    for (const auto& [tab, name] : pictures) {
+        views->setCurrentIndex(tab);
+        auto* picture = find<QTableView>(*window, name);
+        picture->setFocus();
+        picture->setCurrentIndex(picture->model()->index(0, 0));
+        QTest::keyClick(picture, Qt::Key_Right);
+        QTest::keyClick(picture, Qt::Key_Down);
+        const QModelIndex cell = picture->currentIndex();
+        EXPECT_EQ(cell.row(), 1) << name;
+        EXPECT_EQ(cell.column(), 1) << name;
+        // Signs and colours alone: the words are shown to the keyboard as well.
+        const QString words = cell.data(Qt::AccessibleTextRole).toString();
+        EXPECT_TRUE(wait_for([&] { return QToolTip::isVisible() && QToolTip::text() == words; }, 5000))
+            << name << ": " << QToolTip::text().toStdString();
+        QTest::keyClick(picture, Qt::Key_Tab);
+        EXPECT_NE(window->focusWidget(), picture) << name;
+        QTest::keyClick(window->focusWidget(), Qt::Key_Backtab);
+        EXPECT_EQ(window->focusWidget(), picture) << name;
+        QTest::keyClick(picture, Qt::Key_Backtab);
+        EXPECT_NE(window->focusWidget(), picture) << name;
+    }
 }
 
 TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {

@@ -12404,8 +12404,8 @@ und %1 weitere</translation>
         <translation>Handlungsbedarf (%1)</translation>
     </message>
     <message>
-        <source>✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points and the number of attempts that count, with the type of device used last of those that have any; +1: with one type of device more. The tool tip shows all.</source>
-        <translation>✓ bestanden, (✓) mit vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht. Danach die besten Punkte und die Anzahl der Versuche, die zählen, mit der zuletzt benutzten Art von Gerät, für die es solche gibt; +1: eine weitere Art von Gerät. Der Tooltip zeigt alle.</translation>
+        <source>✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points and the number of attempts that count, with the type of device used last of those that have any; +1: with one type of device more. The tool tip shows all, also where the arrow keys lead.</source>
+        <translation>✓ bestanden, (✓) mit vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht. Danach die besten Punkte und die Anzahl der Versuche, die zählen, mit der zuletzt benutzten Art von Gerät, für die es solche gibt; +1: eine weitere Art von Gerät. Der Tooltip zeigt alle, auch dort, wohin die Pfeiltasten führen.</translation>
     </message>
     <message>
         <source>Show versions of limits and metrics</source>
