@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/announce.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -194,12 +195,14 @@ AttemptChart::AttemptChart(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setObjectName(QStringLiteral("attempt_chart"));
+    setToolTip(tr("Arrow keys choose an attempt, Enter opens it."));
 }
 
 void AttemptChart::set_data(AttemptChartData shown) {
     data_ = std::move(shown);
     selected_.clear();
     setAccessibleName(data_.y_title);
+    setAccessibleDescription(toolTip());
     update();
     values_changed();
 }
@@ -242,13 +245,12 @@ void AttemptChart::paintEvent(QPaintEvent*) {
 }
 
 const AttemptPoint* AttemptChart::point_near(const QPointF& position) const {
-    const Frame frame = frame_of(QRectF(rect()).adjusted(8, 8, -8, -4), data_, 1);
     const AttemptPoint* nearest = nullptr;
     double best = 12;
     for (const AttemptSeries& series : data_.series) {
         for (const AttemptPoint& point : series.points) {
             if (!point.value) continue;
-            const QPointF off = frame.at(point.number, std::min(*point.value, frame.y_high)) - position;
+            const QPointF off = place_of(point) - position;
             const double distance = std::hypot(off.x(), off.y());
             if (distance < best) {
                 best = distance;
@@ -286,11 +288,26 @@ void AttemptChart::keyPressEvent(QKeyEvent* event) {
                 ->attempt_id;
     } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && index < points.size()) {
         emit attempt_chosen(text(selected_));
+        return;  // what it leads to may replace the chart
     } else {
         QWidget::keyPressEvent(event);
         return;
     }
     update();
+    for (const AttemptPoint* point : points)
+        if (point->attempt_id == selected_) say(*point);
+}
+
+/// As the tool tip under the mouse does.
+void AttemptChart::say(const AttemptPoint& point) {
+    setAccessibleDescription(point.tip);
+    announce(this, point.tip);
+    QToolTip::showText(mapToGlobal(place_of(point).toPoint()), point.tip, this);
+}
+
+QPointF AttemptChart::place_of(const AttemptPoint& point) const {
+    const Frame frame = frame_of(QRectF(rect()).adjusted(8, 8, -8, -4), data_, 1);
+    return frame.at(point.number, std::min(point.value.value_or(0), frame.y_high));
 }
 
 bool AttemptChart::event(QEvent* event) {

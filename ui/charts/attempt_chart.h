@@ -69,6 +69,8 @@ class AttemptChart : public QWidget, public TabledChart {
 
   private:
     const AttemptPoint* point_near(const QPointF& position) const;
+    QPointF place_of(const AttemptPoint& point) const;
+    void say(const AttemptPoint& point);
     AttemptChartData data_;
     std::string selected_;
 };

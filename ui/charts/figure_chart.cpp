@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "ui/style/announce.h"
+
 namespace fulcrum::ui {
 
 FigureChart::FigureChart(const char* name, QWidget* parent) : QWidget(parent) {
@@ -13,6 +15,7 @@ FigureChart::FigureChart(const char* name, QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setToolTip(tr("Arrow keys choose a part, Enter shows what is behind it."));
 }
 
 void FigureChart::show_figure(Figure figure, ChartTable table, const QString& words, const QString& nothing) {
@@ -22,7 +25,8 @@ void FigureChart::show_figure(Figure figure, ChartTable table, const QString& wo
     nothing_ = nothing;
     selected_ = -1;
     spots_.clear();
-    setAccessibleDescription(is_empty(figure_) ? nothing_ : words_);
+    setAccessibleDescription(is_empty(figure_) ? nothing_
+                                               : (words_ + QLatin1Char(' ') + toolTip()).trimmed());
     updateGeometry();
     update();
     values_changed();
@@ -73,8 +77,15 @@ int FigureChart::spot_at(const QPointF& position) const {
 
 void FigureChart::select(int spot) {
     selected_ = spot;
-    setAccessibleDescription(spot < 0 ? words_ : spots_[static_cast<std::size_t>(spot)].words);
+    setAccessibleDescription(spots_[static_cast<std::size_t>(spot)].words);
     update();
+}
+
+void FigureChart::select_by_key(int spot) {
+    select(spot);
+    const FigureSpot& part = spots_[static_cast<std::size_t>(spot)];
+    announce(this, part.words);
+    QToolTip::showText(mapToGlobal(part.place.bottomLeft().toPoint()), part.words, this);
 }
 
 void FigureChart::mousePressEvent(QMouseEvent* event) {
@@ -95,14 +106,15 @@ void FigureChart::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
         case Qt::Key_Right:
         case Qt::Key_Down:
-            if (last >= 0) select(std::min(selected_ + 1, last));
+            if (last >= 0) select_by_key(std::min(selected_ + 1, last));
             return;
         case Qt::Key_Left:
         case Qt::Key_Up:
-            if (last >= 0) select(selected_ < 0 ? last : std::max(selected_ - 1, 0));
+            if (last >= 0) select_by_key(selected_ < 0 ? last : std::max(selected_ - 1, 0));
             return;
         case Qt::Key_Return:
         case Qt::Key_Enter:
+            if (event->isAutoRepeat()) return;  // what it shows has a key of its own
             if (selected_ < 0 || selected_ > last) break;
             emit part_chosen(QString(spots_[static_cast<std::size_t>(selected_)].key));
             return;

@@ -37,6 +37,8 @@ class FigureChart : public QWidget, public TabledChart {
     QRectF room() const;
     int spot_at(const QPointF& position) const;
     void select(int spot);
+    /// Says what it is, as the tool tip under the mouse does.
+    void select_by_key(int spot);
 
     Figure figure_;
     ChartTable table_;

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "ui/language/language.h"
+#include "ui/style/announce.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
@@ -31,6 +32,7 @@ TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     setRenderHint(QPainter::Antialiasing);
     setMouseTracking(true);
     setAccessibleName(y_title);
+    setToolTip(key_words());
     setFrameShape(QFrame::NoFrame);
     QChart* shown = chart();
     shown->setAnimationOptions(QChart::NoAnimation);
@@ -410,15 +412,51 @@ void TimeChart::mouseDoubleClickEvent(QMouseEvent* event) {
     event->accept();
 }
 
+QString TimeChart::key_words() {
+    return tr(
+        "In a chart, ← and → move through time, Page Up and Page Down go from mark to mark, + and − "
+        "zoom, and 0 shows everything.");
+}
+
+void TimeChart::choose_time(double time) {
+    const double from = x_axis_->min(), to = x_axis_->max(), half = 0.5 * (to - from);
+    if (time < from || time > to) choose_range(time - half, time + half);
+    emit time_chosen(time);
+}
+
+bool TimeChart::go_to_mark(double now, bool ahead) {
+    constexpr double same_moment = 1e-6;
+    std::optional<double> time;
+    for (const ChartMark& mark : marks_)
+        if ((ahead ? mark.time > now + same_moment && mark.time < time.value_or(mark.time + 1)
+                   : mark.time < now - same_moment && mark.time > time.value_or(mark.time - 1)))
+            time = mark.time;
+    if (!time) return false;
+    QStringList words;
+    for (const ChartMark& mark : marks_)
+        if (std::abs(mark.time - *time) < same_moment) words << mark.text;
+    const QString line = tr("%1 s: %2").arg(decimal(*time, 2)).arg(words.join(QStringLiteral("; ")));
+    choose_time(*time);
+    // As the tool tip under the mouse does.
+    announce(this, line);
+    QToolTip::showText(viewport()->mapToGlobal(mapFromScene(x_of(*time), chart()->plotArea().top())), line,
+                       this);
+    return true;
+}
+
 void TimeChart::keyPressEvent(QKeyEvent* event) {
     const double span = x_axis_->max() - x_axis_->min();
     const double now = cursor_ < 0 ? x_axis_->min() : cursor_;
     switch (event->key()) {
         case Qt::Key_Left:
-            emit time_chosen(std::max(first_, now - span / 100));
+            choose_time(std::max(first_, now - span / 100));
             break;
         case Qt::Key_Right:
-            emit time_chosen(std::min(last_, now + span / 100));
+            choose_time(std::min(last_, now + span / 100));
+            break;
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+            if (!go_to_mark(now, event->key() == Qt::Key_PageDown)) QChartView::keyPressEvent(event);
             break;
         case Qt::Key_Plus:
         case Qt::Key_Equal:

@@ -2,8 +2,8 @@
 // Quantities over the time of an attempt: any number of series (at most 4,000 points each, whatever the
 // length; a line ends where nothing was measured), values that hold for a time, lanes of what was on and off,
 // limits, event marks, a cursor. Wheel zooms at the pointer, a drag moves, a click chooses a time, double
-// click shows all; keys: arrows move the cursor, + and - zoom, 0 shows all. Where it is wanted, a drag with
-// Shift selects a range.
+// click shows all; keys: arrows move the cursor, Page Up and Page Down go to the mark before and after it, +
+// and - zoom, 0 shows all. Where it is wanted, a drag with Shift selects a range.
 #pragma once
 
 #include <QChartView>
@@ -58,6 +58,8 @@ class TimeChart : public QtCharts::QChartView {
     Q_OBJECT
   public:
     explicit TimeChart(const QString& y_title, QWidget* parent = nullptr);
+    /// What the keys do, for the pages and for its tool tip.
+    static QString key_words();
     void add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
                     std::shared_ptr<const MinMaxPyramid> samples);
     void add_limit(const QString& name, double value);
@@ -188,6 +190,10 @@ class TimeChart : public QtCharts::QChartView {
     void choose_range(double from, double to);
     void choose_all();
     const ChartMark* mark_near(const QPoint& position) const;
+    /// By a key: a view that the time is not in follows.
+    void choose_time(double time);
+    /// False where there is no mark on that side.
+    bool go_to_mark(double now, bool ahead);
 
     QtCharts::QValueAxis *x_axis_, *y_axis_;
     std::vector<Series> series_;

@@ -18,6 +18,7 @@ void TimeChart::describe() {
             peaks << tr("%1: highest %2 at %3 s")
                          .arg(series_[s].line->name(), figure_with_unit(peak->y, plain(unit_)),
                               decimal(peak->x, 2));
+    if (!peaks.isEmpty()) peaks << key_words();
     setAccessibleDescription(peaks.join(QStringLiteral("; ")));
 }
 

@@ -178,6 +178,9 @@ QWidget* CurriculumPage::make_publishing() {
     row->add(publish_);
     row->add(discard_);
     card_layout(card)->addLayout(row);
+    why_not_ = make_label({}, "muted");
+    why_not_->setObjectName(QStringLiteral("curriculum_why_not"));
+    card_layout(card)->addWidget(why_not_);
     card_layout(card)->addLayout(make_draft_row());
     return card;
 }
@@ -375,6 +378,7 @@ void CurriculumPage::restore() {
     if (before == nullptr) return;
     task->rule = before->rule;
     show_task();
+    tasks_->setFocus();  // the button is disabled now
     look();
 }
 
@@ -431,11 +435,15 @@ void CurriculumPage::look() {
     const bool reason = !reason_->text().trimmed().isEmpty();
     publish_->setText(tr("Publish version %1").arg(draft_.version));
     publish_->setEnabled(changed && !blocked && allowed && reason);
-    publish_->setToolTip(!allowed   ? tr("An educator publishes, at a station.")
-                         : !changed ? tr("Change the draft first; it is the same as the version in force.")
-                         : blocked  ? tr("Solve the problems marked with ✕ first.")
-                         : !reason  ? tr("Give a reason.")
-                                    : QString());
+    const QString why_not = !allowed   ? tr("An educator publishes, at a station.")
+                            : !changed ? tr("Change the draft first; it is the same as the version in force.")
+                            : blocked  ? tr("Solve the problems marked with ✕ first.")
+                            : !reason  ? tr("Give a reason.")
+                                       : QString();
+    publish_->setToolTip(why_not);
+    // A button that is disabled has neither the focus nor, for some readers, a tool tip.
+    why_not_->setText(why_not);
+    why_not_->setVisible(!why_not.isEmpty());
 }
 
 void CurriculumPage::show_problems() {

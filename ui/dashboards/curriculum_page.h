@@ -81,7 +81,7 @@ class CurriculumPage : public Page {
     std::vector<ObserverForm> forms_;
     std::vector<CurriculumProblem> problems_;
     std::string based_on_;  ///< name of the version that the draft began with
-    QLabel *title_, *task_name_, *facts_, *no_problems_;
+    QLabel *title_, *task_name_, *facts_, *no_problems_, *why_not_;
     QListWidget *tasks_, *problem_list_;
     QTabWidget* tabs_;
     PassRuleDesigner* designer_;

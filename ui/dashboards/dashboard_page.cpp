@@ -159,7 +159,9 @@ void DashboardPage::load() {
     QString words = tr("%n people", nullptr, data_->people);
     if (data_->left_out_synthetic > 0)
         words += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
-    words += tr(" · Click on a part of a picture to see who is behind it.");
+    words +=
+        tr(" · Click on a part of a picture, or choose it with the arrow keys and press Enter, to see "
+           "who is behind it.");
     summary_->setText(words);
 }
 

@@ -76,6 +76,9 @@ QWidget* SchedulesPage::build_list() {
     layout->addWidget(bar_);
     layout->addWidget(make_label(tr("Add a scheduled report"), "heading"));
     layout->addLayout(build_adding());
+    no_cohort_ = make_label(tr("Make a cohort first, on the page Assign cohorts."), "muted");
+    no_cohort_->setObjectName(QStringLiteral("schedules_no_cohort"));
+    layout->addWidget(no_cohort_);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &SchedulesPage::look);
     connect(write_due_, &QPushButton::clicked, this, [this] { write({}); });
     connect(write_one_, &QPushButton::clicked, this, [this] { write(chosen()); });
@@ -223,8 +226,7 @@ std::string SchedulesPage::chosen() const {
 void SchedulesPage::look() {
     const bool free = job_ == nullptr;
     add_->setEnabled(cohort_->count() > 0 && !folder_->text().trimmed().isEmpty());
-    add_->setToolTip(cohort_->count() == 0 ? tr("Make a cohort first, on the page Assign cohorts.")
-                                           : QString());
+    no_cohort_->setVisible(cohort_->count() == 0);
     remove_->setEnabled(free && !chosen().empty());
     write_one_->setEnabled(free && !chosen().empty());
     write_due_->setEnabled(free && !schedules_.empty());

@@ -46,7 +46,7 @@ class SchedulesPage : public Page {
     std::vector<database::Cohort> cohorts_;
     BackgroundJob* job_ = nullptr;
     QTableWidget* table_;
-    QLabel *none_, *research_result_;
+    QLabel *none_, *no_cohort_, *research_result_;
     QPushButton *add_, *remove_, *write_one_, *write_due_, *export_;
     QComboBox *cohort_, *format_, *every_;
     QLineEdit *folder_, *research_folder_;

@@ -160,6 +160,7 @@ QWidget* ComparePage::build_tabs() {
     drawn->add(charts_[1], tr("right hand"));
     frame_ = new ChartFrame(drawn, tr("Force and speed"), "compared_traces", tools);
     layout->addWidget(frame_, 1);
+    layout->addWidget(make_label(TimeChart::key_words(), "muted"));
     tabs_->addTab(traces, tr("Force and speed"));
     table_ = new ComparisonTable;
     auto* metrics = new QWidget;

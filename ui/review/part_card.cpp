@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/part_card.h"
 
+#include "ui/charts/time_chart.h"
 #include "ui/review/attempt_model.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/widgets.h"
@@ -15,7 +16,8 @@ PartCard::PartCard(QWidget* parent) : QFrame(parent) {
     layout->addWidget(make_label(tr("Metrics of a part"), "heading"));
     layout->addWidget(make_label(
         tr("Choose a step, hold Shift and drag in a chart, or set the replay to a moment and start or "
-           "end the part there."),
+           "end the part there.") +
+            QLatin1Char('\n') + TimeChart::key_words(),
         "muted"));
     part_ = new PartChoice(QStringLiteral("review"));
     layout->addWidget(part_);

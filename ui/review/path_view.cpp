@@ -20,6 +20,7 @@ PathView::PathView(QWidget* parent) : QWidget(parent) {
     setMinimumSize(280, 240);
     setObjectName(QStringLiteral("path_view"));
     setAccessibleName(tr("Paths of both instrument tips"));
+    setToolTip(tr("Drag or use the arrow keys to turn it; scroll, or + and −, to zoom."));
 }
 
 void PathView::set_attempt(const AttemptModel& model) {
@@ -130,15 +131,28 @@ void PathView::paintEvent(QPaintEvent*) {
         painter.drawLine(corner, end);
         painter.drawText(end + QPointF(3, -2), name);
     }
-    painter.setPen(p.left_hand);
-    painter.drawText(QPointF(12, 20), tr("— left hand"));
-    painter.setPen(p.right_hand);
-    painter.drawText(QPointF(110, 20), tr("- - right hand"));
+    paint_words(painter);
     if (hasFocus()) {
         painter.setPen(QPen(p.accent, 1, Qt::DotLine));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }
+}
+
+/// The lines of both hands at the top, and what the keys do at the bottom, next to the directions.
+void PathView::paint_words(QPainter& painter) const {
+    const Palette& p = colours();
+    const int line = fontMetrics().height();
+    const QString left = tr("— left hand");
+    painter.setPen(p.left_hand);
+    painter.drawText(QPointF(12, 6 + line), left);
+    painter.setPen(p.right_hand);
+    painter.drawText(QPointF(12 + 1.5 * line + fontMetrics().horizontalAdvance(left), 6 + line),
+                     tr("- - right hand"));
+    const int beside = 92 + fontMetrics().horizontalAdvance(tr("front"));
+    painter.setPen(p.muted);
+    painter.drawText(QRect(beside, height() - 4 * line, width() - beside - 12, 4 * line - 6),
+                     Qt::AlignRight | Qt::AlignBottom | Qt::TextWordWrap, toolTip());
 }
 
 const PathView::Mark* PathView::mark_near(const QPointF& place) const {

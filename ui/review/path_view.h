@@ -9,6 +9,8 @@
 
 #include "ui/review/attempt_model.h"
 
+class QPainter;
+
 namespace fulcrum::ui {
 
 class PathView : public QWidget {
@@ -41,6 +43,7 @@ class PathView : public QWidget {
     QPointF project(const Vector3& point, double* depth = nullptr) const;
     Vector3 position_at(std::size_t hand, double time) const;
     const Mark* mark_near(const QPointF& place) const;
+    void paint_words(QPainter& painter) const;
 
     std::array<std::vector<PathPoint>, hand_count> path_;
     std::vector<Mark> marks_;

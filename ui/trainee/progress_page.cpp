@@ -90,7 +90,8 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     card_layout(card)->addWidget(
         make_label(tr("● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has "
                       "its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % "
-                      "interval). Select a point to open the attempt."),
+                      "interval). Select a point to open the attempt: click it, or choose it with the arrow "
+                      "keys and press Enter."),
                    "muted"));
     layout->addWidget(card);
     table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"),

@@ -7,7 +7,9 @@
 
 #include <QClipboard>
 #include <QImage>
+#include <QKeyEvent>
 #include <QTableWidget>
+#include <QToolTip>
 
 #include "tests/ui/hands.h"
 #include "tests/ui/heard.h"
@@ -151,6 +153,23 @@ TEST_F(FramedChart, PartIsChosenByClickAndByKeys) {
     EXPECT_FALSE(sees(window, "stages_caption"));
     click(window, "stages_as_table");
     EXPECT_EQ(find<QTableWidget>(window, "stages_table")->item(0, 0)->text(), "Amy");
+}
+
+TEST_F(FramedChart, KeysAreNamedAndAPartThatTheyChooseIsHeardAndShown) {
+    EXPECT_TRUE(chart->toolTip().contains("Arrow keys"));
+    EXPECT_EQ(chart->accessibleDescription(), "4 people " + chart->toolTip());
+    const Heard heard;
+    chart->setFocus();
+    QTest::keyClick(chart, Qt::Key_Down);
+    EXPECT_EQ(Heard::lines(), QStringList{"A begun: 4 (100 %)"});
+    EXPECT_EQ(QToolTip::text(), "A begun: 4 (100 %)");
+    // Held, Enter does not open what it has just shown.
+    QSignalSpy chosen(chart, &FigureChart::part_chosen);
+    for (int i = 0; i < 3; ++i) {
+        QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, QString(), i > 0);
+        QApplication::sendEvent(chart, &enter);
+    }
+    EXPECT_EQ(chosen.count(), 1);
 }
 
 TEST_F(FramedChart, AnEmptyFigureSaysSoAndHasNothingToChoose) {

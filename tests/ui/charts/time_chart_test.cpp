@@ -6,6 +6,9 @@
 #include <QLegend>
 #include <QLegendMarker>
 #include <QPainter>
+#include <QToolTip>
+#include <QXYSeries>
+#include <QtTest>
 #include <cmath>
 #include <cstdlib>
 
@@ -234,6 +237,34 @@ TEST(TimeChart, LabelsTheTruePeakOfWhatIsInView) {
     chart.show_all();
     EXPECT_EQ(painted().count(label), 0);
     EXPECT_TRUE(chart.accessibleDescription().isEmpty()) << chart.accessibleDescription().toStdString();
+}
+
+TEST(TimeChart, KeysAreNamedAndGoFromMarkToMarkAndTheViewFollows) {
+    TimeChart chart("force (N)");
+    chart.resize(500, 300);
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
+    chart.set_marks({{300, "Slipped. struck by Ed Educator: seen before"}, {100, "Bled"}, {300, "Dropped"}});
+    chart.show_all();
+    chart.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&chart));
+    for (const char* key : {"←", "Page Down", "+", "0"}) EXPECT_TRUE(chart.toolTip().contains(key)) << key;
+    // As the page does that the chart is on.
+    QObject::connect(&chart, &TimeChart::time_chosen, &chart, &TimeChart::set_cursor);
+    const window_test::Heard heard;
+    QTest::keyClick(&chart, Qt::Key_PageDown);
+    EXPECT_EQ(chart.cursor(), 100);
+    chart.show_range(90, 110);
+    QTest::keyClick(&chart, Qt::Key_PageDown);
+    EXPECT_EQ(chart.cursor(), 300);
+    EXPECT_TRUE(chart.first_shown() < 300 && chart.last_shown() > 300) << chart.first_shown();
+    EXPECT_EQ(
+        window_test::Heard::lines(),
+        (QStringList{"100.00 s: Bled", "300.00 s: Slipped. struck by Ed Educator: seen before; Dropped"}));
+    EXPECT_EQ(QToolTip::text(), window_test::Heard::lines()[1]);
+    QTest::keyClick(&chart, Qt::Key_PageDown);
+    EXPECT_EQ(chart.cursor(), 300) << "the last one";
+    QTest::keyClick(&chart, Qt::Key_PageUp);
+    EXPECT_EQ(chart.cursor(), 100);
 }
 
 TEST(TimeCharts, ShareOneTableOfWhatTheyDraw) {

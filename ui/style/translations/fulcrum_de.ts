@@ -11567,6 +11567,10 @@
         <source>no</source>
         <translation>nein</translation>
     </message>
+    <message>
+        <source>Arrow keys choose an attempt, Enter opens it.</source>
+        <translation>Pfeiltasten wählen einen Versuch, die Eingabetaste öffnet ihn.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::AttemptsPage</name>
@@ -13196,8 +13200,8 @@ Kennzahlen: %2</translation>
         <translation> · synthetische ausgelassen: %1</translation>
     </message>
     <message>
-        <source> · Click on a part of a picture to see who is behind it.</source>
-        <translation> · Klicken Sie auf einen Teil eines Bildes, um zu sehen, wer dahintersteht.</translation>
+        <source> · Click on a part of a picture, or choose it with the arrow keys and press Enter, to see who is behind it.</source>
+        <translation> · Klicken Sie auf einen Teil eines Bildes, oder wählen Sie ihn mit den Pfeiltasten und der Eingabetaste, um zu sehen, wer dahintersteht.</translation>
     </message>
     <message>
         <source>There is nobody to show here.</source>
@@ -14012,6 +14016,13 @@ Kennzahlen: %2</translation>
     <message>
         <source>Replace report</source>
         <translation>Bericht ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::FigureChart</name>
+    <message>
+        <source>Arrow keys choose a part, Enter shows what is behind it.</source>
+        <translation>Pfeiltasten wählen einen Teil, die Eingabetaste zeigt, was dahinter steht.</translation>
     </message>
 </context>
 <context>
@@ -15956,6 +15967,10 @@ Kennzahlen: %2</translation>
         <source>%1 s: %2</source>
         <translation>%1 s: %2</translation>
     </message>
+    <message>
+        <source>Drag or use the arrow keys to turn it; scroll, or + and −, to zoom.</source>
+        <translation>Ziehen oder Pfeiltasten drehen es; Mausrad oder + und − zoomen.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PathologyCard</name>
@@ -16401,8 +16416,8 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Experten (Mittelwert ± eine Standardabweichung)</translation>
     </message>
     <message>
-        <source>● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % interval). Select a point to open the attempt.</source>
-        <translation>● bestanden   ✕ nicht bestanden   ○ nicht ausgewertet   Klein: zählt nicht. Jede Art von Gerät hat ihre eigene Linie. Dicke Linie: angepasste Lernkurve. Band: der Wert, dem sie sich nähert (95-%-Intervall). Wählen Sie einen Punkt, um den Versuch zu öffnen.</translation>
+        <source>● passed   ✕ failed   ○ not scored   Small: does not count. Each type of device has its own line. Thick line: fitted learning curve. Band: the level it approaches (95 % interval). Select a point to open the attempt: click it, or choose it with the arrow keys and press Enter.</source>
+        <translation>● bestanden   ✕ nicht bestanden   ○ nicht ausgewertet   Klein: zählt nicht. Jede Art von Gerät hat ihre eigene Linie. Dicke Linie: angepasste Lernkurve. Band: der Wert, dem sie sich nähert (95-%-Intervall). Wählen Sie einen Punkt, um den Versuch zu öffnen: mit einem Klick oder mit den Pfeiltasten und der Eingabetaste.</translation>
     </message>
     <message>
         <source>%1 · %3 of %2 counting attempts passed</source>
@@ -18535,6 +18550,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1, upper quarter</source>
         <translation>%1, oberes Viertel</translation>
+    </message>
+    <message>
+        <source>In a chart, ← and → move through time, Page Up and Page Down go from mark to mark, + and − zoom, and 0 shows everything.</source>
+        <translation>In einem Diagramm gehen ← und → durch die Zeit und Bild auf und Bild ab von Marke zu Marke; + und − zoomen, und 0 zeigt alles.</translation>
     </message>
 </context>
 <context>
