@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum schedule: reports of a cohort that are written to a folder every day or week.
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,14 @@ using database::ScheduleEvery;
 using database::Schedules;
 using nlohmann::json;
 
+/// In English, in a line.
+std::string problem_of(const ReportSchedule& schedule) {
+    std::string line = schedule.problem.words();
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return line;
+}
+
 json document_of(const ReportSchedule& one) {
     return {{"id", one.id},
             {"cohort", one.cohort_name},
@@ -29,7 +38,7 @@ json document_of(const ReportSchedule& one) {
             {"folder", one.folder},
             {"every", every_name(one.every)},
             {"last", or_null(one.last_period)},
-            {"problem", or_null(one.problem)}};
+            {"problem", or_null(problem_of(one))}};
 }
 
 std::string required(const Arguments& arguments, const char* option) {
@@ -74,7 +83,7 @@ int list(const Arguments& arguments) {
         std::cout << one.id << "  " << one.cohort_name << "  " << one.format << " every "
                   << every_name(one.every) << " to " << one.folder << "  "
                   << (one.last_period.empty() ? "not written yet" : "written: " + one.last_period) << '\n';
-        if (!one.problem.empty()) std::cout << "  last try failed: " << one.problem << '\n';
+        if (!one.problem.empty()) std::cout << "  last try failed: " << problem_of(one) << '\n';
     }
     if (arguments.has("--json")) print_json({{"schedules", rows}});
     return 0;

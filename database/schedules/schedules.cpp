@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <QDateTime>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
@@ -29,13 +30,47 @@ std::string key_of(const std::string& id) {
     return key_start + id;
 }
 
-std::string text_of(const ReportSchedule& schedule) {
+/// A text, or what is said with what in its places.
+QJsonValue value_of(const Sentence& sentence) {
+    if (!sentence.marked()) return QString::fromStdString(sentence.words());
+    QJsonArray parts;
+    for (const Sentence& part : sentence.parts()) parts.append(value_of(part));
+    return QJsonObject{{QStringLiteral("say"), QString::fromStdString(sentence.source())},
+                       {QStringLiteral("with"), parts}};
+}
+
+Sentence sentence_in(const QJsonValue& value, int depth = 0) {
+    constexpr int deepest = 8;
+    if (!value.isObject() || depth == deepest) return value.toString().toStdString();
+    const QJsonObject said = value.toObject();
+    std::vector<Sentence> parts;
+    const QJsonArray with = said.value(QLatin1String("with")).toArray();
+    for (const auto& part : with) parts.push_back(sentence_in(part, depth + 1));
+    return Sentence::from_parts(said.value(QLatin1String("say")).toString().toStdString(), true,
+                                std::move(parts));
+}
+
+/// What is in the audit log: in English.
+std::string audited_text(const ReportSchedule& schedule) {
     return json_object({{"cohort", schedule.cohort_id},
                         {"format", schedule.format},
                         {"folder", schedule.folder},
                         {"every", every_name(schedule.every)},
                         {"last", schedule.last_period},
-                        {"problem", schedule.problem}});
+                        {"problem", schedule.problem.words()}});
+}
+
+/// What is kept: older programs read "problem". The sentence, to be put into the reader's words, is a text
+/// here, so that a cohort's id in it is not taken for that of the schedule (all_schedules).
+std::string text_of(const ReportSchedule& schedule) {
+    const QJsonDocument said(QJsonArray{value_of(schedule.problem)});
+    return json_object({{"cohort", schedule.cohort_id},
+                        {"format", schedule.format},
+                        {"folder", schedule.folder},
+                        {"every", every_name(schedule.every)},
+                        {"last", schedule.last_period},
+                        {"problem", schedule.problem.words()},
+                        {"said", said.toJson(QJsonDocument::Compact).toStdString()}});
 }
 
 ReportSchedule schedule_of(const std::string& id, const std::string& text) {
@@ -52,6 +87,10 @@ ReportSchedule schedule_of(const std::string& id, const std::string& text) {
         word("every") == every_name(ScheduleEvery::day) ? ScheduleEvery::day : ScheduleEvery::week;
     schedule.last_period = word("last");
     schedule.problem = word("problem");
+    // An older program may have written the one without the other.
+    const QJsonDocument kept_as = QJsonDocument::fromJson(QByteArray::fromStdString(word("said")));
+    const Sentence kept = sentence_in(kept_as.array().at(0));
+    if (kept.words() == schedule.problem.words()) schedule.problem = kept;
     return schedule;
 }
 
@@ -121,10 +160,10 @@ std::string Schedules::add(const Session& director, const ReportSchedule& schedu
                              QT_TRANSLATE_NOOP("errors", "list the schedules"));
     ReportSchedule added = schedule;
     added.last_period.clear();
-    added.problem.clear();
+    added.problem = Sentence();
     std::string id = random_uuid();
     write_setting(store_.connection(), key_of(id), text_of(added));
-    Audit(store_).append(director, schedule.cohort_id, "schedule.add", text_of(added),
+    Audit(store_).append(director, schedule.cohort_id, "schedule.add", audited_text(added),
                          {{RecordKind::setting, key_of(id)}});
     transaction.commit();
     return id;
@@ -143,13 +182,13 @@ void Schedules::remove(const Session& director, const std::string& id) const {
         throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no schedule %1"), id},
                          QT_TRANSLATE_NOOP("errors", "list the schedules and name one of them"));
     Query(store_.connection(), "DELETE FROM setting WHERE key = ?").bind(key_of(id)).run();
-    Audit(store_).append(director, before->cohort_id, "schedule.remove", text_of(*before),
+    Audit(store_).append(director, before->cohort_id, "schedule.remove", audited_text(*before),
                          {{RecordKind::setting, key_of(id)}});
     transaction.commit();
 }
 
 void Schedules::note(const Session& director, const std::string& id, const std::string& period,
-                     const std::string& problem) const {
+                     const Sentence& problem) const {
     store_.require(director, Operation::export_cohort);
     Transaction transaction(store_.connection());
     std::optional<ReportSchedule> now = find_schedule(store_, id);
@@ -158,7 +197,7 @@ void Schedules::note(const Session& director, const std::string& id, const std::
     now->problem = problem;
     write_setting(store_.connection(), key_of(id), text_of(*now));
     Audit(store_).append(director, now->cohort_id, problem.empty() ? "schedule.write" : "schedule.fail",
-                         text_of(*now), {{RecordKind::setting, key_of(id)}});
+                         audited_text(*now), {{RecordKind::setting, key_of(id)}});
     transaction.commit();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "database/store/store.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::database {
 
@@ -21,7 +22,7 @@ struct ReportSchedule {
     std::string folder;       ///< absolute
     ScheduleEvery every = ScheduleEvery::week;
     std::string last_period;  ///< read only: the newest one that was written, "2026-W48"; empty: none
-    std::string problem;      ///< read only: why the last try failed; empty: it did not
+    Sentence problem;         ///< read only: why the last try failed; empty: it did not
 };
 
 /// "2026-11-26", "2026-W48" (ISO 8601), in UTC: the part of a file's name, and what is written once.
@@ -54,7 +55,7 @@ class Schedules {
     /// The report of this period was written, or (`problem`) was not. Audited. Nothing where the schedule was
     /// removed while its report was written.
     void note(const Session& director, const std::string& id, const std::string& period,
-              const std::string& problem) const;
+              const Sentence& problem) const;
 
   private:
     const Store& store_;

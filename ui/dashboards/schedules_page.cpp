@@ -201,9 +201,10 @@ void SchedulesPage::fill() {
         table_->setItem(row, last_column,
                         make_cell(one.last_period.empty() ? tr("never") : text(one.last_period)));
         const bool due = is_due(one, now);
-        auto* state = make_cell(!one.problem.empty() ? tr("✕ failed: %1").arg(text(one.problem))
-                                : due                ? tr("● due")
-                                                     : tr("✓ written"));
+        auto* state =
+            make_cell(!one.problem.empty() ? tr("✕ failed: %1").arg(sentence_text(one.problem).simplified())
+                      : due                ? tr("● due")
+                                           : tr("✓ written"));
         set_tint(state, !one.problem.empty() ? Tint::bad : due ? Tint::none : Tint::good);
         state->setToolTip(state->text());
         table_->setItem(row, state_column, state);
@@ -252,6 +253,8 @@ void SchedulesPage::remove() {
     if (id.empty()) return;
     context().guarded([&] { database::Schedules(context().store()).remove(context().session(), id); });
     fill();
+    // Not on the button, which would remove the next one.
+    (schedules_.empty() ? static_cast<QWidget*>(cohort_) : table_)->setFocus();
 }
 
 void SchedulesPage::write(const std::string& only) {

@@ -68,9 +68,10 @@ ScheduledRun run_schedules(const database::Store& store, const database::Session
             run.written.insert(run.written.end(), files.begin(), files.end());
             schedules.note(director, one.id, period, {});
         } catch (const std::exception& error) {
-            const std::string english = one_line(sentence_of(error).words());
-            run.failed.push_back({one.id, one.cohort_name, english, one_line(plain(error_text(error)))});
-            schedules.note(director, one.id, period, english);
+            const Sentence problem = sentence_of(error);
+            run.failed.push_back(
+                {one.id, one.cohort_name, one_line(problem.words()), one_line(plain(error_text(error)))});
+            schedules.note(director, one.id, period, problem);
         }
     }
     return run;

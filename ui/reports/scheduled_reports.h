@@ -14,7 +14,7 @@ namespace fulcrum::ui {
 struct ScheduledRun {
     struct Failed {
         std::string id, cohort;
-        std::string problem;  ///< in English, as it is stored
+        std::string problem;  ///< in English, for programs; it is stored as a sentence
         std::string words;    ///< in the language in use
     };
     std::vector<std::string> written;  ///< files

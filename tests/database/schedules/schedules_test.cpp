@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "database/rows/connection.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database {
@@ -42,12 +43,12 @@ TEST(Schedules, AreTheDirectorsAuditedAndRemembered) {
     wish.folder = "reports";
     EXPECT_EQ(error_kind([&] { schedules.add(director, wish); }), StoreErrorKind::bad_value);
     schedules.note(director, id, "2026-W48", "the disk is full");
-    EXPECT_EQ(schedules.list(director).at(0).problem, "the disk is full");
+    EXPECT_EQ(schedules.list(director).at(0).problem.words(), "the disk is full");
     EXPECT_EQ(schedules.list(director).at(0).last_period, "");
     schedules.note(director, id, "2026-W48", "");
     const ReportSchedule now = schedules.list(director).at(0);
     EXPECT_EQ(now.last_period, "2026-W48");
-    EXPECT_EQ(now.problem, "");
+    EXPECT_TRUE(now.problem.empty());
     EXPECT_EQ(now.cohort_name, "Year 1");
     EXPECT_EQ(Audit(*programme.store).entries(programme.session("administrator")).front().operation,
               "schedule.write");
@@ -57,6 +58,32 @@ TEST(Schedules, AreTheDirectorsAuditedAndRemembered) {
     for (const char* problem : {"", "the disk is full"}) schedules.note(director, id, "2026-W49", problem);
     EXPECT_TRUE(schedules.list(director).empty()) << "a run that was writing it does not bring it back";
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+}
+
+TEST(Schedules, KeepWhyAReportFailedAsASentenceWithItsParts) {
+    const Programme programme;
+    const Schedules schedules(*programme.store);
+    const Session& director = programme.session("director");
+    ReportSchedule wish;
+    wish.cohort_id = programme.cohort;
+    wish.format = "csv";
+    wish.folder = "/srv/reports";
+    const std::string id = schedules.add(director, wish);
+    // A part may be anything: quotation marks, the cohort's own id, another sentence.
+    const Sentence problem("%1; %2",
+                           Sentence("%1: cannot be created (%2)", std::string("\"a\"\nb"), programme.cohort),
+                           Sentence("list the schedules"));
+    schedules.note(director, id, "2026-W48", problem);
+    ASSERT_EQ(schedules.list(director).size(), 1U);
+    const Sentence kept = schedules.list(director)[0].problem;
+    EXPECT_EQ(kept.words(), problem.words());
+    const Translate marked = [](const char*, const char* source) { return "<" + std::string(source) + ">"; };
+    EXPECT_EQ(kept.words(marked), problem.words(marked)) << "what can be translated can be translated still";
+    // What an older program wrote, or changed without knowing the sentence, is read as it is.
+    programme.store->connection().execute(
+        "UPDATE setting SET value = replace(value, '\"problem\": \"', '\"problem\": \"older: ') "
+        "WHERE key LIKE 'report_schedule %'");
+    EXPECT_EQ(schedules.list(director)[0].problem.words(marked).rfind("older: ", 0), 0U);
 }
 
 TEST(Schedules, AreLockedForOneRunAtATime) {

@@ -15,6 +15,7 @@
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
+#include "ui/language/language.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/scheduled_reports.h"
 #include "ui/shell/main_window.h"
@@ -35,6 +36,7 @@ class ReportsPage : public ::testing::Test {
     ~ReportsPage() override {
         window.reset();
         apply_theme(*qApp, Theme::light);
+        use_language(Language::english);
     }
     void open(QSize size = {1012, 726}) {
         window = std::make_unique<MainWindow>(services);
@@ -84,6 +86,8 @@ TEST_F(ReportsPage, SchedulesAreAddedWrittenAndRemoved) {
     QTest::keyClick(format, Qt::Key_End);
     type(*window, "schedule_folder", folder.path());
     QTest::keyClick(find<QLineEdit>(*window, "schedule_folder"), Qt::Key_Return);
+    EXPECT_TRUE(sees(*window, "schedules_none")) << "Enter in a field adds nothing";
+    click(*window, "schedule_add");
     auto* table = find<QTableWidget>(*window, "schedules_table");
     ASSERT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->item(0, 0)->text().toStdString(), cohort.name);
@@ -105,6 +109,30 @@ TEST_F(ReportsPage, SchedulesAreAddedWrittenAndRemoved) {
     click(*window, "schedules_remove");
     EXPECT_TRUE(sees(*window, "schedules_none"));
     EXPECT_TRUE(database::Schedules(*services.store()).list(programme->director).empty());
+}
+
+TEST_F(ReportsPage, WhyAReportFailedIsReadInTodaysLanguage) {
+    QTemporaryDir folder;
+    const database::Schedules schedules(*services.store());
+    const std::string id = schedules.add(programme->director, wish(folder));
+    EXPECT_TRUE(run(*services.store()).failed.empty());  // nothing is due while the page is open
+    schedules.note(
+        programme->director, id, "2026-W48",
+        Sentence("%1; %2", Sentence("%1: cannot be created (%2)", std::string("reports"), std::string("x")),
+                 Sentence("make the store's folder writable and free some space on the disk")));
+    use_language(Language::german);
+    open();
+    ASSERT_TRUE(wait_for([&] { return idle(); }));
+    click(*window, "rail_schedules");
+    const QString state = find<QTableWidget>(*window, "schedules_table")->item(0, 5)->text();
+    EXPECT_TRUE(state.startsWith("✕ misslungen: reports: kann nicht angelegt werden (x); machen Sie"))
+        << state.toStdString();
+    use_language(Language::english);
+    click(*window, "rail_schedules");
+    EXPECT_EQ(
+        find<QTableWidget>(*window, "schedules_table")->item(0, 5)->text(),
+        "✕ failed: reports: cannot be created (x); make the store's folder writable and free some space "
+        "on the disk");
 }
 
 TEST_F(ReportsPage, WhatIsDueIsWrittenWhileADirectorsWindowIsOpen) {
