@@ -68,6 +68,7 @@ AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
     table_ =
         make_table({tr("Time"), tr("Person"), tr("Role"), tr("Operation"), tr("Concerning"), tr("Details")},
                    "audit_table");
+    table_->setAccessibleName(tr("Audit log"));
     table_->setMinimumHeight(380);
     table_->setWordWrap(false);  // a line each
     layout->addWidget(table_, 1);
@@ -180,7 +181,9 @@ void AuditPage::load_older() {
         entries = database::Audit(context().store()).entries(context().session(), wanted);
     });
     show_entries(entries);
-    older_->setVisible(static_cast<int>(entries.size()) == at_once);
+    const bool more = static_cast<int>(entries.size()) == at_once;
+    if (!more && older_->hasFocus()) table_->setFocus();
+    older_->setVisible(more);
     count_->setText(tr("%n entries shown", nullptr, table_->rowCount()));
 }
 

@@ -48,6 +48,7 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     new_name_ = new QLineEdit;
     new_name_->setObjectName(QStringLiteral("new_cohort_name"));
     new_name_->setPlaceholderText(tr("Name of the new cohort"));
+    new_name_->setAccessibleName(tr("Name of the new cohort"));
     add_row->addWidget(new_name_);
     QPushButton* add_button = make_button(tr("Add cohort"), "add_cohort", "primary");
     add_row->addWidget(add_button);
@@ -67,9 +68,12 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     }
     row->addWidget(list_, 1);
     editor_ = make_card(8);
-    card_layout(editor_)->addWidget(make_label(tr("Name"), "muted"));
+    QLabel* name_of = make_label(tr("Name"), "muted");
+    card_layout(editor_)->addWidget(name_of);
     name_ = new QLineEdit;
     name_->setObjectName(QStringLiteral("cohort_name"));
+    name_->setAccessibleName(tr("Name"));
+    name_of->setBuddy(name_);
     card_layout(editor_)->addWidget(name_);
     auto* lists = new QBoxLayout(direction);
     const auto column = [&](const QString& title, const char* name) {

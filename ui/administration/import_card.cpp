@@ -71,6 +71,7 @@ ImportCard::ImportCard(Context& context)
     below->setContentsMargins(0, 0, 0, 0);
     summary_->setObjectName(QStringLiteral("import_summary"));
     below->addWidget(summary_);
+    table_->setAccessibleName(tr("Import people from a list"));
     table_->setMinimumHeight(180);
     below->addWidget(table_);
     auto* holder = new QWidget;

@@ -55,6 +55,7 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     secret_text_ = make_label({});
     secret_text_->setObjectName(QStringLiteral("one_time_password"));
     secret_text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    secret_text_->setFocusPolicy(Qt::StrongFocus);  // to be read and copied without a mouse
     card_layout(secret_)->addWidget(secret_text_);
     QPushButton* noted = make_button(tr("I have handed it over"), "password_noted");
     connect(noted, &QPushButton::clicked, this, [this] {
@@ -69,6 +70,7 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     layout->addWidget(build_add());
     table_ =
         make_table({tr("Name"), tr("Login"), tr("Roles"), tr("Account"), tr("Last sign-in")}, "people_table");
+    table_->setAccessibleName(tr("People"));
     table_->setMinimumHeight(240);
     layout->addWidget(table_);
     layout->addWidget(build_editor());

@@ -72,6 +72,7 @@ QFrame* PersonalDataPage::build_person() {
     what_->setObjectName(QStringLiteral("data_summary"));
     card_layout(card)->addWidget(what_);
     rows_ = make_table({tr("Stored"), tr("Number")}, "data_rows");
+    rows_->setAccessibleName(tr("Personal data"));
     rows_->setMinimumHeight(200);
     card_layout(card)->addWidget(rows_);
     export_ = make_button(tr("Write to a folder …"), "export_all", "primary");
@@ -127,6 +128,7 @@ QFrame* PersonalDataPage::build_retention() {
     due_text_->setObjectName(QStringLiteral("due_summary"));
     card_layout(card)->addWidget(due_text_);
     due_table_ = make_table({tr("Name"), tr("Login"), tr("Last practice"), tr("Attempts")}, "due_people");
+    due_table_->setAccessibleName(tr("How long data are kept"));
     due_table_->setMinimumHeight(160);
     card_layout(card)->addWidget(due_table_);
     auto* buttons = new QWidget;
@@ -135,9 +137,6 @@ QFrame* PersonalDataPage::build_retention() {
     erase_due_sure_ = make_button({}, "erase_due_sure", "primary");
     connect(erase_due_, &QPushButton::clicked, this, [this] {
         erase_due_sure_->setText(tr("Erase %n people for good", nullptr, static_cast<int>(due_.size())));
-        erase_due_sure_->setAccessibleName(erase_due_sure_->text());
-        erase_due_sure_->show();
-        erase_due_sure_->setFocus();
     });
     ask_twice(erase_due_, erase_due_sure_);
     connect(erase_due_sure_, &QPushButton::clicked, this, &PersonalDataPage::erase_due);

@@ -83,6 +83,7 @@ QFrame* StationPage::build_check() {
     card_layout(card)->addWidget(verdict_);
     items_ =
         make_table({tr("Checked"), tr("Result"), tr("Number checked"), tr("What is wrong")}, "check_items");
+    items_->setAccessibleName(tr("Check for damage"));
     items_->hide();
     card_layout(card)->addWidget(items_);
     return card;
@@ -97,6 +98,7 @@ QFrame* StationPage::build_key() {
                       "leaves. The old key signs the change, and everything it signed before stays valid."),
                    "muted"));
     keys_ = make_table({tr("Key"), tr("From"), tr("Until"), tr("Origin")}, "station_keys");
+    keys_->setAccessibleName(tr("Signing key"));
     keys_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     card_layout(key_card_)->addWidget(keys_);
     key_reason_ = new QLineEdit;

@@ -83,6 +83,7 @@ QWidget* TissuesPage::build_editor() {
     table_ =
         make_table({tr("Tissue"), tr("Parameter"), tr("In the scene"), tr("At this site"), tr("Allowed")},
                    "tissue_table");
+    table_->setAccessibleName(tr("Tissue"));
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     card_layout(card)->addWidget(table_);
@@ -105,6 +106,7 @@ QWidget* TissuesPage::build_editor() {
     card_layout(card)->addWidget(make_label(tr("Versions"), "heading"));
     history_ =
         make_table({tr("Version"), tr("Time"), tr("Person"), tr("Values"), tr("Reason")}, "tissue_versions");
+    history_->setAccessibleName(tr("Versions"));
     history_->setMinimumHeight(150);
     card_layout(card)->addWidget(history_);
     no_history_ =

@@ -78,6 +78,7 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     table_ = make_table({tr("Person"), tr("Task"), tr("Started"), tr("Mode"), tr("Device"), tr("Ended"),
                          tr("Recorded"), tr("Result"), tr("Points"), tr("Comments")},
                         "attempts_table");
+    table_->setAccessibleName(tr("Attempts"));
     table_->setMinimumHeight(360);
     // What came of an attempt is seen without scrolling; the device stands last.
     table_->horizontalHeader()->moveSection(4, table_->columnCount() - 1);

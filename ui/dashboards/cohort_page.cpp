@@ -139,6 +139,7 @@ QWidget* CohortPage::make_views() {
     connect(grid_, &CohortGrid::person_wanted, this, open_progress);
     connect(practice_, &PracticeView::person_wanted, this, open_progress);
     concerns_ = make_table({tr("Person"), tr("Reason")}, "cohort_concerns");
+    concerns_->setAccessibleName(tr("Needs attention"));
     concerns_->setWordWrap(true);
     concerns_->setMinimumHeight(300);
     connect(concerns_, &QTableWidget::itemActivated, this, [this, open_progress](QTableWidgetItem* item) {
@@ -147,6 +148,7 @@ QWidget* CohortPage::make_views() {
         open_progress(name->data(Qt::UserRole).toString(), reason->data(Qt::UserRole).toString());
     });
     table_ = make_table({}, "cohort_table");
+    table_->setAccessibleName(tr("Table"));
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setMinimumHeight(380);
     table_->setWordWrap(false);

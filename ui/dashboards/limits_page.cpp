@@ -53,6 +53,7 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     QFrame* passes = make_card(8);
     card_layout(passes)->addWidget(make_label(tr("Who would pass with each set"), "heading"));
     table_ = make_table(pass_columns(), "limits_table");
+    table_->setAccessibleName(tr("Who would pass with each set"));
     card_layout(passes)->addWidget(table_);
     site_ = make_label({}, "muted");
     site_->setObjectName(QStringLiteral("limits_of_site"));

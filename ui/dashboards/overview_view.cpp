@@ -189,6 +189,7 @@ OverviewView::OverviewView(QWidget* parent) : QWidget(parent), chart_(new Overvi
     layout->addWidget(new ChartFrame(chart_, tr("People in each standing"), "overview_chart"));
     table_ = make_table({tr("Task"), tr("Passed"), tr("First pass after"), tr("Proficient after")},
                         "cohort_overview");
+    table_->setAccessibleName(tr("Tasks of the curriculum"));
     layout->addWidget(table_, 1);
     layout->addWidget(make_label(
         tr("Passed: people who passed at least once, of those who tried (95 % interval). Days: from a "

@@ -84,6 +84,7 @@ PassRuleDesigner::PassRuleDesigner(QWidget* parent)
     heads << tr("Half are proficient after");
     table_ = make_table(heads, "rule_table");
     table_->setRowCount(static_cast<int>(designer_trainees.size()));
+    table_->setAccessibleName(tr("Chance of being declared proficient"));
     layout->addWidget(table_);
     connect(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PassRuleDesigner::read_dials);
     for (const Dial* dial : {&passes_, &among_, &acceptable_, &unacceptable_, &limit_})

@@ -39,6 +39,7 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     table_ = make_table({tr("Task"), tr("Needed"), tr("Variant"), tr("Started"), tr("Recorded"),
                          tr("Ratings"), tr("Yours"), tr("Blind")},
                         "to_rate_table");
+    table_->setAccessibleName(tr("Rate attempts"));
     table_->setMinimumHeight(360);
     layout->addWidget(table_, 1);
     connect(table_, &QTableWidget::itemActivated, this,

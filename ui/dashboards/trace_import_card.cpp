@@ -141,6 +141,7 @@ QWidget* TraceImportCard::preview() {
     notes_->setObjectName(QStringLiteral("trace_notes"));
     below->addWidget(summary_);
     below->addWidget(notes_);
+    columns_->setAccessibleName(tr("Column in the file"));
     columns_->setMinimumHeight(150);
     below->addWidget(columns_);
     below->addWidget(person_row());
@@ -221,7 +222,6 @@ void TraceImportCard::forget() {
 }
 
 void TraceImportCard::show_problem(const QString& why) {
-    problem_->setText(why);
     problem_->show();
     announce_problem(problem_, why);
     bring(problem_);

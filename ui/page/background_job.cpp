@@ -111,6 +111,7 @@ void JobBar::watch(BackgroundJob* job, const QString& line, Cancel cancel) {
 void JobBar::show_last() {
     BackgroundJob* job = jobs_.back().job;
     line_->setText(jobs_.back().line);
+    bar_->setAccessibleName(jobs_.back().line);
     button_->setVisible(jobs_.back().cancel == Cancel::offered);
     bar_->setRange(0, 0);
     show();

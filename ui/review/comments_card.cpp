@@ -57,6 +57,11 @@ void CommentsCard::set_moment(double time) {
     send_->setText(tr("Comment at %1").arg(clock_text(time)));
 }
 
+/// Not on to the button that sends or deletes the next draft.
+void CommentsCard::leave_line() {
+    if (text_->isVisible()) text_->setFocus();
+}
+
 void CommentsCard::fill() {
     clear_layout(list_);
     std::vector<database::Comment> comments;
@@ -90,12 +95,14 @@ void CommentsCard::fill() {
             connect(send, &QPushButton::clicked, this, [this, id = comment.id] {
                 context_.guarded([&] { database::Reviews(context_.store()).send(context_.session(), id); });
                 fill();
+                leave_line();
             });
             connect(remove, &QPushButton::clicked, this, [this, id = comment.id] {
                 if (context_.guarded(
                         [&] { database::Reviews(context_.store()).delete_draft(context_.session(), id); }))
                     emit draft_deleted(id);
                 fill();
+                leave_line();
             });
             row->addWidget(send);
             row->addWidget(remove);

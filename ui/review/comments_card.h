@@ -34,6 +34,7 @@ class CommentsCard : public QFrame {
 
   private:
     void fill();
+    void leave_line();
     void write(bool send);
     Context& context_;
     std::string attempt_id_, person_id_;

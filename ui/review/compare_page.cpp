@@ -396,7 +396,9 @@ void ComparePage::time_changed(double time) {
         words += tr("; other attempt %1 / %2").arg(clock_text(there), clock_text(other_->model.duration));
     }
     clock_->setText(words);
-    if (!own_replay_->is_playing()) play_->setText(tr("Play"));
+    if (own_replay_->is_playing()) return;
+    slider_->setAccessibleDescription(words);  // it counts hundredths of a second
+    play_->setText(tr("Play"));
 }
 
 }  // namespace fulcrum::ui

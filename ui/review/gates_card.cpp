@@ -58,6 +58,7 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     table_->setWordWrap(true);
     table_->setItemDelegateForColumn(table_->columnCount() - 1, new WrappedCell(table_));
     table_->viewport()->installEventFilter(this);
+    table_->setAccessibleName(tr("Gates"));
     layout->addWidget(table_);
     sources_ = make_label({}, "muted");
     sources_->setObjectName(QStringLiteral("gates_sources"));

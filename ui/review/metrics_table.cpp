@@ -49,6 +49,7 @@ MetricsTable::MetricsTable(QWidget* parent) : QWidget(parent) {
     table_ = make_table({tr("Metric"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Direction"),
                          tr("Why absent"), tr("Meaning")},
                         "metrics_table");
+    table_->setAccessibleName(tr("All metrics"));
     table_->setMinimumHeight(320);
     layout->addWidget(table_);
     const auto choose = [this](QTableWidgetItem* item) {

@@ -61,6 +61,7 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     table_ = make_table(heads, "pathology_table");
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setAccessibleName(tr("All numbers"));
     table_->setWordWrap(false);
     numbers->addWidget(table_);
     legend_ = make_label({}, "muted");

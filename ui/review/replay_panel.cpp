@@ -137,6 +137,7 @@ void ReplayPanel::play(bool on) {
     if (on && model_ && time_ >= model_->duration - 1e-9) seek(model_->begin);
     playing_ = on && model_ != nullptr;
     play_->setText(playing_ ? tr("Pause") : tr("Play"));
+    if (!playing_) slider_->setAccessibleDescription(clock_->text());
     since_.restart();
 }
 
@@ -181,6 +182,8 @@ void ReplayPanel::show_time() {
     slider_->setValue(static_cast<int>(std::lround(time_ * 100)));
     clock_->setText(
         QStringLiteral("%1 / %2").arg(clock_text(time_), clock_text(model_ ? model_->duration : 0)));
+    // The slider counts hundredths of a second. While it plays, nobody follows it by ear.
+    if (!playing_ && !slider_->isHidden()) slider_->setAccessibleDescription(clock_->text());
 }
 
 void ReplayPanel::tick() {

@@ -22,7 +22,10 @@ constexpr int index_role = Qt::UserRole + 1;  ///< of a line: in the model's eve
 /// The lines of the two hands and their names; follows the theme.
 class HandsLegend : public QWidget {
   public:
-    HandsLegend() { setFixedHeight(fontMetrics().height() + 4); }
+    HandsLegend() {
+        setFixedHeight(fontMetrics().height() + 4);
+        setAccessibleName(TracePanel::tr("left hand") + QStringLiteral(", ") + TracePanel::tr("right hand"));
+    }
     QSize sizeHint() const override { return {minimumSizeHint().width(), height()}; }
     QSize minimumSizeHint() const override {
         return {2 * 44 + fontMetrics().horizontalAdvance(TracePanel::tr("left hand") +
@@ -85,7 +88,8 @@ void TracePanel::build_charts(TimeCharts& charts) {
         chart->offer_selection(true);
         chart->setToolTip(
             tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything; "
-               "hold Shift and drag to choose a part."));
+               "hold Shift and drag to choose a part.") +
+            QLatin1Char('\n') + TimeChart::key_words());
         charts.add(chart, name);
         return chart;
     };

@@ -116,7 +116,6 @@ void CalibrationBox::show_state() {
     }
     timer_.stop();
     ran_ = false;
-    result_->setText(sentence_text(now.result));
     set_tint(result_, now.good ? Tint::good : Tint::bad);
     result_->setVisible(!now.result.empty());
     announce_problem(result_, sentence_text(now.result));

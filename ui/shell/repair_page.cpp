@@ -63,6 +63,7 @@ QFrame* RepairPage::build_restore() {
     card_layout(card)->addWidget(searched_);
     table_ = make_table({tr("Last entry"), tr("Programme"), tr("Holds"), tr("Size"), tr("State"), tr("File")},
                         "found_backups");
+    table_->setAccessibleName(tr("Restore a backup"));
     table_->setMinimumHeight(170);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &RepairPage::update_buttons);

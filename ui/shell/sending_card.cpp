@@ -71,7 +71,6 @@ void SendingCard::show_state() {
         lines << tr("The environment variable FULCRUM_OPENIGTLINK names the address when Fulcrum starts.");
     state_->setText(lines.join(QLatin1Char('\n')));
     state_->setVisible(!lines.isEmpty());
-    trouble_->setText(sentence_text(now.trouble));
     trouble_->setVisible(!now.trouble.empty());
     announce_change(trouble_, sentence_text(now.trouble));
 }

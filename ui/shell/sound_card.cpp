@@ -99,7 +99,6 @@ void SoundCard::show_state() {
     const Sentence trouble = context_.services().sound_trouble();
     volume_->setEnabled(now.wanted);
     test_->setEnabled(now.wanted && trouble.empty());
-    trouble_->setText(sentence_text(trouble));
     trouble_->setVisible(!trouble.empty());
     announce_change(trouble_, sentence_text(trouble));
 }

@@ -287,9 +287,7 @@ void BriefingPage::fill() {
     variants_->clear();
     start_->setEnabled(task != nullptr);
     watch_->setEnabled(task != nullptr);
-    const QString start = tr("Start as %1").arg(text(context().session().display_name()));
-    start_->setText(start);
-    start_->setAccessibleName(start);
+    start_->setText(button_text(tr("Start as %1").arg(text(context().session().display_name()))));
     if (task == nullptr) {
         assessed_->setEnabled(false);
         practice_->setChecked(true);

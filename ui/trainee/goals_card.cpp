@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trainee/goals_card.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDateEdit>
 #include <QDoubleSpinBox>
@@ -176,8 +177,10 @@ void GoalsCard::edit(const std::string& goal_id, const GoalWish& wish) {
 
 void GoalsCard::close_editor() {
     edited_.clear();
+    const bool was_used = editor_->isAncestorOf(QApplication::focusWidget());
     editor_->hide();
     add_->setVisible(lines_->count() < static_cast<int>(database::most_goals));
+    if (was_used && !add_->isHidden()) add_->setFocus();
 }
 
 void GoalsCard::kind_changed() {
@@ -271,6 +274,7 @@ void GoalsCard::save() {
 void GoalsCard::drop(const std::string& goal_id) {
     context_.guarded([&] { database::Goals(context_.store()).drop(context_.session(), goal_id); });
     show_person(person_id_);
+    if (add_ != nullptr && add_->isVisible()) add_->setFocus();  // not on what removes the next one
 }
 
 }  // namespace fulcrum::ui

@@ -59,6 +59,7 @@ MetricsPage::MetricsPage(Context& context) : Page(context, "metrics_page") {
     search_->setClearButtonEnabled(true);
     layout->addWidget(search_);
     table_ = make_table({tr("Metric"), tr("Direction"), tr("Unit"), tr("Gate in")}, "metric_table");
+    table_->setAccessibleName(tr("Metrics"));
     table_->setMinimumHeight(260);
     layout->addWidget(table_, 1);
     QFrame* card = make_card(6);

@@ -97,6 +97,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"),
                          tr("Result"), tr("Points")},
                         "progress_table");
+    table_->setAccessibleName(tr("Attempts"));
     table_->setMinimumHeight(220);
     // What came of an attempt is seen without scrolling; the device stands last.
     table_->horizontalHeader()->moveSection(2, table_->columnCount() - 1);

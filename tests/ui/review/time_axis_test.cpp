@@ -452,7 +452,7 @@ TEST_F(OneTimeAxis, FitsTheSmallestWindowWithLargeTextInBothThemesAndLanguages) 
             const auto place = [&] { return QRect(widget->mapTo(window.get(), QPoint()), widget->size()); };
             EXPECT_TRUE(wait_for([&] { return place().left() >= 0 && place().right() <= window->width(); }))
                 << look.name << " " << name << ": " << place().left() << " to " << place().right();
-            EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
+            EXPECT_FALSE(spoken_name(widget).isEmpty()) << name;
             // A chart is covered by its viewport.
             if (auto* shown = qobject_cast<TimeChart*>(widget)) widget = shown->viewport();
             EXPECT_FALSE(widget->visibleRegion().isEmpty()) << look.name << " " << name;

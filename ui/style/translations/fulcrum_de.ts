@@ -15504,6 +15504,10 @@ Kennzahlen: %2</translation>
         <source>Direction</source>
         <translation>Richtung</translation>
     </message>
+    <message>
+        <source>All metrics</source>
+        <translation>Alle Kennzahlen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MouseKeyboardInput</name>
@@ -15717,6 +15721,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>People in each standing</source>
         <translation>Personen in jedem Stand</translation>
+    </message>
+    <message>
+        <source>Tasks of the curriculum</source>
+        <translation>Aufgaben des Curriculums</translation>
     </message>
 </context>
 <context>
