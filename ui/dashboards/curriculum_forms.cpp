@@ -377,6 +377,7 @@ void StagesForm::move(int by) {
     std::swap(rows_[static_cast<std::size_t>(row)], rows_[static_cast<std::size_t>(to)]);
     fill();
     table_->selectRow(to);
+    if (!(by < 0 ? up_ : down_)->isEnabled()) table_->setFocus();
     emit changed();
 }
 

@@ -410,6 +410,8 @@ void CurriculumPage::move_task(int by) {
     if (row < 0 || to < 0 || to >= tasks_->count()) return;
     std::swap(draft_.tasks[static_cast<std::size_t>(row)], draft_.tasks[static_cast<std::size_t>(to)]);
     fill(to);
+    // At the end of the list the other direction would get the keyboard, and take it back.
+    if (!(by < 0 ? up_ : down_)->isEnabled()) tasks_->setFocus();
 }
 
 void CurriculumPage::look() {

@@ -117,6 +117,7 @@ void RemediesForm::connect_parts() {
         remedies_.erase(remedies_.begin() + row);
         fill_list(std::min(row, static_cast<int>(remedies_.size()) - 1));
         show_remedy();
+        if (!remove_->isEnabled()) list_->setFocus();
         emit changed();
     });
     connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
@@ -261,6 +262,7 @@ void RemediesForm::move(int by) {
     if (row < 0 || to < 0 || to >= static_cast<int>(remedies_.size())) return;
     std::swap(remedies_[static_cast<std::size_t>(row)], remedies_[static_cast<std::size_t>(to)]);
     fill_list(to);
+    if (!(by < 0 ? up_ : down_)->isEnabled()) list_->setFocus();
     emit changed();
 }
 

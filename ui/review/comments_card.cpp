@@ -5,6 +5,7 @@
 
 #include "database/records/reviews.h"
 #include "ui/review/error_review_bar.h"
+#include "ui/style/kept_focus.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -63,6 +64,7 @@ void CommentsCard::leave_line() {
 }
 
 void CommentsCard::fill() {
+    const KeptFocus focus(this, text_);
     clear_layout(list_);
     std::vector<database::Comment> comments;
     context_.guarded(

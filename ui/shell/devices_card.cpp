@@ -171,7 +171,6 @@ void DevicesCard::show_use() {
 void DevicesCard::show_readings() {
     DeviceService& devices = context_.services();
     const QString trouble = sentence_text(devices.device_trouble());
-    trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
     announce_change(trouble_, trouble);
     QStringList lines;
@@ -219,6 +218,7 @@ void DevicesCard::show_list(const std::vector<ListedDevice>& devices) {
         now += state_words(device) + QLatin1Char('\n') + particulars(device).join(QLatin1Char('\n'));
     if (now == shown_) return;
     shown_ = now;
+    const KeptFocus focus(this, again_);
     clear_layout(list_);
     for (const ListedDevice& device : devices) {
         QLabel* state = make_label(state_words(device));
