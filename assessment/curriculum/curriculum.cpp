@@ -118,6 +118,11 @@ Curriculum read_curriculum(const JsonDocument& document) {
     curriculum.id = document.root().at("id").get<std::string>();
     curriculum.version = document.root().at("version").get<int>();
     curriculum.title = document.root().at("title").get<std::string>();
+    if (document.root().contains("based_on")) {
+        const json& origin = document.root().at("based_on");
+        curriculum.based_on =
+            DraftOrigin{origin.at("version").get<int>(), origin.at("sha256").get<std::string>()};
+    }
     read_stages(document, curriculum);
     std::size_t number = 0;
     for (const json& node : document.root().at("tasks"))

@@ -31,6 +31,12 @@ struct CurriculumTask {
     std::vector<Remedy> remedies = {};  ///< on a plateau, for the metric that is furthest beyond its bound
 };
 
+/// The version that a draft began with.
+struct DraftOrigin {
+    int version = 0;
+    std::string sha256;  ///< of its file
+};
+
 struct Curriculum {
     std::string id;
     int version = 1;
@@ -39,8 +45,9 @@ struct Curriculum {
     std::vector<CurriculumTask> tasks;    ///< in the order in which they are shown
     /// Its earlier versions that are installed, which people may still follow, newest first.
     std::vector<Curriculum> older = {};
-    std::string file = {};  ///< name in assets/curricula; "" where it is not from a file
-    std::string text = {};  ///< of that file
+    std::string file = {};                     ///< name in assets/curricula; "" where it is not from a file
+    std::string text = {};                     ///< of that file
+    std::optional<DraftOrigin> based_on = {};  ///< of a draft that was saved; says nothing in force
 
     /// "rectal@1", as attempts record it.
     std::string name() const { return id + "@" + std::to_string(version); }

@@ -243,6 +243,8 @@ std::string curriculum_text(const Curriculum& draft) {
     document["id"] = draft.id;
     document["version"] = draft.version;
     document["title"] = draft.title;
+    if (draft.based_on)
+        document["based_on"] = {{"version", draft.based_on->version}, {"sha256", draft.based_on->sha256}};
     document["stages"] = nlohmann::ordered_json::array();
     for (const CurriculumStage& stage : draft.stages)
         document["stages"].push_back({{"id", stage.id}, {"title", stage.title}});
@@ -261,6 +263,13 @@ std::string curriculum_text(const Curriculum& draft) {
         document["tasks"].push_back(std::move(node));
     }
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+bool same_contents(const Curriculum& a, const Curriculum& b) {
+    Curriculum other = b;
+    other.version = a.version;
+    other.based_on = a.based_on;
+    return curriculum_text(a) == curriculum_text(other);
 }
 
 }  // namespace fulcrum

@@ -38,5 +38,7 @@ std::vector<CurriculumProblem> check_draft(const Curriculum& draft, const std::v
 
 /// The draft as a file. Remarks at the top of the text that it was made from are kept.
 std::string curriculum_text(const Curriculum& draft);
+/// Whether both say the same, whatever their versions and what they began with.
+bool same_contents(const Curriculum& a, const Curriculum& b);
 
 }  // namespace fulcrum

@@ -113,6 +113,22 @@ TEST(CurriculumDraft, EachProblemIsFoundAtItsPlace) {
     EXPECT_FALSE(blocking(Curriculum{}).empty());
 }
 
+TEST(CurriculumDraft, ASavedDraftNamesTheVersionFromWhichItWasBegun) {
+    Curriculum draft = draft_in_force();
+    const std::string digest(64, 'a');
+    draft.based_on = DraftOrigin{3, digest};
+    const std::string text = curriculum_text(draft);
+    const Curriculum again = parse_draft(text, "draft.json");
+    ASSERT_TRUE(again.based_on.has_value());
+    EXPECT_EQ(again.based_on->version, 3);
+    EXPECT_EQ(again.based_on->sha256, digest);
+    EXPECT_TRUE(same_contents(again, draft_in_force())) << "it says the same";
+    EXPECT_NO_THROW(parse_curriculum(text, "draft.json", task_ids())) << "put into the folder as it is";
+    std::string cut = text;
+    cut.replace(cut.find(digest), digest.size(), "a");
+    EXPECT_THROW(parse_draft(cut, "draft.json"), InputError);
+}
+
 // What check_draft() lets pass, parse_curriculum() accepts: whatever is changed, at one place or at two.
 TEST(CurriculumDraft, WhatDoesNotBlockCanBeReadByTheProgram) {
     const Curriculum good = draft_in_force();
