@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/placed_assets.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/installed_curriculum.h"
+#include "database/records/curricula.h"
 
 namespace fulcrum::app {
 
@@ -21,6 +23,19 @@ bool take_over_accepted(const database::Store& store) {
         if (one.refused) std::cerr << one.file.name << ": " << line_of(*one.refused) << '\n';
     }
     return new_curriculum;
+}
+
+std::optional<Curriculum> newer_curriculum(const database::Store& store, const Curriculum& known) {
+    if (!store.is_demo() && !store.is_server()) take_over_accepted(store);
+    Curriculum now = installed_curriculum();
+    const auto same = [](const Curriculum& a, const Curriculum& b) {
+        return a.name() == b.name() && a.text == b.text;
+    };
+    if (same(now, known) &&
+        std::equal(now.older.begin(), now.older.end(), known.older.begin(), known.older.end(), same))
+        return std::nullopt;
+    database::Curricula(store).check(now);
+    return now;
 }
 
 void print_placed(const std::vector<database::PlacedAsset>& placed) {

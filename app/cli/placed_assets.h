@@ -4,8 +4,10 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <vector>
 
+#include "assessment/curriculum/curriculum.h"
 #include "database/scoring/asset_placing.h"
 
 namespace fulcrum::app {
@@ -15,6 +17,9 @@ std::vector<database::PlacedAsset> place_assets(const database::Store& store);
 /// At the start of a window: what `fulcrum sync` could not write, for instance. What is refused is named on
 /// standard error. True: there is a new version of the curriculum.
 bool take_over_accepted(const database::Store& store);
+/// The curriculum that is in force by now, where it is another one than `known`: published by another program
+/// of this station, or brought by an exchange, which is taken over as above. Throws StoreError, InputError.
+std::optional<Curriculum> newer_curriculum(const database::Store& store, const Curriculum& known);
 /// A line for each.
 void print_placed(const std::vector<database::PlacedAsset>& placed);
 /// file, sha256, path, refused (null: it is in place).

@@ -93,11 +93,14 @@ class Services : public ui::ApplicationServices {
     }
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curricula_.back(); }
-    void publish_curriculum(const database::Session& session, const std::string& text,
-                            const std::string& reason) override {
-        database::publish_curriculum(*store_, session,
-                                     {asset_path("curricula"), all_installed_tasks(), forms()},
-                                     curriculum().id, text, reason);
+    void look_for_curriculum() override {
+        if (auto newer = newer_curriculum(*store_, curriculum())) curricula_.push_back(std::move(*newer));
+    }
+    void publish_curriculum(const database::Session& session, const Curriculum& follows,
+                            const std::string& text, const std::string& reason) override {
+        const std::string folder = asset_path("curricula");
+        database::publish_curriculum(*store_, session, {folder, all_installed_tasks(), forms()}, follows,
+                                     text, reason);
         curricula_.push_back(installed_curriculum());
     }
     std::vector<ObserverForm> forms() const override { return load_forms(asset_path("forms")); }
@@ -420,8 +423,7 @@ class Services : public ui::ApplicationServices {
     static constexpr std::uint64_t demonstration_seed = 7;
     /// Outside 1000-1999, which are reserved for benchmarks.
     static std::uint64_t draw_seed() {
-        std::random_device device;
-        return 2000 + device() % (1000U * 1'000'000U);
+        return 2000 + std::random_device()() % (1000U * 1'000'000U);
     }
     std::string folder_, named_;  ///< of the stores; the store that the command line names
     std::vector<TaskDefinition> tasks_;

@@ -19,11 +19,12 @@ struct CurriculumPublishing {
     std::vector<ObserverForm> forms;
 };
 
-/// `text`: of the next version of the curriculum `id`. All or nothing: of two at once one is refused. Returns
-/// the file's path. Operation::accept_assets; audited as asset.accept. Throws InputError (the text is not
-/// valid), AccessDenied, StoreError bad_value (no reason), conflict (another version was published),
+/// `text`: of the version that is to come after `follows`, which its author saw in force. All or nothing: of
+/// two at once one is refused. Returns the file's path. Operation::accept_assets; audited as asset.accept.
+/// Throws InputError (the text is not valid), AccessDenied, StoreError bad_value (no reason), conflict
+/// (another version than `follows` is in force, or the programme has one that is not in the folder yet),
 /// read_only (the folder cannot be written).
 std::string publish_curriculum(const Store& store, const Session& educator, const CurriculumPublishing& place,
-                               const std::string& id, const std::string& text, const std::string& reason);
+                               const Curriculum& follows, const std::string& text, const std::string& reason);
 
 }  // namespace fulcrum::database

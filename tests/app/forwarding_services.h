@@ -22,9 +22,10 @@ class ForwardingServices : public ui::ApplicationServices {
     bool unpack_demo(const ui::Progress& progress) override { return own_->unpack_demo(progress); }
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
     const Curriculum& curriculum() const override { return own_->curriculum(); }
-    void publish_curriculum(const database::Session& session, const std::string& text,
-                            const std::string& reason) override {
-        own_->publish_curriculum(session, text, reason);
+    void look_for_curriculum() override { own_->look_for_curriculum(); }
+    void publish_curriculum(const database::Session& session, const Curriculum& follows,
+                            const std::string& text, const std::string& reason) override {
+        own_->publish_curriculum(session, follows, text, reason);
     }
     std::vector<ObserverForm> forms() const override { return own_->forms(); }
     std::function<std::optional<ui::ExpertAttempt>(const ui::Progress&)> expert_attempt(

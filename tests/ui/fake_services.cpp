@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "assessment/assets/assets.h"
-#include "database/records/curriculum_publishing.h"
+#include "assessment/curriculum/curriculum_draft.h"
 #include "database/records/people.h"
 #include "database/store/quick_check.h"
 #include "sim_core/instrument/instrument.h"
@@ -323,8 +323,7 @@ FakeServices::FakeServices() {
         load_versions(fulcrum::test::source_path("assets/curricula"), "rectal", fulcrum::task_ids());
 }
 
-void FakeServices::publish_curriculum(const database::Session& session, const std::string& text,
-                                      const std::string& reason) {
+database::CurriculumPublishing FakeServices::curricula_place() {
     namespace fs = std::filesystem;
     const fs::path folder = folder_.filePath(QStringLiteral("curricula")).toStdString();
     if (fs::create_directory(folder))
@@ -332,9 +331,31 @@ void FakeServices::publish_curriculum(const database::Session& session, const st
             fs::copy_file(file.path(), folder / file.path().filename());
     std::vector<InstalledTask> installed;
     for (const TaskDefinition& task : tasks_) installed.push_back(installed_task(task));
-    database::publish_curriculum(*store_, session, {folder.string(), installed, forms()}, curriculum().id,
-                                 text, reason);
-    published_.push_back(load_versions(folder.string(), curriculum().id, fulcrum::task_ids()));
+    return {folder.string(), installed, forms()};
+}
+
+void FakeServices::publish_curriculum(const database::Session& session, const Curriculum& follows,
+                                      const std::string& text, const std::string& reason) {
+    const database::CurriculumPublishing place = curricula_place();
+    database::publish_curriculum(*store_, session, place, follows, text, reason);
+    published_.push_back(load_versions(place.folder, follows.id, fulcrum::task_ids()));
+}
+
+void FakeServices::publish_elsewhere(const database::Session& session,
+                                     const std::function<void(Curriculum&)>& change) {
+    const database::CurriculumPublishing place = curricula_place();
+    const Curriculum follows = load_versions(place.folder, curriculum().id, fulcrum::task_ids());
+    Curriculum next = follows;
+    change(next);
+    next.version = follows.next_own_version();
+    database::publish_curriculum(*store_, session, place, follows, curriculum_text(next), "by a colleague");
+}
+
+void FakeServices::look_for_curriculum() {
+    const std::string folder = folder_.filePath(QStringLiteral("curricula")).toStdString();
+    if (!std::filesystem::exists(folder)) return;
+    Curriculum now = load_versions(folder, curriculum().id, fulcrum::task_ids());
+    if (now.text != curriculum().text) published_.push_back(std::move(now));
 }
 
 std::vector<ObserverForm> FakeServices::forms() const {

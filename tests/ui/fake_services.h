@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "database/records/curriculum_publishing.h"
 #include "database/records/recorder.h"
 #include "database/rows/trace_codec.h"
 #include "sim_core/numerics/input_error.h"
@@ -40,9 +41,14 @@ class FakeServices : public ApplicationServices {
     const Curriculum& curriculum() const override {
         return published_.empty() ? curriculum_ : published_.back();
     }
+    /// In that folder; nowhere until somebody has published.
+    void look_for_curriculum() override;
     /// Into a folder of the test's own.
-    void publish_curriculum(const database::Session& session, const std::string& text,
-                            const std::string& reason) override;
+    void publish_curriculum(const database::Session& session, const Curriculum& follows,
+                            const std::string& text, const std::string& reason) override;
+    /// The version in force there with this change, as another window publishes it: this one has to look for
+    /// it.
+    void publish_elsewhere(const database::Session& session, const std::function<void(Curriculum&)>& change);
     std::vector<ObserverForm> forms() const override;
     void set_curriculum(Curriculum curriculum) { curriculum_ = std::move(curriculum); }
     Scene scene_for(const TaskDefinition& task, const std::string& variant) const override;
@@ -187,6 +193,7 @@ class FakeServices : public ApplicationServices {
     mutable std::atomic<int> worlds_built{0};  ///< calls of world_at_start()
 
   private:
+    database::CurriculumPublishing curricula_place();
     QTemporaryDir folder_;
     std::vector<TaskDefinition> tasks_;
     Curriculum curriculum_;

@@ -2,11 +2,9 @@
 #include "ui/dashboards/curriculum_page.h"
 
 #include <QComboBox>
-#include <QDir>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QStandardPaths>
 #include <QTabWidget>
 #include <algorithm>
 
@@ -16,7 +14,6 @@
 #include "ui/dashboards/pass_rule_designer.h"
 #include "ui/dashboards/remedies_form.h"
 #include "ui/language/language.h"
-#include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -83,123 +80,14 @@ CurriculumPage::CurriculumPage(Context& context)
     row->addWidget(make_tasks(), 1);
     row->addWidget(make_task_card(), 3);
     layout->addLayout(row, 1);
+    merge_ = new DraftMergeCard;
+    layout->addWidget(merge_);
     layout->addWidget(make_problems());
     layout->addWidget(make_publishing());
     connect_parts();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
-}
-
-QWidget* CurriculumPage::make_tasks() {
-    auto* holder = new QWidget;
-    auto* layout = new QVBoxLayout(holder);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    tasks_ = new QListWidget;
-    tasks_->setObjectName(QStringLiteral("curriculum_tasks"));
-    tasks_->setAccessibleName(tr("Tasks of the curriculum"));
-    tasks_->setMinimumWidth(280);
-    tasks_->setMinimumHeight(12 * fontMetrics().height());
-    tasks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    layout->addWidget(tasks_, 1);
-    auto* row = new FlowRow;
-    up_ = make_button(tr("▲ Up"), "task_up");
-    down_ = make_button(tr("▼ Down"), "task_down");
-    remove_ = make_button(tr("Remove"), "task_remove");
-    for (QPushButton* button : {up_, down_, remove_}) row->add(button);
-    layout->addLayout(row);
-    auto* more = new FlowRow;
-    new_task_ = make_narrow_choice("task_new", tr("Task to be added"), 8);
-    add_ = make_button(tr("Add"), "task_add");
-    more->add(new_task_, 1, with_text(180));  // on a line of its own in a narrow window
-    more->add(add_);
-    layout->addLayout(more);
-    return holder;
-}
-
-QWidget* CurriculumPage::make_task_card() {
-    QFrame* card = make_card(8);
-    card_layout(card)->addWidget(task_name_);
-    card_layout(card)->addWidget(facts_);
-    tabs_ = new QTabWidget;
-    tabs_->setObjectName(QStringLiteral("curriculum_tabs"));
-    auto* rule = new QWidget;
-    auto* layout = new QVBoxLayout(rule);
-    layout->addWidget(designer_, 1);
-    restore_ = make_button(tr("Back to the rule in force"), "rule_restore");
-    layout->addWidget(restore_, 0, Qt::AlignLeft);
-    layout->addWidget(make_label(tr("Calculated for trainees who pass each attempt with the same "
-                                    "probability. Learning, and the days, variants and ratings that a rule "
-                                    "can also require, are not included; they make proficiency later."),
-                                 "muted"));
-    tabs_->addTab(rule, tr("Pass rule"));
-    tabs_->addTab(needs_, tr("Prerequisites"));
-    tabs_->addTab(ratings_, tr("Ratings"));
-    tabs_->addTab(remedies_, tr("Remedies"));
-    tabs_->addTab(stages_, tr("Stages"));
-    card_layout(card)->addWidget(tabs_, 1);
-    return card;
-}
-
-QWidget* CurriculumPage::make_problems() {
-    QFrame* card = make_card(6);
-    card_layout(card)->addWidget(make_label(tr("Problems of the draft"), "heading"));
-    no_problems_ = make_label(tr("None."));
-    no_problems_->setObjectName(QStringLiteral("curriculum_no_problems"));
-    card_layout(card)->addWidget(no_problems_);
-    problem_list_ = new QListWidget;
-    problem_list_->setObjectName(QStringLiteral("curriculum_problems"));
-    problem_list_->setAccessibleName(tr("Problems of the draft"));
-    problem_list_->setWordWrap(true);
-    problem_list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    problem_list_->setMinimumHeight(6 * fontMetrics().height());
-    problem_list_->setItemDelegate(new TintDelegate(problem_list_));
-    card_layout(card)->addWidget(problem_list_);
-    return card;
-}
-
-QWidget* CurriculumPage::make_publishing() {
-    QFrame* card = make_card(8);
-    card_layout(card)->addWidget(make_label(tr("Publish"), "heading"));
-    card_layout(card)->addWidget(
-        make_label(tr("Trainees who have begun keep their version until an educator moves them. Trainees who "
-                      "begin later follow the new version. Your name and reason are kept in the audit log."),
-                   "muted"));
-    auto* row = new FlowRow;
-    reason_ = new QLineEdit;
-    reason_->setObjectName(QStringLiteral("curriculum_reason"));
-    reason_->setAccessibleName(tr("Reason for the new version"));
-    reason_->setPlaceholderText(tr("Reason"));
-    reason_->setMaxLength(1000);
-    publish_ = make_button(tr("Publish"), "curriculum_publish", "primary");
-    discard_ = make_button(tr("Discard the draft"), "curriculum_discard");
-    row->add(reason_, 1, with_text(240));
-    row->add(publish_);
-    row->add(discard_);
-    card_layout(card)->addLayout(row);
-    why_not_ = make_label({}, "muted");
-    why_not_->setObjectName(QStringLiteral("curriculum_why_not"));
-    card_layout(card)->addWidget(why_not_);
-    card_layout(card)->addLayout(make_draft_row());
-    return card;
-}
-
-QLayout* CurriculumPage::make_draft_row() {
-    auto* row = new FlowRow;
-    QLabel* name = make_label(tr("Draft as a file"));
-    name->setWordWrap(false);
-    row->add(name);
-    path_ = new QLineEdit;
-    path_->setObjectName(QStringLiteral("curriculum_path"));
-    path_->setAccessibleName(tr("File of the draft"));
-    row->add(path_, 1, with_text(240));
-    save_ = make_button(tr("Save"), "curriculum_save");
-    QPushButton* open = make_button(tr("Open …"), "curriculum_open");
-    row->add(save_);
-    row->add(open);
-    connect(open, &QPushButton::clicked, this, &CurriculumPage::open_draft);
-    return row;
 }
 
 void CurriculumPage::connect_parts() {
@@ -234,6 +122,11 @@ void CurriculumPage::connect_parts() {
             [this] { go_to_problem(problem_list_->currentRow()); });
     connect(problem_list_, &QListWidget::itemClicked, this,
             [this] { go_to_problem(problem_list_->currentRow()); });
+    connect(merge_, &DraftMergeCard::decided, this, &CurriculumPage::decide);
+    connect(merge_, &DraftMergeCard::place_wanted, this, [this](int row) {
+        if (meeting_ && row >= 0 && row < static_cast<int>(meeting_->collisions.size()))
+            go_to(collision_problem(meeting_->collisions[static_cast<std::size_t>(row)]));
+    });
     connect(path_, &QLineEdit::textChanged, this, &CurriculumPage::look);
     connect(save_, &QPushButton::clicked, this, &CurriculumPage::save);
     connect(reason_, &QLineEdit::textChanged, this, &CurriculumPage::look);
@@ -257,12 +150,16 @@ CurriculumTask* CurriculumPage::chosen() {
 }
 
 void CurriculumPage::enter() {
+    look_for_newer();
     // A draft that somebody has begun stays, also where another version was published since.
-    if (based_on_.empty() || (!is_changed() && based_on_ != in_force().name())) {
+    if (author_.empty() || (!is_seen() && !is_changed())) {
         read_installed();
         start_over();
         fill(0);
+    } else if (!meet_newer()) {
+        look();  // the role may be another one by now
     }
+    author_ = context().session().person_id();
     tasks_->setFocus();
 }
 
@@ -275,23 +172,25 @@ void CurriculumPage::read_installed() {
     remedies_->set_tasks(context().services().tasks());
 }
 
+void CurriculumPage::set_quietly(QLineEdit* edit, const QString& shown) {
+    const QSignalBlocker quiet(edit);
+    edit->setText(shown);
+}
+
 void CurriculumPage::start_over() {
+    base_.reset();
+    meeting_.reset();
     draft_ = in_force();
     draft_.older.clear();
-    draft_.version = in_force().next_own_version();
-    based_on_ = in_force().name();
-    title_->setText(tr("%1, version %2").arg(asset_text(in_force().title)).arg(in_force().version));
-    reason_->clear();
-    QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    if (!QFileInfo(folder).isDir()) folder = QDir::homePath();
-    path_->setText(QDir::toNativeSeparators(
-        QDir(folder).filePath(QStringLiteral("%1-%2.json").arg(text(draft_.id)).arg(draft_.version))));
+    draft_.based_on.reset();
+    file_ = {};
+    meet(&in_force(), DraftMeeting::Base::known, in_force().version);
+    set_quietly(reason_, {});
+    propose_path();
 }
 
 bool CurriculumPage::is_changed() const {
-    Curriculum same = in_force();
-    same.version = draft_.version;
-    return curriculum_text(same) != curriculum_text(draft_);
+    return (meeting_ && !meeting_->collisions.empty()) || !base_ || !same_contents(*base_, draft_);
 }
 
 void CurriculumPage::fill(int row) {
@@ -339,8 +238,23 @@ void CurriculumPage::show_task() {
         facts_->clear();
         return;
     }
-    const CurriculumStage* stage = draft_.find_stage(task->stage);
     task_name_->setText(context().task_title(task->task));
+    const CurriculumTask* known = in_force().find(task->task);
+    designer_->show_rule(known == nullptr ? task->rule : known->rule, task->rule);
+    QStringList titles;
+    for (const CurriculumTask& one : draft_.tasks) titles << context().task_title(one.task);
+    const InstalledTask* installed = find_installed(installed_, task->task);
+    needs_->show_task(draft_, index_of_chosen(), titles,
+                      installed == nullptr ? 0 : static_cast<int>(installed->variants.size()));
+    ratings_->show_task(*task);
+    remedies_->show_task(*task);
+    show_problems();
+}
+
+void CurriculumPage::show_facts() {
+    const CurriculumTask* task = chosen();
+    if (task == nullptr) return;
+    const CurriculumStage* stage = draft_.find_stage(task->stage);
     QStringList facts;
     if (stage != nullptr) facts << tr("Stage %1: %2").arg(text(stage->id), asset_text(stage->title));
     QStringList before;
@@ -355,16 +269,6 @@ void CurriculumPage::show_task() {
     for (const DeviceClass one : task->device_classes) classes << device_class_text(one);
     facts << tr("devices: %1").arg(classes.join(QStringLiteral(", ")));
     facts_->setText(facts.join(QStringLiteral(" · ")));
-    const CurriculumTask* known = in_force().find(task->task);
-    designer_->show_rule(known == nullptr ? task->rule : known->rule, task->rule);
-    QStringList titles;
-    for (const CurriculumTask& one : draft_.tasks) titles << context().task_title(one.task);
-    const InstalledTask* installed = find_installed(installed_, task->task);
-    needs_->show_task(draft_, index_of_chosen(), titles,
-                      installed == nullptr ? 0 : static_cast<int>(installed->variants.size()));
-    ratings_->show_task(*task);
-    remedies_->show_task(*task);
-    show_problems();
 }
 
 void CurriculumPage::try_rule() {
@@ -415,7 +319,12 @@ void CurriculumPage::move_task(int by) {
 }
 
 void CurriculumPage::look() {
+    settle();
     problems_ = check_draft(draft_, installed_, forms_);
+    if (meeting_)
+        for (const DraftDifference& one : meeting_->collisions) problems_.push_back(collision_problem(one));
+    merge_->show_meeting(meeting_ ? &*meeting_ : nullptr, draft_, in_force(), context().services().tasks());
+    show_facts();
     for (int row = 0; row < tasks_->count(); ++row) write_line(row);
     show_problems();
     const bool changed = is_changed(),
@@ -429,7 +338,7 @@ void CurriculumPage::look() {
     down_->setEnabled(task != nullptr && tasks_->currentRow() + 1 < tasks_->count());
     add_->setEnabled(new_task_->count() > 0);
     discard_->setEnabled(changed);
-    const QString file = path_->text().trimmed();
+    const QString file = draft_path();
     save_->setEnabled(changed && !file.isEmpty() && !QFileInfo(file).isDir());
     save_->setText(QFileInfo(file).isFile() ? tr("Replace") : tr("Save"));
     const bool allowed = context().signed_in() && context().allowed(database::Operation::accept_assets) &&
@@ -467,7 +376,11 @@ void CurriculumPage::show_problems() {
 
 void CurriculumPage::go_to_problem(int row) {
     if (row < 0 || row >= static_cast<int>(problems_.size())) return;
-    const CurriculumProblem one = problems_[static_cast<std::size_t>(row)];
+    const CurriculumProblem one = problems_[static_cast<std::size_t>(row)];  // the list changes on the way
+    go_to(one);
+}
+
+void CurriculumPage::go_to(const CurriculumProblem& one) {
     if (is_of_task(one.field)) tasks_->setCurrentRow(static_cast<int>(one.index));
     tabs_->setCurrentIndex(tab_of(one.field));
     tabs_->currentWidget()->setFocus();

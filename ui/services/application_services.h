@@ -75,10 +75,13 @@ class TaskService {
     /// The curriculum that trainees follow.
     /// It and its versions stay where they are while the program runs, also after a newer one was published.
     virtual const Curriculum& curriculum() const = 0;
-    /// Puts the next version in force (database/records/curriculum_publishing.h); curriculum() is it from
-    /// then on. Throws as publish_curriculum().
-    virtual void publish_curriculum(const database::Session& session, const std::string& text,
-                                    const std::string& reason) = 0;
+    /// What another window has published since, or an exchange has brought, is curriculum() from then on.
+    /// Throws InputError (a file that is not valid, a version that people follow is missing), StoreError.
+    virtual void look_for_curriculum() = 0;
+    /// Puts the version after `follows` in force (database/records/curriculum_publishing.h); curriculum() is
+    /// it from then on. Throws as publish_curriculum().
+    virtual void publish_curriculum(const database::Session& session, const Curriculum& follows,
+                                    const std::string& text, const std::string& reason) = 0;
     /// The observer forms that are installed. Throws InputError.
     virtual std::vector<ObserverForm> forms() const = 0;
     /// Throws InputError. Any thread.

@@ -13,6 +13,7 @@
 #include "database/rows/crypto.h"
 #include "database/store/accepted_assets.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/output_file.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/support/own_folder.h"
 
@@ -40,7 +41,7 @@ class CurriculumPublished : public ::testing::Test {
         return curriculum_text(draft);
     }
     std::string publish(const char* login, const std::string& text, const std::string& reason = "better") {
-        return publish_curriculum(*programme.store, programme.session(login), place, "rectal", text, reason);
+        return publish_curriculum(*programme.store, programme.session(login), place, newest(), text, reason);
     }
     Curriculum newest() { return load_versions(place.folder, "rectal", task_ids()); }
 
@@ -73,13 +74,14 @@ TEST_F(CurriculumPublished, IsTheEducatorsAuditedAndInForce) {
 
 TEST_F(CurriculumPublished, OfTwoAtOnceExactlyOne) {
     const std::string texts[] = {next("First"), next("Second")};
+    const Curriculum follows = newest();
     std::atomic<int> done{0}, refused{0};
     std::vector<std::thread> both;
     for (const std::string& text : texts)
         both.emplace_back([&] {
             const Store own = Store::open(programme.store->path());
             try {
-                publish_curriculum(own, programme.session("educator"), place, "rectal", text, "two at once");
+                publish_curriculum(own, programme.session("educator"), place, follows, text, "two at once");
                 ++done;
             } catch (const StoreError& error) {
                 EXPECT_EQ(error.kind(), StoreErrorKind::conflict) << error.what();
@@ -90,6 +92,54 @@ TEST_F(CurriculumPublished, OfTwoAtOnceExactlyOne) {
     EXPECT_EQ(done, 1);
     EXPECT_EQ(refused, 1);
     EXPECT_EQ(newest().version, 1001);
+    const std::vector<AcceptedText> accepted = AcceptedAssets(*programme.store).texts();
+    ASSERT_EQ(accepted.size(), 1U) << "the other stations get the one that is in force here";
+    EXPECT_EQ(accepted[0].text, newest().text);
+}
+
+TEST_F(CurriculumPublished, OnlyAfterTheVersionThatItsAuthorSawInForce) {
+    const Curriculum seen = newest();
+    const std::string text = next("Mine");
+    // An update of the program brings version 4 while the page is open: the number of a site's own stays.
+    Curriculum delivered = seen;
+    delivered.version = 4;
+    delivered.title = "Delivered";
+    write_output_file((folder / "rectal-4.json").string(), curriculum_text(delivered));
+    const auto publish_after = [&](const Curriculum& follows) {
+        return error_kind([&] {
+            publish_curriculum(*programme.store, programme.session("educator"), place, follows, text, "why");
+        });
+    };
+    EXPECT_EQ(publish_after(seen), StoreErrorKind::conflict);
+    Curriculum edited = newest();
+    edited.text += " ";
+    EXPECT_EQ(publish_after(edited), StoreErrorKind::conflict);
+    EXPECT_TRUE(AcceptedAssets(*programme.store).list().empty());
+    EXPECT_EQ(newest().title, "Delivered");
+    publish("educator", next("Mine"));
+    EXPECT_EQ(newest().title, "Mine");
+}
+
+TEST_F(CurriculumPublished, ANumberThatAnotherStationHasUsedIsNotUsedAgain) {
+    const std::string theirs = next("Theirs"), ours = next("Ours");
+    // It came with an exchange and is not in the folder yet.
+    AcceptedAssets(*programme.store)
+        .accept(programme.session("educator"), {"curricula/rectal-1001.json", sha256_hex(theirs)}, "theirs",
+                theirs);
+    EXPECT_EQ(error_kind([&] { publish("educator", ours); }), StoreErrorKind::conflict);
+    EXPECT_EQ(AcceptedAssets(*programme.store).list().size(), 1U);
+    EXPECT_EQ(newest().version, 3) << "nothing was written";
+    write_output_file((folder / "rectal-1001.json").string(), theirs);
+    // A file that only has a large number in its name is not in the way.
+    Curriculum odd = newest();
+    odd.version = 5;
+    odd.title = "Odd";
+    AcceptedAssets(*programme.store)
+        .accept(programme.session("educator"),
+                {"curricula/rectal-2026.json", sha256_hex(curriculum_text(odd))}, "of the year 2026",
+                curriculum_text(odd));
+    publish("educator", next("Ours"));
+    EXPECT_EQ(newest().version, 1002);
 }
 
 TEST_F(CurriculumPublished, ATryThatWasCutOffCanBeRepeated) {
@@ -105,8 +155,10 @@ TEST_F(CurriculumPublished, ATryThatWasCutOffCanBeRepeated) {
 TEST_F(CurriculumPublished, AFolderThatCannotBeWrittenIsReportedAndNothingIsAccepted) {
     place.folder = asset_path("curricula");
     const std::string text = next("Nowhere");
+    const Curriculum follows = newest();
     place.folder = (folder / "gone").string();
-    EXPECT_ANY_THROW(publish("educator", text));
+    EXPECT_ANY_THROW(
+        publish_curriculum(*programme.store, programme.session("educator"), place, follows, text, "nowhere"));
     EXPECT_TRUE(AcceptedAssets(*programme.store).list().empty());
 }
 

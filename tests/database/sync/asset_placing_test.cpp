@@ -46,8 +46,8 @@ struct AssetFolder {
     }
     void publish_curriculum(const Store& store, const Session& educator, const std::string& title) const {
         database::publish_curriculum(store, educator,
-                                     {(folder / "curricula").string(), place.tasks, place.forms}, "rectal",
-                                     next_curriculum(title), "better");
+                                     {(folder / "curricula").string(), place.tasks, place.forms},
+                                     curriculum(), next_curriculum(title), "better");
     }
     BenchmarkSet set() const { return load_benchmark((folder / "benchmarks" / "A2.json").string()); }
     /// The set in force with another source, as the next version.

@@ -1,88 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of the curriculum: its tasks and rules, what another rule would do, and the file of a new version.
-// With FULCRUM_PICTURES=FOLDER pictures are stored there.
-#include "ui/dashboards/curriculum_page.h"
-
-#include <gtest/gtest.h>
-
-#include <QComboBox>
+// The page of the curriculum: its tasks and rules, what another rule would do, problems at their places. With
+// FULCRUM_PICTURES=FOLDER pictures are stored there.
 #include <QDoubleSpinBox>
 #include <QFile>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSlider>
-#include <QTableWidget>
+#include <QTemporaryDir>
 
-#include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
-#include "database/records/people.h"
-#include "database/store/accepted_assets.h"
-#include "tests/database/large_programme.h"
 #include "tests/support/processor_time.h"
-#include "tests/ui/fake_services.h"
-#include "tests/ui/hands.h"
-#include "ui/dashboards/pass_rule_chart.h"
+#include "tests/ui/dashboards/curriculum_view.h"
 #include "ui/dashboards/pass_rule_designer.h"
-#include "ui/shell/main_window.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
-
-class CurriculumView : public ::testing::Test {
-  protected:
-    CurriculumView() {
-        apply_theme(*qApp, Theme::light);
-        services.open_store(false);
-        const auto programme = database::test::make_large_programme(*services.store(), 3, 2, 1, 7);
-        window.resize(1024, 740);
-        window.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-        window.start();
-        window.context().set_session(programme.director);
-        click(window, "rail_curriculum");
-        tasks = find<QListWidget>(window, "curriculum_tasks");
-        table = find<QTableWidget>(window, "rule_table");
-        chart = window.findChild<PassRuleChart*>("pass_rule_chart");
-    }
-    ~CurriculumView() override { apply_theme(*qApp, Theme::light); }
-    void keep(const QString& name) {
-        QCoreApplication::processEvents();
-        if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES")) return;
-        window.grab().save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + name + ".png");
-    }
-    void be_educator() {
-        const database::People people(*services.store());
-        const database::Session administrator = people.sign_in("administrator", "correct horse battery");
-        const auto made = people.create(administrator, "ed", "Ed Educator", {database::Role::educator});
-        const database::Session once = people.sign_in("ed", made.one_time_password);
-        window.context().sign_out();
-        window.context().set_session(people.change_password(once, made.one_time_password, "a long password"));
-        click(window, "rail_curriculum");
-        tasks = find<QListWidget>(window, "curriculum_tasks");
-    }
-    void choose(const char* task) {
-        for (int row = 0; row < tasks->count(); ++row) {
-            if (tasks->item(row)->data(Qt::UserRole).toString() != task) continue;
-            tasks->setFocus();
-            while (tasks->currentRow() != row)
-                QTest::keyClick(tasks, tasks->currentRow() < row ? Qt::Key_Down : Qt::Key_Up);
-        }
-    }
-    void step(const char* slider, int times, Qt::Key key) {
-        auto* dial = find<QSlider>(window, slider);
-        dial->setFocus();
-        for (int i = 0; i < times; ++i) QTest::keyClick(dial, key);
-    }
-    const PassRule& rule_of(const char* task) { return services.curriculum().find(task)->rule; }
-
-    FakeServices services;
-    MainWindow window{services};
-    QListWidget* tasks = nullptr;
-    QTableWidget* table = nullptr;
-    PassRuleChart* chart = nullptr;
-};
 
 TEST_F(CurriculumView, ShowsWhatTheRuleInForceDoes) {
     ASSERT_EQ(tasks->count(), static_cast<int>(services.curriculum().tasks.size()));
@@ -321,78 +252,17 @@ TEST_F(CurriculumView, RemediesFitThePageAtTheLargestText) {
     window.set_text_size(100);
 }
 
-TEST_F(CurriculumView, ADraftStaysWithAnotherTextSizeAndLanguageUntilItsAuthorSignsOut) {
-    window.resize(1280, 800);
-    const std::string in_force = pass_rule_text(rule_of("C4"));
-    choose("C4");
-    step("rule_passes", 1, Qt::Key_Left);
-    type(window, "curriculum_reason", "Three of five are enough");
-    const auto rule_of_draft = [&] {
-        click(window, "rail_curriculum");
-        tasks = find<QListWidget>(window, "curriculum_tasks");
-        return pass_rule_text(static_cast<CurriculumPage*>(window.current_page())->draft().find("C4")->rule);
-    };
-    ASSERT_EQ(rule_of_draft(), "of:3,5");
-    window.set_text_size(200);
-    EXPECT_EQ(rule_of_draft(), "of:3,5");
-    EXPECT_EQ(tasks->currentItem()->data(Qt::UserRole).toString(), "C4");
-    EXPECT_EQ(find<QLineEdit>(window, "curriculum_reason")->text(), "Three of five are enough");
-    EXPECT_TRUE(find<QAbstractButton>(window, "curriculum_save")->isEnabled());
-    window.set_language(Language::german);
-    window.set_text_size(100);  // the page was not looked at in between
-    EXPECT_EQ(rule_of_draft(), "of:3,5");
-    window.set_language(Language::english);
-    be_educator();
-    EXPECT_EQ(rule_of_draft(), in_force) << "not of the next person";
-}
-
-TEST_F(CurriculumView, PublishesANewVersionWithAReasonAndKeepsPeopleOnTheirs) {
-    choose("C4");
-    step("rule_passes", 1, Qt::Key_Left);
-    type(window, "curriculum_reason", "Three of five are enough");
-    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled()) << "a director looks";
-    be_educator();
-    choose("C4");
-    step("rule_passes", 1, Qt::Key_Left);
-    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled()) << "no reason yet";
-    type(window, "curriculum_reason", "Three of five are enough");
-    const std::string before = services.curriculum().name();
-    click(window, "curriculum_publish");
-    EXPECT_EQ(services.curriculum().name(), "rectal@1001");
-    EXPECT_EQ(pass_rule_text(services.curriculum().find("C4")->rule), "of:3,5");
-    ASSERT_NE(services.curriculum().version_named(before), nullptr)
-        << "the one before is there for its people";
-    EXPECT_EQ(pass_rule_text(services.curriculum().version_named(before)->find("C4")->rule), "of:4,5");
-    const auto accepted = database::AcceptedAssets(*services.store()).list();
-    ASSERT_EQ(accepted.size(), 1U);
-    EXPECT_EQ(accepted[0].file.name, "curricula/rectal-1001.json");
-    EXPECT_EQ(accepted[0].reason, "Three of five are enough");
-    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().startsWith("Version 1001 is in force."));
-    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_publish")->text(), "Publish version 1002");
-    EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_publish")->isEnabled());
-    EXPECT_FALSE(tasks->item(6)->text().contains("tried"));
-}
-
-TEST_F(CurriculumView, WritesTheFileOfANewVersion) {
-    QTemporaryDir folder;
-    choose("C4");
-    step("rule_passes", 1, Qt::Key_Left);
-    auto* path = find<QLineEdit>(window, "curriculum_path");
-    EXPECT_TRUE(path->text().endsWith("rectal-1001.json")) << path->text().toStdString();
-    path->setText(folder.filePath("rectal-1001.json"));
-    click(window, "curriculum_save");
-    ASSERT_TRUE(wait_for([&] { return QFileInfo::exists(folder.filePath("rectal-1001.json")); }));
-    const Curriculum written = load_curriculum(folder.filePath("rectal-1001.json").toStdString(), task_ids());
-    EXPECT_EQ(written.version, services.curriculum().next_own_version());
-    EXPECT_EQ(pass_rule_text(written.find("C4")->rule), "of:3,5");
-    EXPECT_EQ(pass_rule_text(written.find("A2")->rule), pass_rule_text(rule_of("A2")));
-    EXPECT_EQ(find<QAbstractButton>(window, "curriculum_save")->text(), "Replace");
-
-    path->setText(folder.filePath("nowhere/rectal-1001.json"));
-    click(window, "curriculum_save");
-    EXPECT_FALSE(QFileInfo::exists(folder.filePath("nowhere")));
-    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().contains("nowhere"))
-        << find<QLabel>(window, "message_text")->text().toStdString();
+TEST_F(CurriculumView, TheLineOfATaskFollowsItsFields) {
+    choose("A3");
+    EXPECT_TRUE(find<QLabel>(window, "task_facts")->text().contains("opens after A2"));
+    choose_tab(window, "curriculum_tabs", "Prerequisites");
+    auto* after = find<QListWidget>(window, "task_after");
+    for (int row = 0; row < after->count(); ++row) {
+        if (after->item(row)->data(Qt::UserRole).toString() != "A2") continue;
+        after->setCurrentRow(row);
+        QTest::keyClick(after, Qt::Key_Space);
+    }
+    EXPECT_TRUE(find<QLabel>(window, "task_facts")->text().contains("open from the start"));
 }
 
 }  // namespace

@@ -7321,10 +7321,6 @@
         <translation>inzwischen wurde eine andere Version veröffentlicht: %1</translation>
     </message>
     <message>
-        <source>save your draft, start the program again and open the draft</source>
-        <translation>speichern Sie den Entwurf, starten Sie das Programm neu und öffnen Sie den Entwurf</translation>
-    </message>
-    <message>
         <source>%1: cannot be written (%2)</source>
         <translation>%1: kann nicht geschrieben werden (%2)</translation>
     </message>
@@ -8535,6 +8531,34 @@
     <message>
         <source>export from the programme server, or at a station that has the whole programme: the counts of a part could be subtracted from the whole</source>
         <translation>exportieren Sie vom Programmserver oder an einer Station mit dem ganzen Programm: die Zahlen eines Teils ließen sich vom Ganzen abziehen</translation>
+    </message>
+    <message>
+        <source>look at the draft with the changes of both, then publish it again</source>
+        <translation>sehen Sie sich den Entwurf mit den Änderungen beider an und veröffentlichen Sie ihn dann erneut</translation>
+    </message>
+    <message>
+        <source>%1 was published before, and is not in force here yet</source>
+        <translation>%1 wurde vorher veröffentlicht und gilt hier noch nicht</translation>
+    </message>
+    <message>
+        <source>look at the draft again; where this is repeated, `fulcrum assets place` says what is in the way</source>
+        <translation>sehen Sie sich den Entwurf erneut an; wiederholt sich das, sagt `fulcrum assets place`, was im Weg ist</translation>
+    </message>
+    <message>
+        <source>the draft has “%1”, version %2 has “%3”</source>
+        <translation>im Entwurf steht „%1“, in Version %2 „%3“</translation>
+    </message>
+    <message>
+        <source>decide it under “Changes by two authors”</source>
+        <translation>entscheiden Sie es unter „Änderungen von zweien“</translation>
+    </message>
+    <message>
+        <source>somebody has changed this file since you opened it</source>
+        <translation>jemand hat diese Datei geändert, seit Sie sie geöffnet haben</translation>
+    </message>
+    <message>
+        <source>save your draft under another name</source>
+        <translation>speichern Sie Ihren Entwurf unter einem anderen Namen</translation>
     </message>
 </context>
 <context>
@@ -13153,6 +13177,14 @@ Kennzahlen: %2</translation>
         <source>Change the draft first; it is the same as the version in force.</source>
         <translation>Ändern Sie zuerst den Entwurf; er gleicht der geltenden Version.</translation>
     </message>
+    <message>
+        <source>Version %1 is in force and differs from your draft. Decide each of the differences that are listed, then publish.</source>
+        <translation>Version %1 gilt und weicht von Ihrem Entwurf ab. Entscheiden Sie jeden der aufgeführten Unterschiede und veröffentlichen Sie dann.</translation>
+    </message>
+    <message>
+        <source>Version %1 is in force. Its changes and yours are in the draft together. Look at it, then publish.</source>
+        <translation>Version %1 gilt. Ihre Änderungen und die dieser Version stehen zusammen im Entwurf. Sehen Sie ihn sich an und veröffentlichen Sie dann.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::DashboardPage</name>
@@ -13934,6 +13966,101 @@ Kennzahlen: %2</translation>
     <message>
         <source>Versions: %1</source>
         <translation>Versionen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fulcrum::ui::DraftMergeCard</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>form %1</source>
+        <translation>Bogen %1</translation>
+    </message>
+    <message>
+        <source>raters: %1</source>
+        <translation>Beurteiler: %1</translation>
+    </message>
+    <message>
+        <source>lowest mean %1</source>
+        <translation>Mittelwert mindestens %1</translation>
+    </message>
+    <message>
+        <source>items: %1</source>
+        <translation>Punkte: %1</translation>
+    </message>
+    <message>
+        <source>each item</source>
+        <translation>jeder Punkt</translation>
+    </message>
+    <message>
+        <source>blind</source>
+        <translation>blind</translation>
+    </message>
+    <message>
+        <source>not in it</source>
+        <translation>nicht enthalten</translation>
+    </message>
+    <message>
+        <source>in it</source>
+        <translation>enthalten</translation>
+    </message>
+    <message>
+        <source>This draft was begun from version %1; version %2 is in force now. Taken from it: %3.</source>
+        <translation>Dieser Entwurf ging von Version %1 aus; jetzt gilt Version %2. Daraus übernommen: %3.</translation>
+    </message>
+    <message>
+        <source>This draft was begun from a version %1 that this station does not have. So it cannot be known which of its differences from version %2 are its author&apos;s changes. Exchange with the programme server first and open the draft again, or decide each of them.</source>
+        <translation>Dieser Entwurf ging von einer Version %1 aus, die diese Station nicht hat. Deshalb lässt sich nicht sagen, welche Unterschiede zu Version %2 Änderungen seines Verfassers sind. Gleichen Sie zuerst mit dem Programmserver ab und öffnen Sie den Entwurf erneut, oder entscheiden Sie jeden davon.</translation>
+    </message>
+    <message>
+        <source>This draft does not say from which version it was begun: an older program saved it, or it was written elsewhere. So it cannot be known which of its differences from version %1 are its author&apos;s changes, and which were published since. Decide each of them.</source>
+        <translation>Dieser Entwurf sagt nicht, von welcher Version er ausging: Ein älteres Programm hat ihn gespeichert, oder er wurde anderswo geschrieben. Deshalb lässt sich nicht sagen, welche Unterschiede zu Version %1 Änderungen seines Verfassers sind und welche seither veröffentlicht wurden. Entscheiden Sie jeden davon.</translation>
+    </message>
+    <message>
+        <source>Title of the curriculum</source>
+        <translation>Titel des Curriculums</translation>
+    </message>
+    <message>
+        <source>Order of the stages</source>
+        <translation>Reihenfolge der Stufen</translation>
+    </message>
+    <message>
+        <source>Stage %1</source>
+        <translation>Stufe %1</translation>
+    </message>
+    <message>
+        <source>Title of stage %1</source>
+        <translation>Titel der Stufe %1</translation>
+    </message>
+    <message>
+        <source>Order of the tasks</source>
+        <translation>Reihenfolge der Aufgaben</translation>
+    </message>
+    <message>
+        <source>Changes by two authors</source>
+        <translation>Änderungen von zweien</translation>
+    </message>
+    <message>
+        <source>Decide each of these; nothing can be published before.</source>
+        <translation>Entscheiden Sie jeden dieser Unterschiede; vorher kann nichts veröffentlicht werden.</translation>
+    </message>
+    <message>
+        <source>Keep the draft&apos;s</source>
+        <translation>Wie im Entwurf lassen</translation>
+    </message>
+    <message>
+        <source>As in version %1</source>
+        <translation>Wie in Version %1</translation>
+    </message>
+    <message>
+        <source>Draft: %1</source>
+        <translation>Entwurf: %1</translation>
+    </message>
+    <message>
+        <source>Version %1: %2</source>
+        <translation>Version %1: %2</translation>
     </message>
 </context>
 <context>
