@@ -11,7 +11,6 @@
 
 #include "database/records/people.h"
 #include "ui/administration/people_page.h"
-#include "ui/dashboards/curriculum_page.h"
 #include "ui/language/error_text.h"
 #include "ui/review/compare_page.h"
 #include "ui/review/debrief_page.h"
@@ -284,8 +283,7 @@ void MainWindow::set_language(Language language) {
 void MainWindow::rebuild() {
     const std::type_index shown = typeid(*current_page());
     const QString used = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
-    std::optional<CurriculumPage::Begun> draft;
-    if (const auto* curriculum = made<CurriculumPage>()) draft = curriculum->begun();
+    drafts_.keep(made<CurriculumPage>());
     std::vector<PeoplePage::Issued> issued;
     if (const auto* people = made<PeoplePage>()) issued = people->issued();
     for (auto& [type, old] : pages_) old->leave();
@@ -296,7 +294,7 @@ void MainWindow::rebuild() {
     connect_first_pages();
     if (context_.signed_in()) {
         show_session();
-        if (draft) page<CurriculumPage>()->take_up(*draft);
+        if (const auto draft = drafts_.take(context_.session())) page<CurriculumPage>()->take_up(*draft);
         for (const PeoplePage::Issued& one : issued) page<PeoplePage>()->show_issued(one);
         if (shown == typeid(SettingsPage))
             show_page(page<SettingsPage>());
@@ -337,6 +335,7 @@ void MainWindow::show_page(Page* next) {
 void MainWindow::session_changed() {
     idle_.set_active(context_.signed_in());
     if (!context_.signed_in()) {
+        drafts_.keep(made<CurriculumPage>());
         // Nothing of one person's screens stays for the next.
         for (auto& [type, old] : pages_) {
             if (old == page<FirstStartPage>() || old == page<SignInPage>() || old == page<RepairPage>())
@@ -358,6 +357,7 @@ void MainWindow::session_changed() {
         return;
     }
     show_session();
+    if (const auto draft = drafts_.take(context_.session())) page<CurriculumPage>()->take_up(*draft);
     context_.score_interrupted();
     if (current_page() != page<FirstStartPage>()) show_home();
 }

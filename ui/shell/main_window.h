@@ -12,6 +12,7 @@
 
 #include "ui/page/context.h"
 #include "ui/shell/idle_watch.h"
+#include "ui/shell/kept_drafts.h"
 #include "ui/shell/replay_watch.h"
 #include "ui/shell/schedule_watch.h"
 #include "ui/style/palette.h"
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
     bool narrow_ = false;                    ///< too little room for rail and pages
     std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
     std::map<std::type_index, Page*> pages_;
+    KeptDrafts drafts_;
     bool fitted_ = false;  ///< to the screen, with its real frame
     QPointer<QWidget> used_before_lock_;
     LockPage* lock_page_ = nullptr;

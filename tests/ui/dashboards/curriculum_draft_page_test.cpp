@@ -248,6 +248,33 @@ TEST_F(CurriculumView, ADraftOfAnOlderProgramIsComparedWithTheVersionInForce) {
     EXPECT_FALSE(is_enabled(window, "curriculum_publish"));
 }
 
+TEST_F(CurriculumView, ADraftIsKeptForItsAuthorAfterSigningOut) {
+    const database::Session ed = make_educator("ed", "Ed Educator");
+    open_as(ed);
+    const std::string in_force = rule_in(services.curriculum(), "C4");
+    choose("C4");
+    step("rule_passes", 1, Qt::Key_Left);
+    type(window, "curriculum_reason", "Three of five are enough");
+    const database::Session ann = make_educator("ann", "Ann Educator");
+    open_as(ann);
+    EXPECT_EQ(rule_in(page().draft(), "C4"), in_force) << "not of the next person";
+    EXPECT_TRUE(find<QLineEdit>(window, "curriculum_reason")->text().isEmpty());
+    choose("A2");
+    click(window, "task_remove");
+    type(window, "curriculum_reason", "Not needed");
+    open_as(ed);
+    EXPECT_EQ(rule_in(page().draft(), "C4"), "of:3,5");
+    EXPECT_NE(page().draft().find("A2"), nullptr);
+    EXPECT_EQ(find<QLineEdit>(window, "curriculum_reason")->text(), "Three of five are enough");
+    click(window, "curriculum_publish");
+    open_as(ann);
+    EXPECT_EQ(page().draft().find("A2"), nullptr);
+    EXPECT_EQ(rule_in(page().draft(), "C4"), "of:3,5") << "what was published in between stays";
+    EXPECT_TRUE(sees(window, "merge_note"));
+    open_as(ed);
+    EXPECT_FALSE(is_enabled(window, "curriculum_discard")) << "it was published";
+}
+
 TEST_F(CurriculumView, AWithdrawnRoleKeepsTheDraftAndAnotherRoleIsSeenAtOnce) {
     const database::People people(*services.store());
     const database::Session administrator = people.sign_in("administrator", "correct horse battery");
