@@ -138,8 +138,8 @@ void PassRuleDesigner::set_dials() {
     set(limit_, sum, 5, 80, qRound(tried_.h / limit_step));
     passes_.value->setText(QString::number(tried_.k));
     among_.value->setText(QString::number(tried_.n));
-    acceptable_.value->setText(QStringLiteral("%1 %").arg(low_share));
-    unacceptable_.value->setText(QStringLiteral("%1 %").arg(high_share));
+    acceptable_.value->setText(figure(100 * tried_.p0) + QStringLiteral(" %"));
+    unacceptable_.value->setText(figure(100 * tried_.p1) + QStringLiteral(" %"));
     limit_.value->setText(figure(tried_.h));
     // A screen reader reads steps of the slider otherwise.
     for (const Dial* dial : {&passes_, &among_, &acceptable_, &unacceptable_, &limit_})

@@ -252,6 +252,72 @@ TEST_F(CurriculumView, RemediesFitThePageAtTheLargestText) {
     window.set_text_size(100);
 }
 
+/// A draft written elsewhere, with values that the fields of the page cannot show whole.
+class FineDraft : public CurriculumView {
+  protected:
+    FineDraft() {
+        Curriculum fine = page().draft();
+        for (CurriculumTask& task : fine.tasks) {
+            if (task.task == "A2") task.rule = parse_pass_rule("lc-cusum:0.125,0.3,2.52");
+            if (task.task != "C4") continue;
+            task.remedies[0].bound = 0.12345;
+            task.ratings = RatingRule{"gas", 2, 4.3333, {}, false, false};
+        }
+        QFile file(folder.filePath("fine.json"));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(curriculum_text(fine)));
+        file.close();
+        page().read_draft(file.fileName());
+    }
+    /// Every curve is that of the rule as it would be published.
+    void expect_curves_of(const char* task) {
+        const PassRule published = parse_pass_rule(pass_rule_text(page().draft().find(task)->rule));
+        for (std::size_t k = 0; k < designer_trainees.size(); ++k)
+            EXPECT_EQ(chart->curves().tried[k],
+                      operating_curve(published, designer_trainees[k], designer_attempts));
+    }
+    QTemporaryDir folder;
+};
+
+TEST_F(FineDraft, AValueBetweenTwoStepsOfADialStaysUntilThatDialIsMoved) {
+    choose("A2");
+    EXPECT_EQ(find<QSlider>(window, "rule_limit")->value(), 25);
+    step("rule_limit", 1, Qt::Key_Right);
+    EXPECT_EQ(pass_rule_text(page().draft().find("A2")->rule), "lc-cusum:0.125,0.3,2.6");
+    expect_curves_of("A2");
+    step("rule_acceptable", 1, Qt::Key_Right);
+    EXPECT_EQ(pass_rule_text(page().draft().find("A2")->rule), "lc-cusum:0.14,0.3,2.6");
+    step("rule_acceptable", 30, Qt::Key_Right);
+    EXPECT_EQ(pass_rule_text(page().draft().find("A2")->rule), "lc-cusum:0.44,0.45,2.6");
+    expect_curves_of("A2");
+    choose("C4");
+    step("rule_passes", 2, Qt::Key_Left);
+    step("rule_among", 20, Qt::Key_Right);
+    EXPECT_EQ(pass_rule_text(page().draft().find("C4")->rule), "of:2,16");
+    expect_curves_of("C4");
+}
+
+TEST_F(FineDraft, ABoundAndAMeanWithMoreDigitsStayUntilTheyAreChanged) {
+    choose("C4");
+    choose_tab(window, "curriculum_tabs", "Remedies");
+    auto* kind = find<QComboBox>(window, "remedy_kind");
+    const int replay = kind->findData(static_cast<int>(RemedyKind::replay));
+    kind->setCurrentIndex(replay);
+    emit kind->activated(replay);
+    const auto task = [&] { return page().draft().find("C4"); };
+    EXPECT_EQ(task()->remedies[0].kind, RemedyKind::replay);
+    EXPECT_EQ(task()->remedies[0].bound, 0.12345);
+    find<QDoubleSpinBox>(window, "remedy_bound")->setValue(0.2);
+    EXPECT_EQ(task()->remedies[0].bound, 0.2);
+    choose_tab(window, "curriculum_tabs", "Ratings");
+    check(window, "ratings_blind");
+    ASSERT_TRUE(task()->ratings.has_value());
+    EXPECT_TRUE(task()->ratings->blind);
+    EXPECT_EQ(task()->ratings->lowest_mean, 4.3333);
+    find<QDoubleSpinBox>(window, "ratings_lowest")->setValue(5);
+    EXPECT_EQ(task()->ratings->lowest_mean, 5);
+}
+
 TEST_F(CurriculumView, TheLineOfATaskFollowsItsFields) {
     choose("A3");
     EXPECT_TRUE(find<QLabel>(window, "task_facts")->text().contains("opens after A2"));
