@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum certificate: writes the certificate of a completed stage, or verifies a check code.
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -31,13 +32,16 @@ int verify(const Arguments& arguments, const database::Store& store, const datab
             document.update({{"code", found->code},
                              {"person", found->person_name},
                              {"curriculum", found->curriculum},
+                             {"follows", found->follows},
                              {"stage", found->stage},
                              {"completed", database::iso_utc(found->completed_at)}});
         print_json(document);
     } else if (found) {
         std::cout << "valid: " << found->person_name << ", stage " << found->stage << " ("
                   << found->stage_title << ") of " << found->curriculum << ", completed "
-                  << database::iso_utc(found->completed_at) << '\n';
+                  << database::iso_utc(found->completed_at)
+                  << (found->follows == found->curriculum ? "" : ", follows " + found->follows + " now")
+                  << '\n';
     } else {
         std::cout << "not valid: no certificate with this code is in force among the people whose progress "
                      "you may read\n";
@@ -54,16 +58,20 @@ int write(const Arguments& arguments, const database::Store& store, const databa
                          QT_TRANSLATE_NOOP("errors", "name the file to write: -o FILE"));
     const std::string person = person_named(arguments, store, session);
     const std::string stage = *arguments.value("--stage"), path = *arguments.value("--output");
-    for (const database::Certificate& one :
-         database::certificates(store, session, person, curriculum(store))) {
-        if (one.stage != stage) continue;
+    std::vector<database::Certificate> made =
+        database::certificates(store, session, person, curriculum(store));
+    // Of a stage that was completed under several versions the latest.
+    std::reverse(made.begin(), made.end());
+    for (const database::Certificate& one : made) {
+        if (one.stage != stage || arguments.value_or("--curriculum", one.curriculum) != one.curriculum)
+            continue;
         std::vector<TaskDefinition> tasks;
         for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
         ui::write_certificate(store, session, one, tasks, version_line(), path);
         if (arguments.has("--json")) {
-            print_json({{"files", {path}}, {"code", one.code}});
+            print_json({{"files", {path}}, {"code", one.code}, {"curriculum", one.curriculum}});
         } else {
-            std::cout << "wrote " << path << ", check code " << one.code << '\n';
+            std::cout << "wrote " << path << " (" << one.curriculum << "), check code " << one.code << '\n';
         }
         return 0;
     }
@@ -98,6 +106,10 @@ Command certificate_command() {
                      QT_TRANSLATE_NOOP("commands", "Says whether a certificate with this code is in force.")},
                     {"--person", "LOGIN", QT_TRANSLATE_NOOP("commands", "The certificate of this person.")},
                     {"--stage", "ID", QT_TRANSLATE_NOOP("commands", "The completed stage, for example A.")},
+                    {"--curriculum", "VERSION",
+                     QT_TRANSLATE_NOOP("commands",
+                                       "Of the stage as completed under this version, for example rectal@1, "
+                                       "where there are several; without it the latest.")},
                     {"--output", "FILE", QT_TRANSLATE_NOOP("commands", "The PDF to write."), "", {}, "-o"}},
                    session_options()),
             run_certificate,

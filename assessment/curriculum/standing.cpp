@@ -386,6 +386,11 @@ class Programme {
         unlock();
     }
 
+    void follow(const Curriculum& curriculum) {
+        tasks_.clear();
+        for (const CurriculumTask& task : curriculum.tasks) tasks_.push_back({&task, &runs_[task.task]});
+    }
+
     std::vector<TaskStanding> standings_at(std::int64_t at) {
         std::vector<TaskStanding> result;
         for (const Followed& one : tasks_) {
@@ -401,11 +406,6 @@ class Programme {
         const CurriculumTask* task;
         TaskRun* run;
     };
-
-    void follow(const Curriculum& curriculum) {
-        tasks_.clear();
-        for (const CurriculumTask& task : curriculum.tasks) tasks_.push_back({&task, &runs_[task.task]});
-    }
 
     void decide(const StandingOverride& decision) {
         TaskRun& run = runs_[decision.task];
@@ -453,6 +453,14 @@ const Curriculum* curriculum_at(const std::vector<CurriculumAssignment>& assignm
 std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at) {
     Programme programme(record.ratings);
     for (const Entry& entry : entries_of(record, at)) programme.take(entry);
+    return programme.standings_at(at);
+}
+
+std::vector<TaskStanding> standing_in(const PersonRecord& record, std::int64_t at,
+                                      const Curriculum& version) {
+    Programme programme(record.ratings);
+    for (const Entry& entry : entries_of(record, at)) programme.take(entry);
+    programme.follow(version);
     return programme.standings_at(at);
 }
 

@@ -118,5 +118,8 @@ const Curriculum* curriculum_at(const std::vector<CurriculumAssignment>& assignm
 
 /// Of every task of the curriculum in force at `at`, in its order; empty before an assignment. `at`: UTC ms.
 std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at);
+/// The same of the tasks of `version`, which the person followed at some time: a proficiency in a task that
+/// the curriculum in force no longer has stays as it was.
+std::vector<TaskStanding> standing_in(const PersonRecord& record, std::int64_t at, const Curriculum& version);
 
 }  // namespace fulcrum

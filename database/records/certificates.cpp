@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
+#include <tuple>
 
 #include "assessment/curriculum/standing.h"
 #include "database/records/people.h"
@@ -46,39 +48,92 @@ bool is_proficient(Standing standing) {
     return standing == Standing::proficient || standing == Standing::maintained || standing == Standing::due;
 }
 
+constexpr std::int64_t no_end = std::numeric_limits<std::int64_t>::max();
+
+/// The time in which a person followed one version, from a move to the next.
+struct Period {
+    const Curriculum* curriculum = nullptr;
+    std::int64_t from = 0, until = no_end;  ///< UTC ms; `until` belongs to the next one
+};
+
+/// Up to `at`, oldest first, as curriculum_at() orders them.
+std::vector<Period> periods_of(std::vector<CurriculumAssignment> assignments, std::int64_t at) {
+    std::sort(assignments.begin(), assignments.end(),
+              [](const CurriculumAssignment& a, const CurriculumAssignment& b) {
+                  return std::make_tuple(a.time, a.curriculum->name()) <
+                         std::make_tuple(b.time, b.curriculum->name());
+              });
+    std::vector<Period> periods;
+    for (const CurriculumAssignment& one : assignments) {
+        if (one.time > at) break;
+        if (!periods.empty() && periods.back().from == one.time) periods.pop_back();
+        if (!periods.empty()) periods.back().until = one.time;
+        if (!periods.empty() && periods.back().curriculum == one.curriculum)
+            periods.back().until = no_end;
+        else
+            periods.push_back({one.curriculum, one.time});
+    }
+    return periods;
+}
+
+/// Name of the version that was followed then.
+std::string followed_at(const std::vector<Period>& periods, std::int64_t time) {
+    std::string name;
+    for (const Period& period : periods)
+        if (name.empty() || period.from <= time) name = period.curriculum->name();
+    return name;
+}
+
+/// Whether the certificate says more than those before it.
+bool has_more(const Certificate& certificate, const std::vector<Certificate>& before) {
+    return std::none_of(before.begin(), before.end(), [&](const Certificate& other) {
+        return std::all_of(
+            certificate.tasks.begin(), certificate.tasks.end(), [&](const CertificateTask& task) {
+                return std::any_of(other.tasks.begin(), other.tasks.end(),
+                                   [&](const CertificateTask& one) { return one.task == task.task; });
+            });
+    });
+}
+
 }  // namespace
 
 std::vector<Certificate> certificates(const Store& store, const Session& session,
                                       const std::string& person_id, const Curriculum& newest) {
     const PersonRecord record = Standings(store).record(session, person_id, newest);
     const std::int64_t at = store.now();  // one moment: a move may come into force at any
-    const Curriculum& curriculum = *curriculum_at(record.assignments, at);
-    const std::vector<TaskStanding> standings = standing_of(record, at);
     if (store.is_demo()) return {};
     const std::optional<Person> person = People(store).find(session, person_id);
     if (!person || person->kind != PersonKind::real) return {};
+    const std::vector<Period> periods = periods_of(record.assignments, at);
     std::vector<Certificate> made;
-    for (const CurriculumStage& stage : curriculum.stages) {
-        Certificate certificate{store.programme_name(),
-                                person_id,
-                                person->display_name,
-                                curriculum.name(),
-                                curriculum.title,
-                                stage.id,
-                                stage.title,
-                                {},
-                                0,
-                                {}};
-        bool complete = true;
-        for (const TaskStanding& standing : standings) {
-            if (curriculum.find(standing.task)->stage != stage.id) continue;
-            complete = complete && is_proficient(standing.standing);
-            certificate.tasks.push_back({standing.task, standing.declared_at, standing.by_override});
-            certificate.completed_at = std::max(certificate.completed_at, standing.declared_at);
+    for (const Period& period : periods) {
+        const Curriculum& curriculum = *period.curriculum;
+        const std::vector<TaskStanding> standings = standing_in(record, at, curriculum);
+        for (const CurriculumStage& stage : curriculum.stages) {
+            Certificate certificate;
+            certificate.programme = store.programme_name();
+            certificate.person_id = person_id;
+            certificate.person_name = person->display_name;
+            certificate.curriculum = curriculum.name();
+            certificate.curriculum_title = curriculum.title;
+            certificate.stage = stage.id;
+            certificate.stage_title = stage.title;
+            certificate.completed_at = period.from;
+            certificate.follows = periods.back().curriculum->name();
+            bool complete = true;
+            for (const TaskStanding& standing : standings) {
+                if (curriculum.find(standing.task)->stage != stage.id) continue;
+                // Afterwards another version's rule declared it.
+                complete =
+                    complete && is_proficient(standing.standing) && standing.declared_at < period.until;
+                certificate.tasks.push_back({standing.task, standing.declared_at, standing.by_override,
+                                             followed_at(periods, standing.declared_at)});
+                certificate.completed_at = std::max(certificate.completed_at, standing.declared_at);
+            }
+            if (!complete || certificate.tasks.empty() || !has_more(certificate, made)) continue;
+            certificate.code = code_of(certificate);
+            made.push_back(std::move(certificate));
         }
-        if (!complete || certificate.tasks.empty()) continue;
-        certificate.code = code_of(certificate);
-        made.push_back(std::move(certificate));
     }
     return made;
 }

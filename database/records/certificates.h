@@ -2,6 +2,9 @@
 // Certificates: a stage of the curriculum all of whose tasks a real person is proficient in. Nothing is
 // stored: a certificate and its check code follow from the record, so that a code is valid as long as the
 // record says the same. Provisional limits never make one, since nobody is proficient by them.
+//
+// A certificate is of the version that the person followed when the stage was completed. A move to another
+// version, whose stages and rules may be others, neither takes it away nor makes one of that version.
 #pragma once
 
 #include <optional>
@@ -17,19 +20,24 @@ struct CertificateTask {
     std::string task;
     std::int64_t declared_at = 0;  ///< UTC ms, of the proficiency
     bool by_override = false;      ///< declared by an educator, not by the rule
+    std::string curriculum = {};   ///< "rectal@1", whose rule declared it: followed at that time
 };
 
 struct Certificate {
     std::string programme, person_id, person_name;
-    std::string curriculum;  ///< "rectal@1"
+    std::string curriculum;  ///< "rectal@1", followed when the stage was completed
     std::string curriculum_title, stage, stage_title;
     std::vector<CertificateTask> tasks;  ///< in the curriculum's order
-    std::int64_t completed_at = 0;       ///< UTC ms, of the last declaration
-    std::string code;                    ///< "7K2Q-…": 16 characters in groups of four (80 bits)
+    /// UTC ms, of the last declaration, or of the move to a version that asks for less.
+    std::int64_t completed_at = 0;
+    std::string code;          ///< "7K2Q-…": 16 characters in groups of four (80 bits)
+    std::string follows = {};  ///< "rectal@2", the version that the person follows now
 };
 
-/// Of the stages that a person has completed, in their order; none in the demonstration and for synthetic
-/// people, none for a stage with a relapsed task. Checked as read_progress. Throws AccessDenied, StoreError.
+/// Of the stages that a person has completed under each version that the person has followed, the oldest
+/// first, in the order of its stages. None where an earlier certificate has all of its tasks: of the same
+/// stage after a move, for example. None in the demonstration and for synthetic people, none for a stage with
+/// a relapsed task. Checked as read_progress. Throws AccessDenied, StoreError.
 std::vector<Certificate> certificates(const Store& store, const Session& session,
                                       const std::string& person_id, const Curriculum& curriculum);
 /// The certificate with this code, among the people whose progress the session may read; capitals, spaces and

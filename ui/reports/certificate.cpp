@@ -18,10 +18,16 @@ QString day(std::int64_t utc_ms) {
     return local_time(utc_ms).section(QLatin1Char(' '), 0, 2);
 }
 
-QString task_line(const database::CertificateTask& task, const std::vector<TaskDefinition>& tasks) {
+/// `of`: the version that the certificate is of.
+QString task_line(const database::CertificateTask& task, const std::string& of,
+                  const std::vector<TaskDefinition>& tasks) {
     QString title = text(task.task);
     for (const TaskDefinition& one : tasks)
         if (one.id == task.task) title += QStringLiteral("  ") + asset_text(one.title);
+    if (!task.by_override && !task.curriculum.empty() && task.curriculum != of)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::certificate",
+                                     "%1: proficient since %2, by the rule of %3"))
+            .arg(title, day(task.declared_at), text(task.curriculum));
     return (task.by_override ? say(QT_TRANSLATE_NOOP("fulcrum::ui::certificate",
                                                      "%1: proficient since %2, by decision of an educator"))
                              : say(QT_TRANSLATE_NOOP("fulcrum::ui::certificate", "%1: proficient since %2")))
@@ -93,7 +99,12 @@ void write_certificate(const database::Store& store, const database::Session& se
                             asset_text(certificate.curriculum_title), day(certificate.completed_at)));
     sheet.skip(4);
     sheet.font(10);
-    for (const database::CertificateTask& task : certificate.tasks) centred(sheet, task_line(task, tasks));
+    for (const database::CertificateTask& task : certificate.tasks)
+        centred(sheet, task_line(task, certificate.curriculum, tasks));
+    if (!certificate.follows.empty() && certificate.follows != certificate.curriculum)
+        centred(sheet, say(QT_TRANSLATE_NOOP("fulcrum::ui::certificate",
+                                             "Completed under %1, before the move to %2."))
+                           .arg(text(certificate.curriculum), text(certificate.follows)));
     sheet.skip(3);
     sheet.font(8, false, paper_palette().muted);
     centred(

@@ -47,27 +47,33 @@ void CertificateCard::show_person(const std::string& person_id, const QString& f
     setVisible(!made.empty());
     for (const database::Certificate& one : made) {
         auto* row = new QHBoxLayout;
-        QLabel* words = make_label(tr("Stage %1, %2, completed on %3. Check code %4.")
-                                       .arg(text(one.stage), asset_text(one.stage_title),
-                                            date_text(one.completed_at), text(one.code)));
+        const QString stage = text(one.stage), title = asset_text(one.stage_title),
+                      day = date_text(one.completed_at), code = text(one.code);
+        QLabel* words = make_label(
+            one.curriculum == one.follows
+                ? tr("Stage %1, %2, completed on %3. Check code %4.").arg(stage, title, day, code)
+                : tr("Stage %1, %2, completed on %3 under %4, before the move to %5. Check code %6.")
+                      .arg(stage, title, day, text(one.curriculum), text(one.follows), code));
         words->setObjectName(QStringLiteral("certificate_words"));
         words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         row->addWidget(words, 1);
         QPushButton* button = make_button(tr("Save the certificate (PDF)"), "save_certificate");
-        connect(button, &QPushButton::clicked, this,
-                [this, person_id, stage = one.stage] { save(person_id, stage); });
+        connect(
+            button, &QPushButton::clicked, this,
+            [this, person_id, version = one.curriculum, id = one.stage] { save(person_id, version, id); });
         row->addWidget(button);
         lines_->addLayout(row);
     }
 }
 
-void CertificateCard::save(const std::string& person_id, const std::string& stage) {
+void CertificateCard::save(const std::string& person_id, const std::string& curriculum,
+                           const std::string& stage) {
     QString path;
     const bool saved = context_.guarded([&] {
         // The record may have changed since the page was filled.
         for (const database::Certificate& one : database::certificates(
                  context_.store(), context_.session(), person_id, context_.services().curriculum())) {
-            if (one.stage != stage) continue;
+            if (one.curriculum != curriculum || one.stage != stage) continue;
             path = free_path(folder_,
                              file_name(tr("Certificate %1 %2").arg(text(stage), text(one.person_name))));
             write_certificate(context_.store(), context_.session(), one, context_.services().tasks(),

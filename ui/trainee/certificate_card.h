@@ -16,7 +16,8 @@ class CertificateCard : public QWidget {
     void show_person(const std::string& person_id, const QString& folder);
 
   private:
-    void save(const std::string& person_id, const std::string& stage);
+    /// The certificate of the stage under this version, "rectal@1".
+    void save(const std::string& person_id, const std::string& curriculum, const std::string& stage);
 
     Context& context_;
     QString folder_;

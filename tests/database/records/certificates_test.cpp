@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
+#include <functional>
 
 #include "assessment/assets/assets.h"
+#include "database/records/curricula.h"
 #include "database/records/standings.h"
 #include "tests/database/programme_fixture.h"
 
@@ -107,6 +110,92 @@ TEST(Certificates, ALaterDeclarationOfOneTaskChangesTheCode) {
             .code;
     };
     EXPECT_NE(code(0), code(1));
+}
+
+/// A person who follows version 3, and a version 4 to be moved to.
+struct MovedPerson {
+    explicit MovedPerson(const std::function<void(Curriculum&)>& change) : newest(whole()) {
+        newest.older = {whole()};
+        newest.version = 4;
+        change(newest);
+        move("rectal@3");
+    }
+    void move(const char* to) {
+        programme.clock.pass_s(60);
+        Curricula(*programme.store)
+            .move(programme.session("educator"), {programme.id("ann")}, newest, to, "another course");
+    }
+    std::vector<Certificate> made() const {
+        return certificates(*programme.store, programme.session("ann"), programme.id("ann"), newest);
+    }
+    Programme programme;
+    Curriculum newest;
+};
+CurriculumTask& task_in(Curriculum& curriculum, const char* id) {
+    return *std::find_if(curriculum.tasks.begin(), curriculum.tasks.end(),
+                         [&](const CurriculumTask& one) { return one.task == id; });
+}
+
+TEST(Certificates, AMoveMakesNoCertificateOfARuleThatWasNotMet) {
+    MovedPerson ann([](Curriculum& next) {
+        for (const char* task : {"A1", "A2", "A3"}) task_in(next, task).rule = parse_pass_rule("row:20");
+    });
+    declare(ann.programme, "ann", {"A1", "A2", "A3"});
+    ASSERT_EQ(ann.made().size(), 1U);
+    const Certificate before = ann.made()[0];
+    EXPECT_EQ(before.curriculum, "rectal@3");
+    EXPECT_EQ(before.follows, "rectal@3");
+    ann.move("rectal@4");
+    ASSERT_EQ(ann.made().size(), 1U);
+    EXPECT_EQ(ann.made()[0].curriculum, "rectal@3") << "earned under it";
+    EXPECT_EQ(ann.made()[0].follows, "rectal@4");
+    EXPECT_EQ(ann.made()[0].code, before.code) << "the one on paper is valid";
+    EXPECT_TRUE(
+        find_certificate(*ann.programme.store, ann.programme.session("director"), before.code, ann.newest));
+    ann.move("rectal@3");
+    EXPECT_EQ(ann.made().size(), 1U);
+}
+
+TEST(Certificates, AMoveToAVersionThatAsksForMoreTakesNoneAway) {
+    MovedPerson ann([](Curriculum& next) { task_in(next, "B1").stage = "A"; });
+    declare(ann.programme, "ann", {"A1", "A2", "A3"});
+    ann.move("rectal@4");
+    ASSERT_EQ(ann.made().size(), 1U);
+    const Certificate first = ann.made()[0];
+    EXPECT_EQ(first.curriculum, "rectal@3");
+    declare(ann.programme, "ann", {"B1"});
+    const std::vector<Certificate> both = ann.made();
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].code, first.code);
+    EXPECT_EQ(both[1].curriculum, "rectal@4");
+    EXPECT_EQ(both[1].stage, "A");
+    ASSERT_EQ(both[1].tasks.size(), 4U);
+    EXPECT_EQ(both[1].tasks[0].curriculum, "rectal@3") << "declared before the move";
+    EXPECT_EQ(both[1].tasks[3].curriculum, "rectal@4");
+    EXPECT_EQ(both[1].completed_at, both[1].tasks[3].declared_at);
+}
+
+TEST(Certificates, AStageThatAMoveCompletesIsOfTheNewVersionAndItsTasksOfTheOld) {
+    MovedPerson ann([](Curriculum& next) {
+        next.tasks.erase(next.tasks.begin() + (&task_in(next, "A3") - next.tasks.data()));
+    });
+    declare(ann.programme, "ann", {"A1", "A2"});
+    EXPECT_TRUE(ann.made().empty());
+    ann.move("rectal@4");
+    ASSERT_EQ(ann.made().size(), 1U);
+    const Certificate made = ann.made()[0];
+    EXPECT_EQ(made.curriculum, "rectal@4");
+    EXPECT_EQ(made.completed_at, ann.programme.store->now());
+    for (const CertificateTask& task : made.tasks) EXPECT_EQ(task.curriculum, "rectal@3");
+    // A task that the person's version no longer has keeps its proficiency for the certificates before.
+    MovedPerson ben([](Curriculum& next) {
+        next.tasks.erase(next.tasks.begin() + (&task_in(next, "A3") - next.tasks.data()));
+    });
+    declare(ben.programme, "ann", {"A1", "A2", "A3"});
+    ben.move("rectal@4");
+    ASSERT_EQ(ben.made().size(), 1U);
+    EXPECT_EQ(ben.made()[0].curriculum, "rectal@3");
+    EXPECT_EQ(ben.made()[0].tasks.size(), 3U);
 }
 
 }  // namespace

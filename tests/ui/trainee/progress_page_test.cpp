@@ -15,6 +15,7 @@
 #include "assessment/scoring/benchmark.h"
 
 #include "database/records/certificates.h"
+#include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "database/records/standings.h"
@@ -262,6 +263,31 @@ TEST_F(ProgressWithHistory, ACompletedStageHasACertificateWithACheckCode) {
     EXPECT_NE(find<QLabel>(*window, "message_text")->text().mid(6), path);
     QFile::remove(find<QLabel>(*window, "message_text")->text().mid(6));
     QFile::remove(path);
+}
+
+TEST_F(ProgressWithHistory, ACertificateSaysOfWhichVersionItIsAfterAMove) {
+    record(1200);
+    const std::string tara = sessions.at(Role::trainee).person_id();
+    for (const char* task : {"A1", "A2", "A3"})
+        database::Standings(*services.store())
+            .decide(sessions.at(Role::educator), tara, task, StandingOverride::Kind::proficient,
+                    "examined in theatre");
+    open(Role::trainee);
+    const QString code =
+        find<QLabel>(*window, "certificate_words")->text().section("Check code ", 1).left(19);
+    database::Curricula(*services.store())
+        .move(sessions.at(Role::educator), {tara}, services.curriculum(), "rectal@3", "new rules");
+    open(Role::trainee);
+    QTemporaryDir folder;
+    type(*window, "export_path", folder.filePath("progress.pdf"));
+    click(*window, "rail_home");
+    click(*window, "rail_progress");
+    const QString words = find<QLabel>(*window, "certificate_words")->text();
+    EXPECT_TRUE(words.contains("under rectal@1, before the move to rectal@3. Check code " + code))
+        << words.toStdString();
+    click(*window, "save_certificate");
+    const std::string paper = pdf_text(find<QLabel>(*window, "message_text")->text().mid(6));
+    EXPECT_NE(paper.find("Completed under rectal@1"), std::string::npos) << paper;
 }
 
 TEST_F(ProgressWithHistory, ANameWithASlashIsNotAFolderForTheCertificate) {

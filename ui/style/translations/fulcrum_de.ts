@@ -1401,6 +1401,10 @@
         <source>Five CSV files: attempts, metrics, people_by_task, attempts_by_task, dictionary. People and attempts have ids that are drawn again at each export, days count from a person&apos;s first attempt, values have three significant digits. Classes of devices, modes, tasks and metrics of fewer than 5 people are put together with others or left out. The two tables of counts, taken alone, give no count below 5. attempts and metrics have rows of single people, from which smaller counts follow, and somebody who knows a person&apos;s attempts well may recognise them: give these files to researchers only, and do not publish them. Give the same readers no later export without need: next to an earlier one it shows what single people did in between. A station of some cohorts of a programme exports nothing.</source>
         <translation>Fünf CSV-Dateien: attempts, metrics, people_by_task, attempts_by_task, dictionary. Personen und Versuche haben Kennungen, die bei jedem Export neu gezogen werden, Tage zählen ab dem ersten Versuch einer Person, Werte haben drei gültige Ziffern. Geräteklassen, Modi, Aufgaben und Kennzahlen von weniger als 5 Personen werden mit anderen zusammengefasst oder weggelassen. Die beiden Tabellen mit Anzahlen ergeben für sich allein keine Anzahl unter 5. attempts und metrics haben Zeilen einzelner Personen, aus denen kleinere Anzahlen folgen, und wer die Versuche einer Person gut kennt, erkennt sie vielleicht: Geben Sie diese Dateien nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben. Eine Station mit einem Teil der Gruppen eines Programms exportiert nichts.</translation>
     </message>
+    <message>
+        <source>Of the stage as completed under this version, for example rectal@1, where there are several; without it the latest.</source>
+        <translation>Der Stufe, wie sie unter dieser Version abgeschlossen wurde, zum Beispiel rectal@1, wo es mehrere gibt; sonst die neueste.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -12239,6 +12243,10 @@ und %1 weitere</translation>
         <source>Wrote %1</source>
         <translation>Gespeichert: %1</translation>
     </message>
+    <message>
+        <source>Stage %1, %2, completed on %3 under %4, before the move to %5. Check code %6.</source>
+        <translation>Stufe %1, %2, abgeschlossen am %3 unter %4, vor der Umstellung auf %5. Prüfcode %6.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ChartFrame</name>
@@ -19598,6 +19606,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>person %1</source>
         <translation>Person %1</translation>
+    </message>
+    <message>
+        <source>%1: proficient since %2, by the rule of %3</source>
+        <translation>%1: sicher beherrscht seit %2, nach der Regel von %3</translation>
+    </message>
+    <message>
+        <source>Completed under %1, before the move to %2.</source>
+        <translation>Abgeschlossen unter %1, vor der Umstellung auf %2.</translation>
     </message>
 </context>
 <context>
