@@ -422,9 +422,7 @@ class Services : public ui::ApplicationServices {
 
     static constexpr std::uint64_t demonstration_seed = 7;
     /// Outside 1000-1999, which are reserved for benchmarks.
-    static std::uint64_t draw_seed() {
-        return 2000 + std::random_device()() % (1000U * 1'000'000U);
-    }
+    static std::uint64_t draw_seed() { return 2000 + std::random_device()() % (1000U * 1'000'000U); }
     std::string folder_, named_;  ///< of the stores; the store that the command line names
     std::vector<TaskDefinition> tasks_;
     /// Everything that decides what an attempt is worth.

@@ -213,6 +213,27 @@ TEST_F(SyncCommands, WhatIsAcceptedAtOneStationIsInForceAtTheOtherAndInItsWindow
     EXPECT_EQ(window->curriculum().version, 1001);
 }
 
+TEST_F(SyncCommands, AWindowThatIsOpenFindsACurriculumThatCameSince) {
+    const AssetsOfAStation here;
+    const auto window = make_services(programme.folder.path().toStdString());
+    window->open_store(false);
+    const Curriculum& before = window->curriculum();
+    const std::string name = before.name();
+    window->look_for_curriculum();
+    EXPECT_EQ(&window->curriculum(), &before) << "nothing has come";
+    // As an exchange leaves it: accepted, with its contents, and not yet in the folder.
+    nlohmann::json next = nlohmann::json::parse(std::ifstream(here / "curricula/rectal.json"));
+    next["version"] = 1001;
+    std::ofstream(here / "ours.json") << next.dump(2);
+    run({"assets", "accept", (here / "ours.json").string(), "--reason", "ours", "--db", programme.path,
+         "--as", "educator", "--role", "educator", "--password-file", password_file},
+        0);
+    window->look_for_curriculum();
+    EXPECT_EQ(window->curriculum().name(), "rectal@1001");
+    EXPECT_TRUE(std::filesystem::exists(here / "curricula/rectal-1001.json"));
+    EXPECT_EQ(before.name(), name) << "pages hold on to it";
+}
+
 TEST_F(SyncCommands, ASetThatIsAcceptedFromAnyFolderHasTheNameThatItWillHave) {
     const AssetsOfAStation here;
     nlohmann::json set = nlohmann::json::parse(std::ifstream(here / "benchmarks/A2.json"));
