@@ -187,8 +187,8 @@ void SignInPage::fill_demo() {
         const database::People people(context().store());
         const std::vector<database::Person> all = people.list(context().store().station_session());
         constexpr int shown_trainees = 6;
-        for (const database::Role role :
-             {database::Role::trainee, database::Role::educator, database::Role::director}) {
+        for (const database::Role role : {database::Role::trainee, database::Role::educator,
+                                          database::Role::director, database::Role::administrator}) {
             int listed = 0;
             for (const database::Person& person : all) {
                 if (std::find(person.roles.begin(), person.roles.end(), role) == person.roles.end()) continue;
