@@ -18,6 +18,7 @@
 #include "database/rows/connection.h"
 #include "database/store/accepted_assets.h"
 #include "tests/app/access_programme.h"
+#include "tests/app/live/forged_record.h"
 #include "tests/database/postgresql_server.h"
 #include "tests/database/station_keys.h"
 #include "tests/support/own_folder.h"
@@ -72,6 +73,52 @@ TEST_F(SyncCommands, CreateSyncCheckAndErase) {
     EXPECT_EQ(run({"server", "erase", trainee, "--to", to}, 0)["rows"], dry["rows"]);
     EXPECT_EQ(sync(to, 0)["erased"], 1);
     EXPECT_TRUE(run({"db", "check", "--db", programme.path}, 0)["ok"]);
+}
+
+TEST_F(SyncCommands, TheServersCheckSimulatesAttemptsAgainAndFindsAForgedOne) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const database::test::KeysOfOneTest keys;
+    const std::string to = database::test::PostgresqlServer::of_this_process()->new_database().text();
+    const std::string path = programme.folder.filePath("recorded.db").toStdString();
+    const KeptStation station(path);
+    const People people(station.store);
+    const Session administrator =
+        people.create_programme("Department", "administrator", "Ada Min", database::test::password)
+            .administrator;
+    const People::Created made = people.create(administrator, "ann", "Ann Trainee", {Role::trainee});
+    const Session ann = people.change_password(people.sign_in("ann", made.one_time_password),
+                                               made.one_time_password, database::test::password);
+    // Attempts of simulated people stay at their station.
+    const auto record = [&](std::uint64_t seed) {
+        return record_expert_hands(station, path, seed, ann, DeviceClass::mouse_keyboard);
+    };
+    const auto send = [&] {
+        EXPECT_TRUE(run({"sync", "--to", to, "--db", path, "--as", "administrator", "--role", "administrator",
+                         "--password-file", password_file},
+                        0)["complete"]);
+    };
+    const auto check = [&](int wanted) {
+        return run({"server", "check", "--to", to, "--simulate", "10"}, wanted);
+    };
+    const std::string honest = record(11);
+    send();
+    const nlohmann::json good = check(0);
+    EXPECT_TRUE(good["ok"]);
+    EXPECT_NE(good["notes"].dump().find("attempt " + honest + ": simulated, "), std::string::npos)
+        << good["notes"];
+    // Only a simulation finds the next one: its station's key has signed what it has become.
+    const std::string forged = record(12);
+    take_forces_away(station, forged, ann);
+    sign_again(station, forged);
+    send();
+    EXPECT_TRUE(run({"server", "check", "--to", to, "--simulate", "0"}, 0)["ok"]);
+    const nlohmann::json bad = check(1);
+    EXPECT_FALSE(bad["ok"]);
+    ASSERT_EQ(bad["problems"].size(), 1U) << bad["problems"];
+    EXPECT_EQ(bad["problems"][0].get<std::string>().find("attempt " + forged +
+                                                         ": its record is not what its inputs give"),
+              0U)
+        << bad["problems"];
 }
 
 TEST_F(SyncCommands, CtrlCEndsItAndTheNextRunCompletesIt) {

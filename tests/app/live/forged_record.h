@@ -9,9 +9,10 @@
 
 namespace fulcrum::app {
 
-/// Practice of A2; returns its id.
-inline std::string record_expert_attempt(const KeptStation& station, const std::string& path,
-                                         std::uint64_t seed) {
+/// Practice of A2 with an expert's hands, performed by somebody with a device of this class; returns its id.
+inline std::string record_expert_hands(const KeptStation& station, const std::string& path,
+                                       std::uint64_t seed, const database::Session& performer,
+                                       DeviceClass device_class) {
     PerformRequest request;
     request.loaded = load_task_and_scene("A2");
     request.operator_level = OperatorLevel::expert;
@@ -19,33 +20,56 @@ inline std::string record_expert_attempt(const KeptStation& station, const std::
     request.assessed = false;
     database::AttemptMeta meta = station.meta(request.loaded);
     meta.seed = seed;
-    const Limits limits = limits_for(request.loaded.task, request.loaded.scene, DeviceClass::synthetic);
-    database::Recorder recorder(path, station.session, meta);
+    meta.device_class = device_class;
+    if (!performer.is_station()) meta.person_id = performer.person_id();
+    const Limits limits = limits_for(request.loaded.task, request.loaded.scene, device_class);
+    database::Recorder recorder(path, performer, meta);
     perform(request, &recorder, limits);
     return recorder.attempt_id();
 }
+/// By the station's synthetic expert.
+inline std::string record_expert_attempt(const KeptStation& station, const std::string& path,
+                                         std::uint64_t seed) {
+    return record_expert_hands(station, path, seed, station.session, DeviceClass::synthetic);
+}
 
-/// Puts other data in place of a chunk, as whoever has the file can; the trigger is put back.
-inline void replace_chunk(const KeptStation& station, const std::string& id, int stream, std::int64_t number,
-                          const database::TraceChunk& chunk) {
+/// Does what a trigger forbids, as whoever has the file can; the trigger is put back.
+template <typename Deed>
+void past_trigger(const KeptStation& station, const std::string& name, Deed&& deed) {
+    database::Connection& connection = station.store.connection();
     std::string trigger;
     {
-        database::Query row(station.store.connection(),
-                            "SELECT sql FROM sqlite_master WHERE name = 'trace_chunk_is_fixed'");
-        ASSERT_TRUE(row.next());
+        database::Query row(connection, "SELECT sql FROM sqlite_master WHERE name = ?");
+        row.bind(name);
+        ASSERT_TRUE(row.next()) << name;
         trigger = row.text(0);
     }
-    station.store.connection().execute("DROP TRIGGER trace_chunk_is_fixed");
-    database::Query(station.store.connection(),
-                    "UPDATE trace_chunk SET data = ?, checksum = ? WHERE attempt_id = ? AND stream = ? AND "
-                    "number = ?")
-        .bind(chunk.data)
-        .bind(chunk.checksum)
-        .bind(id)
-        .bind(stream)
-        .bind(number)
-        .run();
-    station.store.connection().execute(QString::fromStdString(trigger));
+    connection.execute("DROP TRIGGER " + QString::fromStdString(name));
+    deed(connection);
+    connection.execute(QString::fromStdString(trigger));
+}
+/// Puts other data in place of a chunk.
+inline void replace_chunk(const KeptStation& station, const std::string& id, int stream, std::int64_t number,
+                          const database::TraceChunk& chunk) {
+    past_trigger(station, "trace_chunk_is_fixed", [&](database::Connection& connection) {
+        database::Query(connection,
+                        "UPDATE trace_chunk SET data = ?, checksum = ? WHERE attempt_id = ? AND stream = ? "
+                        "AND number = ?")
+            .bind(chunk.data)
+            .bind(chunk.checksum)
+            .bind(id)
+            .bind(stream)
+            .bind(number)
+            .run();
+    });
+}
+/// The attempt has ended in another state.
+inline void replace_end(const KeptStation& station, const std::string& id) {
+    past_trigger(station, "attempt_is_fixed", [&](database::Connection& connection) {
+        database::Query(connection, "UPDATE attempt SET state_hash = '00c0ffee00c0ffee' WHERE id = ?")
+            .bind(id)
+            .run();
+    });
 }
 /// What the station's key signs says that the records are as they are now.
 inline void sign_again(const KeptStation& station, const std::string& id) {
@@ -53,10 +77,11 @@ inline void sign_again(const KeptStation& station, const std::string& id) {
         .append(station.session, id, "score.add", "{}",
                 {{database::RecordKind::attempt, id}, {database::RecordKind::trace, id}});
 }
-/// The forces of a second, all gone.
-inline void take_forces_away(const KeptStation& station, const std::string& id) {
+/// The forces of a second, all gone. `reader`: who may read the recording.
+inline void take_forces_away(const KeptStation& station, const std::string& id,
+                             const database::Session& reader) {
     database::TraceCodec codec;
-    const database::Trace trace = database::Attempts(station.store).read_trace(station.session, id);
+    const database::Trace trace = database::Attempts(station.store).read_trace(reader, id);
     database::TraceChunk stored;
     {
         database::Query row(station.store.connection(),
@@ -79,6 +104,9 @@ inline void take_forces_away(const KeptStation& station, const std::string& id) 
         sample.hand[1].tip[0] += 1;  // 0.1 um
     }
     replace_chunk(station, id, 0, 2, codec.encode(samples.data(), samples.size(), inputs.data()));
+}
+inline void take_forces_away(const KeptStation& station, const std::string& id) {
+    take_forces_away(station, id, station.session);
 }
 
 }  // namespace fulcrum::app

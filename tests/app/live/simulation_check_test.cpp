@@ -3,7 +3,10 @@
 #include "app/live/simulation_check.h"
 
 #include <QTemporaryDir>
+#include <iostream>
+#include <sstream>
 
+#include "app/services/program.h"
 #include "database/rows/connection.h"
 #include "tests/app/live/forged_record.h"
 
@@ -29,6 +32,16 @@ class SimulationCheck : public ::testing::Test {
         return all;
     }
     void execute(const QString& sql) const { station.store.connection().execute(sql); }
+    /// What `fulcrum replay ID` says, with its exit status.
+    std::pair<int, std::string> replay(const std::string& id, const std::vector<std::string>& more) const {
+        std::vector<std::string> command{"replay", id, "--db", path};
+        command.insert(command.end(), more.begin(), more.end());
+        std::ostringstream output;
+        std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+        const int status = run_command(command);
+        std::cout.rdbuf(before);
+        return {status, output.str()};
+    }
 
     QTemporaryDir folder;
     const std::string path = folder.filePath("a.db").toStdString();
@@ -58,6 +71,22 @@ TEST_F(SimulationCheck, FindsSamplesThatWereReplacedAndSignedAgain) {
               std::string::npos)
         << words(item.problems);
     EXPECT_EQ(words(item.problems).find(ids[1]), std::string::npos) << "the other one is as it was";
+}
+
+TEST_F(SimulationCheck, FindsAnEndThatWasReplacedAndSignedAgainAsReplayDoes) {
+    EXPECT_EQ(replay(ids[0], {"--verify"}).first, 0);
+    replace_end(station, ids[0]);
+    sign_again(station, ids[0]);
+    EXPECT_TRUE(station.store.check(station.session).ok) << "only a simulation finds this";
+    const database::CheckItem item = check(10);
+    EXPECT_FALSE(item.ok);
+    EXPECT_EQ(words(item.problems),
+              "attempt " + ids[0] + ": it ends in another state than the store has of it\n");
+    const auto [status, said] = replay(ids[0], {"--verify"});
+    EXPECT_EQ(status, 1);
+    EXPECT_NE(said.find("but the store has 00c0ffee00c0ffee"), std::string::npos) << said;
+    EXPECT_EQ(replay(ids[0], {}).first, 0) << "it was not asked";
+    EXPECT_EQ(replay(ids[1], {"--verify"}).first, 0) << "the other one is as it was";
 }
 
 TEST_F(SimulationCheck, FindsAnErrorEventThatWasTakenAway) {
