@@ -103,9 +103,8 @@ class FlippedBytes : public ::testing::Test {
         };
         return {end_of_cell(bytes, header, cell(0)), header + 4, cell(cells - 1), cell(cells / 2) + 3};
     }
-    /// Values that the program changes without an audit row, so that no digest has them: the time of a
-    /// person's last sign-in, and the counter of a row's versions for the exchange (the end of a cohort's
-    /// row).
+    /// Values that no digest has (docs/FORMATS.md): the time of a person's last sign-in, and the version of a
+    /// cohort for the exchange, at the end of its row.
     static bool is_bookkeeping(const UsedPage& page, std::size_t place) {
         return place != 1 && (page.table == "sign_in" || (page.table == "cohort" && place == 0));
     }
