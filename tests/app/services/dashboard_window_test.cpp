@@ -5,6 +5,8 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
+#include <QTableView>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <filesystem>
@@ -13,11 +15,13 @@
 
 #include "app/lab/demonstration_plan.h"
 #include "app/services/application.h"
+#include "assessment/curriculum/standing.h"
 #include "database/roster/csv_rows.h"
 #include "tests/ui/hands.h"
 #include "ui/charts/figure_chart.h"
 #include "ui/dashboards/dashboard_page.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -162,6 +166,96 @@ TEST_F(DirectorsPath, TimeToProficiencyIsThatOfTheChosenTask) {
     const QVector<QStringList> rows = copied("dashboard_times_copy_data");
     for (const QStringList& row : rows) EXPECT_EQ(row[0], task->currentText());
     EXPECT_EQ(titles.value(2), "Since the first attempt (days)");
+}
+
+std::optional<double> best_points_in(const database::CsvRows& csv, std::size_t row) {
+    const std::string& points = csv.cell(row, "best_points");
+    return points.empty() ? std::nullopt : std::optional<double>(std::stod(points));
+}
+
+/// What the page's table says of a row of the CSV when it is asked for more.
+QString cell_tip(const database::CsvRows& csv, std::size_t row) {
+    const std::string &state = csv.cell(row, "state"), &device = csv.cell(row, "device_class");
+    const bool provisional = csv.cell(row, "provisional") == "1";
+    QString tip = state == "passed" ? provisional ? "✓ passed (provisional)" : "✓ passed"
+                  : state == "open" ? "not attempted"
+                                    : "attempted";
+    if (device.empty()) return tip;
+    tip += " · attempts " + QString::fromStdString(csv.cell(row, "attempts"));
+    if (const auto points = best_points_in(csv, row)) tip += " · best " + ui::points_text(*points);
+    return tip + "\n" + ui::device_class_text(find_row(device_classes, device)->kind);
+}
+
+/// The same in the signs of a cell.
+QString cell_mark(const database::CsvRows& csv, std::size_t row) {
+    const std::string& state = csv.cell(row, "state");
+    if (state == "open") return "–";
+    const QString sign = state != "passed" ? "○" : csv.cell(row, "provisional") == "1" ? "(✓)" : "✓";
+    const QString attempts = QString::fromStdString(csv.cell(row, "attempts"));
+    const auto points = best_points_in(csv, row);
+    return points ? sign + " " + ui::points_figure(points) + " · " + attempts : sign + " " + attempts;
+}
+
+TEST_F(DirectorsPath, TheCohortsTableAndGridHaveTheValuesOfItsCsv) {
+    press("rail_cohort");
+    ASSERT_EQ(window.current_page()->objectName(), "cohort_page");
+    const QString path = folder.filePath("table.csv");
+    type(window, "export_path", path);
+    press("export_cohort");
+    ASSERT_TRUE(wait_for([&] {
+        return sees(window, "message_text") &&
+               find<QLabel>(window, "message_text")->text().contains("table.csv");
+    }));
+    const database::CsvRows csv = database::CsvRows::load(path.toStdString());
+    std::map<std::pair<QString, QString>, std::vector<std::size_t>> rows;  // of a person and a task
+    for (std::size_t i = 1; i < csv.size(); ++i)                           // after the row of units
+        rows[{ui::text(csv.cell(i, "person_id")), ui::text(csv.cell(i, "task"))}].push_back(i);
+    ASSERT_GT(rows.size(), 24U * 5);
+
+    choose_tab(window, "cohort_views", "Table");
+    auto* table = find<QTableWidget>(window, "cohort_table");
+    ASSERT_NE(table, nullptr);
+    std::size_t cells = 0;
+    for (int line = 0; line < table->rowCount(); ++line) {
+        const QString person = table->item(line, 0)->data(Qt::UserRole).toString();
+        for (int column = 1; column < table->columnCount(); ++column) {
+            const QTableWidgetItem* cell = table->item(line, column);
+            ASSERT_NE(cell, nullptr);
+            const auto found = rows.find({person, cell->data(Qt::UserRole).toString()});
+            ASSERT_NE(found, rows.end()) << table->item(line, 0)->text().toStdString();
+            QStringList tips;
+            for (const std::size_t row : found->second) tips << cell_tip(csv, row);
+            EXPECT_EQ(cell->toolTip(), tips.join("\n"));
+            if (found->second.size() == 1) {
+                EXPECT_EQ(cell->text(), cell_mark(csv, found->second.front()));
+            }
+            ++cells;
+        }
+    }
+    EXPECT_EQ(cells, rows.size());
+
+    choose_tab(window, "cohort_views", "Grid");
+    auto* grid = find<QTableView>(window, "cohort_grid");
+    ASSERT_NE(grid, nullptr);
+    const QAbstractItemModel& shown = *grid->model();
+    std::size_t standings = 0;
+    for (const auto& [of, lines] : rows) standings += csv.cell(lines.front(), "standing").empty() ? 0 : 1;
+    ASSERT_EQ(static_cast<std::size_t>(shown.rowCount() * (shown.columnCount() - 2)), standings);
+    for (int line = 0; line < shown.rowCount(); ++line) {
+        for (int column = 1; column + 1 < shown.columnCount(); ++column) {
+            const QModelIndex cell = shown.index(line, column);
+            const auto found = rows.find(
+                {cell.data(Qt::UserRole).toString(), shown.headerData(column, Qt::Horizontal).toString()});
+            ASSERT_NE(found, rows.end()) << line << ", " << column;
+            const auto* standing = find_row(standing_names, csv.cell(found->second.front(), "standing"));
+            ASSERT_NE(standing, nullptr);
+            const QString spoken = cell.data(Qt::AccessibleTextRole).toString();
+            // A check that is late has words of its own.
+            EXPECT_TRUE(spoken.contains(QString(": ") + standing->title) ||
+                        (standing->kind == Standing::due && spoken.contains(": check overdue")))
+                << spoken.toStdString() << ", not " << standing->title;
+        }
+    }
 }
 
 }  // namespace
