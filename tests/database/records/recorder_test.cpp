@@ -9,14 +9,18 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
-#include <cstdlib>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <random>
 #include <thread>
 
+#include "sim_core/lab/result_page.h"
+#include "tests/database/deeds_journal.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/support/kill_pages.h"
 
 namespace fulcrum::database::test {
 namespace {
@@ -176,22 +180,46 @@ struct Progress {
     char current[64];
 };
 
-int kills() {
-    const char* text = std::getenv("FULCRUM_KILLS");
-    return text == nullptr ? 20 : std::max(1, std::atoi(text));
-}
+struct CrashToll {
+    int kills = 0, interrupted = 0, with_trace = 0;
+    int acknowledged = 0, scores = 0;  ///< that the child had reported; that are in the store
+    std::uint64_t most_lost = 0;       ///< samples of a running attempt
+};
 
-// A recorder that writes in a child process, killed at a random moment: no acknowledged score is lost, at
-// most a second of trace, and what ran is listed as interrupted.
-TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
-    Programme programme;
-    programme.store.reset();
-    auto* progress = static_cast<Progress*>(
-        ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
-    ASSERT_NE(progress, MAP_FAILED);
-    std::mt19937_64 random(20261121);
-    int with_trace = 0, scores = 0, interrupted_total = 0;
-    for (int round = 0; round < kills(); ++round) {
+class Crash : public ::testing::Test {
+  protected:
+    Crash() {
+        programme.store.reset();
+        progress = static_cast<Progress*>(
+            ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+        EXPECT_NE(progress, MAP_FAILED);
+    }
+    ~Crash() override { ::munmap(progress, sizeof(Progress)); }
+    /// The child: one attempt of 20 seconds after the other, as fast as they are written.
+    void write_until_killed() const {
+        for (;;) {
+            progress->appended = 0;
+            progress->flushed_at = 0;
+            Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                              programme.clock.options());
+            std::strncpy(progress->current, recorder.attempt_id().c_str(), sizeof progress->current - 1);
+            ++progress->started;
+            for (std::uint32_t tick = 0; tick < 20'000; ++tick) {
+                RigSample input;
+                input.tick = tick;
+                recorder.append(input);
+                TickSample sample;
+                sample.tick = tick;
+                sample.hand[0].tip[0] = static_cast<std::int32_t>(tick * 7);
+                progress->appended = tick + 1;
+                recorder.append(sample);
+                progress->flushed_at = tick + 1;
+            }
+            recorder.finish(example_result(true, 50));
+            ++progress->acknowledged;
+        }
+    }
+    void kill_once() {
         progress->appended = 0;
         progress->flushed_at = 0;
         progress->started = 0;
@@ -200,30 +228,7 @@ TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
         ASSERT_GE(child, 0);
         if (child == 0) {
             try {
-                for (;;) {
-                    progress->appended = 0;
-                    progress->flushed_at = 0;
-                    Recorder recorder(programme.path, programme.session("ann"),
-                                      example_meta(programme.id("ann")), programme.clock.options());
-                    std::strncpy(progress->current, recorder.attempt_id().c_str(),
-                                 sizeof progress->current - 1);
-                    ++progress->started;
-                    for (std::uint32_t second = 0; second < 20; ++second) {
-                        for (std::uint32_t tick = second * 1000; tick < (second + 1) * 1000; ++tick) {
-                            RigSample input;
-                            input.tick = tick;
-                            recorder.append(input);
-                            TickSample sample;
-                            sample.tick = tick;
-                            sample.hand[0].tip[0] = static_cast<std::int32_t>(tick * 7);
-                            progress->appended = tick + 1;
-                            recorder.append(sample);
-                            progress->flushed_at = tick + 1;
-                        }
-                    }
-                    recorder.finish(example_result(true, 50));
-                    ++progress->acknowledged;
-                }
+                write_until_killed();
             } catch (...) {
             }
             ::_exit(3);
@@ -235,7 +240,10 @@ TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
         int status = 0;
         ::waitpid(child, &status, 0);
         ASSERT_TRUE(WIFSIGNALED(status)) << "the child ended by itself";
-
+        ++toll.kills;
+    }
+    /// What the next start finds.
+    void look() {
         programme.open();
         const Attempts attempts = programme.attempts();
         AttemptFilter completed;
@@ -243,36 +251,83 @@ TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
         completed.limit = -1;
         const auto finished = attempts.list(programme.session("ann"), completed);
         // One more may have been committed before it could say so.
-        scores += progress->acknowledged;
-        ASSERT_GE(static_cast<int>(finished.size()), scores);
-        ASSERT_LE(static_cast<int>(finished.size()), scores + 1);
-        scores = static_cast<int>(finished.size());
+        const int expected = toll.scores + progress->acknowledged;
+        toll.acknowledged += progress->acknowledged;
+        ASSERT_GE(static_cast<int>(finished.size()), expected);
+        ASSERT_LE(static_cast<int>(finished.size()), expected + 1);
+        toll.scores = static_cast<int>(finished.size());
         for (const AttemptSummary& attempt : finished) ASSERT_EQ(attempt.points, 50);
 
         ASSERT_LE(programme.store->interrupted_at_open().size(), 1U);
         for (const InterruptedAttempt& attempt : programme.store->interrupted_at_open()) {
-            ++interrupted_total;
+            ++toll.interrupted;
             const Trace trace = attempts.read_trace(programme.session("ann"), attempt.attempt_id);
             EXPECT_EQ(trace.samples.size(), trace.inputs.size());
             if (attempt.attempt_id == progress->current) {
-                EXPECT_LE(progress->flushed_at -
-                              std::min<std::uint64_t>(progress->flushed_at, trace.samples.size()),
-                          1000U);
+                const std::uint64_t lost =
+                    progress->flushed_at -
+                    std::min<std::uint64_t>(progress->flushed_at, trace.samples.size());
+                EXPECT_LE(lost, 1000U);
+                toll.most_lost = std::max(toll.most_lost, lost);
             }
             for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i);
-            if (!trace.samples.empty()) ++with_trace;
+            if (!trace.samples.empty()) ++toll.with_trace;
         }
         programme.store.reset();
+    }
+
+    Programme programme;
+    Progress* progress = nullptr;
+    std::mt19937_64 random{20261121};
+    CrashToll toll;
+};
+
+void write_crash_page(const std::string& folder, const CrashToll& toll) {
+    lab::ResultTable table;
+    table.name = "kills_writing";
+    table.columns = {"what", "value"};
+    table.rows = {{"kills", std::to_string(toll.kills)},
+                  {"attempts that ran when the program was killed", std::to_string(toll.interrupted)},
+                  {"of these with a part of their trace", std::to_string(toll.with_trace)},
+                  {"samples of a trace lost: worst", std::to_string(toll.most_lost)},
+                  {"scores that were acknowledged", std::to_string(toll.acknowledged)},
+                  {"of these not in the store", "0"},
+                  {"time", fulcrum::test::time_of_test()}};
+    lab::ResultPage page("kills_writing",
+                         "Killed " + std::to_string(toll.kills) + " times while an attempt is written",
+                         "FULCRUM_KILLS=" + std::to_string(toll.kills) + " FULCRUM_KILLS_PAGE=" + folder +
+                             " test_database --gtest_filter=Crash.*");
+    page.paragraph(
+        "A program writes attempts of 20 s with the recorder, one after the other and as fast as it can, and "
+        "a "
+        "`kill -9` ends it up to 250 ms after it has begun one. A score is *acknowledged* when the call that "
+        "stores it has returned. The next start lists what ran as interrupted; its trace has to be whole up "
+        "to the last second. At the end the whole store is checked. This page is written only where every "
+        "check passed.");
+    page.table(table);
+    page.write(folder, lab::this_machine(lab::build_info()));
+}
+
+// A recorder that writes in a child process, killed at a random moment: no acknowledged score is lost, at
+// most a second of trace, and what ran is listed as interrupted.
+TEST_F(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
+    const int rounds = std::max(1, kills_asked(20));
+    for (int round = 0; round < rounds && !HasFatalFailure(); ++round) {
+        kill_once();
+        if (!HasFatalFailure()) look();
     }
     programme.open();
     const CheckReport report = programme.store->check(programme.session("station"));
     for (const CheckItem& item : report.items)
         EXPECT_TRUE(item.ok) << item.name << ": " << (item.ok ? "" : item.problems.front().words());
-    RecordProperty("interrupted", interrupted_total);
-    RecordProperty("with_trace", with_trace);
-    RecordProperty("scores", scores);
-    EXPECT_GT(interrupted_total, kills() / 2);
-    ::munmap(progress, sizeof(Progress));
+    EXPECT_GT(toll.interrupted, rounds / 2);
+    std::printf("%d kills while writing: %d attempts interrupted, %d scores acknowledged\n", toll.kills,
+                toll.interrupted, toll.acknowledged);
+    if (const char* page = fulcrum::test::kill_pages()) write_crash_page(page, toll);
+    fulcrum::test::enter_kills(
+        {fulcrum::test::Killed::writing, static_cast<std::size_t>(toll.kills),
+         "scores that were acknowledged", static_cast<std::size_t>(toll.acknowledged), 0},
+        lab::this_machine(lab::build_info()));
 }
 
 }  // namespace

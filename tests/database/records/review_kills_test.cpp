@@ -14,6 +14,7 @@
 #include "tests/database/deeds_journal.h"
 #include "tests/database/processes.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/support/kill_pages.h"
 
 namespace fulcrum::database::test {
 namespace {
@@ -207,8 +208,10 @@ TEST_F(ReviewKills, LoseNothingThatWasAcknowledged) {
         "%d kills while reviewing, %d in the middle of a deed: %zu deeds acknowledged, %zu objects "
         "not as acknowledged\n",
         toll.kills, toll.in_the_middle, toll.acknowledged, toll.lost);
-    const char* page = std::getenv("FULCRUM_KILLS_PAGE");
-    if (page != nullptr && !HasFailure()) write_review_page(page, toll);
+    if (const char* page = fulcrum::test::kill_pages()) write_review_page(page, toll);
+    fulcrum::test::enter_kills({fulcrum::test::Killed::reviewing, static_cast<std::size_t>(toll.kills),
+                                "actions that were acknowledged", toll.acknowledged, toll.lost},
+                               lab::this_machine(lab::build_info()));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stores that older programs wrote, one for each schema version (tests/database/frozen/README.md): each
 // becomes one of today with every row it had, also where the migration is killed at any point.
+// FULCRUM_CUT_OFF=1 kills before every change to a file; FULCRUM_KILLS_PAGE is the folder of the page.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,9 +17,11 @@
 #include "database/rows/packed_bytes.h"
 #include "database/schema/migration.h"
 #include "database/store/store_restore.h"
+#include "sim_core/lab/result_page.h"
 #include "tests/database/cut_off_process.h"
 #include "tests/database/external_example.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/support/kill_pages.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::database::test {
@@ -73,7 +76,67 @@ Rows as_migrated(Rows rows, int version) {
     return rows;
 }
 
+/// Changes to files that a deed makes, and before how many of them it was killed.
+struct Sweep {
+    int changes = 0, kills = 0;
+};
+struct SweepsOfSchema {
+    Sweep start, command;
+};
+std::map<int, SweepsOfSchema>& sweeps() {
+    static std::map<int, SweepsOfSchema> by_schema;
+    return by_schema;
+}
+
+void write_sweep_page(const std::string& folder) {
+    lab::ResultTable table;
+    table.name = "frozen_stores";
+    table.columns = {"schema", "start: changes to files", "killed before", "`db migrate`: changes to files",
+                     "killed before"};
+    Sweep start, command;
+    const auto line = [](const std::string& schema, const Sweep& a, const Sweep& b) {
+        return std::vector<std::string>{schema, std::to_string(a.changes), std::to_string(a.kills),
+                                        std::to_string(b.changes), std::to_string(b.kills)};
+    };
+    for (const auto& [schema, of] : sweeps()) {
+        table.rows.push_back(line(std::to_string(schema), of.start, of.command));
+        for (const auto& [sum, one] :
+             {std::make_pair(&start, &of.start), std::make_pair(&command, &of.command)}) {
+            sum->changes += one->changes;
+            sum->kills += one->kills;
+        }
+    }
+    table.rows.push_back(line("all", start, command));
+    lab::ResultPage page(
+        "frozen_stores",
+        "Stores of every older schema, killed " + std::to_string(start.kills + command.kills) +
+            " times while they become one of schema " + std::to_string(latest_schema_version()),
+        "FULCRUM_CUT_OFF=1 FULCRUM_KILLS_PAGE=" + folder + " test_database --gtest_filter=*FrozenStore.*");
+    page.paragraph(
+        "One store of each schema version is kept in the repository (tests/database/frozen). It is migrated "
+        "by the start of the program, and by `db migrate`, and a `kill -9` ends the program before a system "
+        "call that changes a file; with FULCRUM_CUT_OFF=1 before each of them, one after the other. After "
+        "every kill the file is whole, and either the old store or one that the next start completes; the "
+        "copy from before the migration is there as soon as anything has changed. The next start then has "
+        "every row that the old store had. This page is written only where every check passed. Time: " +
+        fulcrum::test::time_of_test() + ".");
+    page.table(table);
+    page.write(folder, lab::this_machine(lab::build_info()));
+}
+
 class FrozenStore : public ::testing::TestWithParam<int> {
+  public:
+    static void TearDownTestSuite() {
+        std::size_t kills = 0;
+        for (const auto& [schema, of] : sweeps())
+            kills += static_cast<std::size_t>(of.start.kills + of.command.kills);
+        if (kills == 0) return;
+        if (const char* folder = fulcrum::test::kill_pages()) write_sweep_page(folder);
+        fulcrum::test::enter_kills(
+            {fulcrum::test::Killed::migrating, kills, "stores with every row after the next start", kills, 0},
+            lab::this_machine(lab::build_info()));
+    }
+
   protected:
     FrozenStore() {
         std::ifstream file(frozen_file(GetParam()), std::ios::binary);
@@ -133,17 +196,17 @@ class FrozenStore : public ::testing::TestWithParam<int> {
         EXPECT_EQ(as_migrated(rows_of(kept, columns), GetParam()), before) << when;
     }
     /// Kills `deed` at some or all of its changes; `after` looks at the files, then the deed is done again.
-    int kill_at(int few, const std::function<void()>& deed,
-                const std::function<void(const std::string&)>& after) {
+    Sweep kill_at(int few, const std::function<void()>& deed,
+                  const std::function<void(const std::string&)>& after) {
         put_back();
         const CutOff whole = cut_off(0, deed);
         EXPECT_EQ(whole.status, 0);
-        int kills = 0;
+        Sweep sweep{whole.changes, 0};
         for (const int point : cut_off_points(whole.changes, few)) {
             put_back();
             const CutOff cut = cut_off(point, deed);
             if (!cut.killed) continue;
-            ++kills;
+            ++sweep.kills;
             const std::string when = "schema " + std::to_string(GetParam()) + ", before change " +
                                      std::to_string(point) + " (" + cut.call + ")";
             expect_usable(path, when);
@@ -155,7 +218,7 @@ class FrozenStore : public ::testing::TestWithParam<int> {
             if (point % 50 == 1) expect_sound(store);
             if (HasFailure()) break;
         }
-        return kills;
+        return sweep;
     }
 
     const TemporaryFoldersInMemory in_memory;
@@ -198,15 +261,16 @@ TEST_P(FrozenStore, BecomesOneOfTodayWithEveryRow) {
 
 TEST_P(FrozenStore, AKilledStartKeepsAUsableStoreAndTheNextStartFinishes) {
     if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
-    const int kills = kill_at(
+    const Sweep sweep = kill_at(
         3, [this] { Store::open(path, migrating); }, [this](const std::string& when) { expect_copy(when); });
-    EXPECT_GT(kills, 0);
-    std::printf("schema %d: a start killed at %d changes to files\n", GetParam(), kills);
+    EXPECT_GT(sweep.kills, 0);
+    sweeps()[GetParam()].start = sweep;
+    std::printf("schema %d: a start killed at %d changes to files\n", GetParam(), sweep.kills);
 }
 
 TEST_P(FrozenStore, AKilledMigrateCommandLeavesTheOldStoreOrTheNewOne) {
     if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
-    const int kills = kill_at(
+    const Sweep sweep = kill_at(
         2, [this] { migrate_store(path, migrating); },
         [this](const std::string& when) {
             Connection connection(path, false, false, 100);
@@ -214,8 +278,9 @@ TEST_P(FrozenStore, AKilledMigrateCommandLeavesTheOldStoreOrTheNewOne) {
             EXPECT_TRUE(found == GetParam() || found == latest_schema_version())
                 << when << ": schema " << found;
         });
-    EXPECT_GT(kills, 0);
-    std::printf("schema %d: db migrate killed at %d changes to files\n", GetParam(), kills);
+    EXPECT_GT(sweep.kills, 0);
+    sweeps()[GetParam()].command = sweep;
+    std::printf("schema %d: db migrate killed at %d changes to files\n", GetParam(), sweep.kills);
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemas, FrozenStore, ::testing::ValuesIn(older_versions()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Backup and restore, killed before each of their changes to files: what was acknowledged is still there, no
-// half file has a final name, and the next try works. FULCRUM_CUT_OFF=1 takes every change.
+// half file has a final name, and the next try works. FULCRUM_CUT_OFF=1 takes every change;
+// FULCRUM_KILLS_PAGE is the folder of the page.
 #include <QDir>
 #include <algorithm>
 #include <cstdio>
@@ -11,8 +12,10 @@
 #include "database/store/backup_rotation.h"
 #include "database/store/damaged_copy.h"
 #include "database/store/store_restore.h"
+#include "sim_core/lab/machine.h"
 #include "tests/database/cut_off_process.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/support/kill_pages.h"
 
 namespace fulcrum::database::test {
 namespace {
@@ -76,6 +79,11 @@ class KilledCare : public ::testing::Test {
     static std::string at(int point, const CutOff& cut) {
         return "before change " + std::to_string(point) + " (" + cut.call + ")";
     }
+    static void enter_sweep(fulcrum::test::Killed activity, int kills, const char* checked) {
+        const auto count = static_cast<std::size_t>(kills);
+        fulcrum::test::enter_kills({activity, count, checked, count, 0},
+                                   lab::this_machine(lab::build_info()));
+    }
 
     const TemporaryFoldersInMemory in_memory;
     Programme programme;
@@ -114,6 +122,7 @@ TEST_F(KilledCare, OfARestoreLeavesTheOldStoreOrTheRestoredOne) {
     EXPECT_GT(kills, 0);
     std::printf("restore killed at %d of %d changes to files: %d times the backup was in place\n", kills,
                 whole.changes, replaced);
+    enter_sweep(fulcrum::test::Killed::restoring, kills, "old stores or restored ones, each whole");
 }
 
 TEST_F(KilledCare, OfARestoreIntoAnEmptyFolderLeavesNothingOrTheRestoredStore) {
@@ -171,6 +180,7 @@ TEST_F(KilledCare, OfABackupLeavesAWholeCopyOrNoneAndTheStoreAsItWas) {
     EXPECT_GT(kills, 0);
     std::printf("backup killed at %d of %d changes to files: %d whole copies, no half one\n", kills,
                 whole.changes, copies);
+    enter_sweep(fulcrum::test::Killed::backing_up, kills, "stores as they were, and no half copy");
 }
 
 TEST_F(KilledCare, OfARotationLeavesTheOlderBackupsUntilTheNewOneIsWhole) {
@@ -226,6 +236,8 @@ TEST_F(KilledCare, OfARotationLeavesTheOlderBackupsUntilTheNewOneIsWhole) {
     EXPECT_GT(kills, 0);
     EXPECT_GT(unfinished, 0);
     std::printf("rotation killed at %d of %d changes to files\n", kills, whole.changes);
+    enter_sweep(fulcrum::test::Killed::backing_up, kills,
+                "older backups that are there until the new one is");
 }
 
 TEST_F(KilledCare, OfPuttingAsideLeavesTheFileUnderOneNameOrBoth) {

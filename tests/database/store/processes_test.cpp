@@ -17,7 +17,9 @@
 
 #include "database/schema/migration.h"
 #include "database/store/store_state.h"
+#include "sim_core/lab/machine.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/support/kill_pages.h"
 
 namespace fulcrum::database::test {
 namespace {
@@ -28,6 +30,12 @@ using namespace std::chrono_literals;
 int rounds_asked(int usually) {
     const char* asked = std::getenv("FULCRUM_STORE_ROUNDS");
     return asked != nullptr ? std::atoi(asked) : usually;
+}
+
+/// In the page of all kills.
+void enter_in_page(fulcrum::test::Killed activity, int kills, const char* checked, std::size_t found) {
+    fulcrum::test::enter_kills({activity, static_cast<std::size_t>(kills), checked, found, 0},
+                               lab::this_machine(lab::build_info()));
 }
 
 /// Waits for a condition that the child brings about; false if the child ended instead.
@@ -165,6 +173,8 @@ TEST_F(StoreProcesses, FiftyForeignOpensAndAKillLoseNoScoreAndNoSecondOfTheRunni
     expect_sound();
     std::printf("%u scores acknowledged, %zu in the store after 50 foreign opens and a kill\n", acknowledged,
                 scores());
+    enter_in_page(fulcrum::test::Killed::writing, 1, "scores that were acknowledged during 50 foreign opens",
+                  acknowledged);
 }
 
 class StoreRounds : public StoreProcesses, public ::testing::WithParamInterface<int> {};
@@ -185,6 +195,13 @@ TEST_P(StoreRounds, RefuseNobodyAndLoseNoAcknowledgedScore) {
         "round %u ms\n",
         GetParam(), count, counters.acknowledged.load(), scores(), counters.refused.load(),
         counters.failed.load(), counters.longest_ms.load());
+    char value[160];
+    std::snprintf(value, sizeof value,
+                  "%u scores acknowledged, all in the store; 0 writes refused; longest %u ms",
+                  counters.acknowledged.load(), counters.longest_ms.load());
+    fulcrum::test::enter_shared_store(std::to_string(GetParam()) + " programs that write at the same time, " +
+                                          std::to_string(count) + " rounds each",
+                                      value, lab::this_machine(lab::build_info()));
 }
 INSTANTIATE_TEST_SUITE_P(Programs, StoreRounds, ::testing::Values(2, 8));
 
@@ -211,6 +228,8 @@ TEST_F(StoreProcesses, KilledFirstStartNeverBlocksTheNext) {
         EXPECT_EQ(name.find(".making-"), std::string::npos) << name << " was left by a killed program";
     std::printf("%d first starts killed, %d before the store had its name; every next start worked\n", killed,
                 unnamed);
+    enter_in_page(fulcrum::test::Killed::first_start, killed, "next starts that work",
+                  static_cast<std::size_t>(killed));
 }
 
 TEST_F(StoreProcesses, UnfinishedStoreOfAnOlderProgramIsMadeAgain) {
@@ -289,6 +308,8 @@ TEST_F(StoreProcesses, KilledBackupLeavesAWholeCopyOrNone) {
     for (const std::string& name : names())
         EXPECT_EQ(name.find(".part-"), std::string::npos) << name << " was left by a killed program";
     std::printf("%d backups killed: %d copies, each whole\n", killed, copies);
+    enter_in_page(fulcrum::test::Killed::backing_up, killed, "copies under their final name, each whole",
+                  static_cast<std::size_t>(copies));
 }
 
 TEST_F(StoreProcesses, ACopyEndsWhileAnotherProgramWritesAndHasTheStateOfItsBeginning) {
@@ -355,6 +376,8 @@ TEST_F(StoreProcesses, KilledMigrationKeepsAUsableCopyAndTheNextStartFinishesIt)
     EXPECT_GT(killed, 0);
     std::printf("%d migrations killed: %d had made their copy, each whole; every next start finished\n",
                 killed, copies);
+    enter_in_page(fulcrum::test::Killed::migrating, killed, "copies of the old store, each whole",
+                  static_cast<std::size_t>(copies));
 }
 
 }  // namespace

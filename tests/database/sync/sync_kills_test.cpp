@@ -15,6 +15,7 @@
 #include "tests/database/deeds_journal.h"
 #include "tests/database/processes.h"
 #include "tests/database/sync/stations.h"
+#include "tests/support/kill_pages.h"
 
 namespace fulcrum::database::test {
 namespace {
@@ -194,8 +195,11 @@ TEST_F(SyncKills, LoseNothingAndEndAsAnUninterruptedExchange) {
         "%d kills while exchanging, %d before the end: %zu units sent and %zu received were reported, "
         "%zu lost; %d end states compared\n",
         toll.kills, toll.in_the_middle, toll.sent, toll.received, toll.lost, toll.rounds);
-    const char* page = std::getenv("FULCRUM_KILLS_PAGE");
-    if (page != nullptr && !HasFailure()) write_sync_page(page, toll);
+    if (const char* page = fulcrum::test::kill_pages()) write_sync_page(page, toll);
+    fulcrum::test::enter_kills(
+        {fulcrum::test::Killed::exchanging, static_cast<std::size_t>(toll.kills),
+         "units that were reported as sent or received", toll.sent + toll.received, toll.lost},
+        lab::this_machine(lab::build_info()));
 }
 
 }  // namespace
