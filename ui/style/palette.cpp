@@ -138,11 +138,11 @@ const Palette& palette_of(Theme theme) {
     static const Palette light{QColor(0xF5F6F8), QColor(0xFFFFFF), QColor(0xEDF0F4), QColor(0xC9CFD8),
                                QColor(0x17202B), QColor(0x566272), QColor(0x005A9C), QColor(0xFFFFFF),
                                QColor(0x0072B2), QColor(0xC05A00), QColor(0x00724F), QColor(0xB23A00),
-                               QColor(0xF2B632), QColor(0x6B7684), QColor(0x8A3A70)};
+                               QColor(0xF2B632), QColor(0x6B7684), QColor(0x852A82)};
     static const Palette dark{QColor(0x14181E), QColor(0x1C222A), QColor(0x262E38), QColor(0x3A4553),
                               QColor(0xE8EDF3), QColor(0x9BA8B7), QColor(0x56B4E9), QColor(0x0B1620),
                               QColor(0x56B4E9), QColor(0xF0A33A), QColor(0x3CCF9B), QColor(0xFF8A5B),
-                              QColor(0xF0E442), QColor(0x8995A4), QColor(0xE29AC4)};
+                              QColor(0xF0E442), QColor(0x778392), QColor(0xF0C0D1)};
     return theme == Theme::light ? light : dark;
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/ui/colour_vision.h"
 #include "tests/ui/hands.h"
 #include "tests/ui/painted_words.h"
 #include "tests/ui/specimens.h"
@@ -125,25 +126,9 @@ TEST_F(SpecimenMap, UndividedGroundIsHatchedAndDividedGroundIsNot) {
 }
 
 TEST_F(SpecimenMap, TooDeepAndTooShallowDifferForPeopleWithAColourVisionDeficiency) {
-    // Machado, Oliveira and Fernandes 2009: complete protanopia, deuteranopia, tritanopia.
-    const std::array<std::array<double, 9>, 3> sights = {{
-        {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998},
-        {0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881},
-        {1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900},
-    }};
-    const auto apart = [](const std::array<double, 9>& sight, const QColor& a, const QColor& b) {
-        const double d[] = {a.redF() - b.redF(), a.greenF() - b.greenF(), a.blueF() - b.blueF()};
-        double sum = 0;
-        for (std::size_t row = 0; row < 3; ++row) {
-            double one = 0;
-            for (std::size_t column = 0; column < 3; ++column) one += sight[3 * row + column] * d[column];
-            sum += one * one;
-        }
-        return std::sqrt(sum);
-    };
     for (const Theme theme : {Theme::light, Theme::dark}) {
         const Palette& palette = palette_of(theme);
-        for (const auto& sight : sights) {
+        for (const auto& sight : deficient_sights) {
             for (const DeviationStep step : {DeviationStep::outside, DeviationStep::far_outside}) {
                 const QColor deep = deviation_colour({step, true}, palette);
                 const QColor shallow = deviation_colour({step, false}, palette);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours that mean different things, and are next to each other, differ for people with a colour vision
+// deficiency in both themes; standings also differ by shape alone.
+#include "ui/style/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <vector>
+
+#include "tests/ui/colour_vision.h"
+#include "ui/style/standing_badge.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+struct ColourPair {
+    const char* names;
+    QColor Palette::*one;
+    QColor Palette::*other;
+};
+constexpr ColourPair pairs_that_differ[] = {
+    {"left and right hand", &Palette::left_hand, &Palette::right_hand},
+    {"good and bad", &Palette::good, &Palette::bad},
+    {"good and warning", &Palette::good, &Palette::warning},
+    {"bad and warning", &Palette::bad, &Palette::warning},
+    {"good and neutral", &Palette::good, &Palette::neutral},
+    {"bad and neutral", &Palette::bad, &Palette::neutral},
+    {"warning and neutral", &Palette::warning, &Palette::neutral},
+    // A line over traces of both hands, over bars of passed and failed attempts, over the experts' range.
+    {"limit and left hand", &Palette::limit, &Palette::left_hand},
+    {"limit and right hand", &Palette::limit, &Palette::right_hand},
+    {"limit and good", &Palette::limit, &Palette::good},
+    {"limit and bad", &Palette::limit, &Palette::bad},
+    {"limit and neutral", &Palette::limit, &Palette::neutral},
+};
+
+TEST(Colours, ThatMeanDifferentThingsDifferForPeopleWithAColourVisionDeficiency) {
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        const Palette& palette = palette_of(theme);
+        for (const ColourPair& pair : pairs_that_differ)
+            EXPECT_GE(least_apart(palette.*pair.one, palette.*pair.other), 0.2)
+                << pair.names << (theme == Theme::light ? ", light" : ", dark");
+    }
+}
+
+/// Where a standing's sign has ink, whatever its colour.
+std::vector<bool> ink_of(const TaskStanding& standing) {
+    constexpr int side = 64;
+    QImage picture(side, side, QImage::Format_RGB32);
+    picture.fill(colours().card);
+    QPainter painter(&picture);
+    paint_standing(painter, QRectF(0, 0, side, side), standing);
+    painter.end();
+    std::vector<bool> ink;
+    const QColor ground = colours().card;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const QColor here = picture.pixelColor(x, y);
+            ink.push_back(std::abs(here.red() - ground.red()) + std::abs(here.green() - ground.green()) +
+                              std::abs(here.blue() - ground.blue()) >
+                          120);
+        }
+    return ink;
+}
+
+TEST(Colours, OfStandingsAreNeededByNobodyBecauseTheirShapesDiffer) {
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        apply_theme(*qApp, theme);
+        std::vector<std::vector<bool>> inks;
+        for (const auto& row : standing_names) {
+            TaskStanding one;
+            one.standing = row.kind;
+            inks.push_back(ink_of(one));
+        }
+        for (std::size_t a = 0; a < inks.size(); ++a)
+            for (std::size_t b = a + 1; b < inks.size(); ++b) {
+                std::size_t differ = 0;
+                for (std::size_t i = 0; i < inks[a].size(); ++i) differ += inks[a][i] != inks[b][i] ? 1 : 0;
+                EXPECT_GE(differ, inks[a].size() / 50)
+                    << standing_names[a].name << " and " << standing_names[b].name
+                    << (theme == Theme::light ? ", light" : ", dark");
+            }
+    }
+    apply_theme(*qApp, Theme::light);
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
