@@ -139,7 +139,7 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::export_person:
             return {"report --person"};
         case Operation::export_cohort:
-            return {"report --cohort"};
+            return {"report --cohort", "research export", "schedule add", "xapi send"};
         case Operation::view_audit:
             return {"db audit"};
         case Operation::check_store:
@@ -161,14 +161,17 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::import_attempt:
             return {"import"};
         case Operation::manage_people:
-            return {"people login"};
+            return {"people login", "people merge", "people import"};
+        case Operation::manage_cohorts:
+            return {"cohort import"};
+        case Operation::decide_standing:
+            return {"curriculum move"};
         case Operation::read_sign_in_list:
         case Operation::list_people:
         case Operation::manage_roles:
         case Operation::issue_one_time_password:
         case Operation::change_password:
         case Operation::list_cohorts:
-        case Operation::manage_cohorts:
         case Operation::read_progress:
         case Operation::read_cohort_table:
         case Operation::comment:
@@ -177,7 +180,6 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::mark_comment_read:
         case Operation::void_attempt:
         case Operation::reassign_attempt:
-        case Operation::decide_standing:
         case Operation::request_correction:
         case Operation::read_requests:
         case Operation::manage_settings:

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands that several operations of the access table stand behind, each in each role and by the station:
+// the exit status that a script sees is 0 for whoever may, 2 for everybody else.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "app/cli/command_line.h"
+#include "app/cli/installed_curriculum.h"
+#include "app/services/program.h"
+#include "database/rows/connection.h"
+#include "database/schedules/schedules.h"
+#include "tests/app/access_programme.h"
+#include "tests/database/xapi/fake_record_store.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+namespace files = std::filesystem;
+
+class RoleCommands : public ::testing::Test {
+  protected:
+    RoleCommands() {
+        // Five people with attempts at a task: fewer are not exported for research.
+        const People people = programme.people();
+        const People::Created made =
+            people.create(programme.session("administrator"), "fay", "Fay Trainee", {Role::trainee});
+        programme.sessions.emplace("fay",
+                                   people.change_password(people.sign_in("fay", made.one_time_password),
+                                                          made.one_time_password, database::test::password));
+        for (const char* login : {"ben", "fay"}) programme.record(login);
+        files::create_directory(in("reports"));
+        ReportSchedule weekly;
+        weekly.cohort_id = programme.cohort;
+        weekly.format = "json";
+        weekly.folder = in("reports");
+        schedule = Schedules(*programme.store).add(programme.session("director"), weekly);
+        programme.store->connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
+        programme.store.reset();
+        files::copy_file(programme.path, in("kept.db"));
+        write("password.txt", std::string(database::test::password) + "\n");
+        write("lrs.txt", "key:secret\n");
+        write("new.csv", "login,name,role,cohort\nmia,Mia Berg,trainee,Spring\n");
+        write("known.csv", "login,name,role,cohort\nann,Ann Trainee,trainee,Spring\n");
+    }
+    std::string in(const char* name) const {
+        return programme.folder.filePath(QString::fromLatin1(name)).toStdString();
+    }
+    void write(const char* name, const std::string& words) const {
+        std::ofstream(in(name)) << words;
+        ::chmod(in(name).c_str(), 0600);
+    }
+    /// The store as it was before the first command.
+    void put_back() const {
+        for (const char* suffix : {"", "-wal", "-shm"}) files::remove(programme.path + suffix);
+        files::copy_file(in("kept.db"), programme.path);
+    }
+    /// As main() ends; `said` is what was printed.
+    int status_of(std::vector<std::string> words, Role role, std::string& said) const {
+        if (role != Role::station)
+            words.insert(words.end(), {"--as", AccessProgramme::login_of(role), "--role", role_name(role),
+                                       "--password-file", in("password.txt")});
+        words.insert(words.end(), {"--db", programme.path});
+        std::ostringstream output;
+        std::streambuf* const out = std::cout.rdbuf(output.rdbuf());
+        std::streambuf* const err = std::cerr.rdbuf(output.rdbuf());
+        const int status = guarded([&] { return run_command(words); });
+        std::cout.rdbuf(out);
+        std::cerr.rdbuf(err);
+        said = output.str();
+        return status;
+    }
+
+    AccessProgramme programme;
+    database::test::FakeRecordStore record_store;
+    std::string schedule;
+};
+
+TEST_F(RoleCommands, EndWithTheStatusThatTheRoleAllows) {
+    struct Row {
+        std::vector<std::string> words;
+        Role may;  ///< the only one
+    };
+    const std::string older = installed_curriculum().older.front().name();
+    const Row rows[] = {
+        {{"people", "merge", "eve", "ann", "--reason", "entered twice"}, Role::administrator},
+        {{"people", "merge", "eve", "ann", "--dry-run"}, Role::administrator},
+        {{"people", "import", in("new.csv")}, Role::administrator},
+        {{"people", "import", in("new.csv"), "--dry-run"}, Role::administrator},
+        {{"cohort", "import", in("known.csv")}, Role::director},
+        {{"curriculum", "move", "--person", "ann", "--to", older, "--reason", "began with it"},
+         Role::educator},
+        {{"research", "export", "-o", in("research")}, Role::director},
+        {{"schedule", "add", "--cohort", "Year 1", "--format", "csv", "--folder", in("reports")},
+         Role::director},
+        {{"schedule", "list"}, Role::director},
+        {{"schedule", "run"}, Role::director},
+        {{"schedule", "remove", schedule}, Role::director},
+        {{"xapi", "send", "--to", record_store.address(), "--credentials", in("lrs.txt"), "--cohort",
+          "Year 1", "--home-page", "https://training.example"},
+         Role::director},
+        {{"xapi", "list"}, Role::director},
+    };
+    for (const Row& row : rows) {
+        for (const Role role : all_roles) {
+            put_back();
+            std::string said;
+            EXPECT_EQ(status_of(row.words, role, said), role == row.may ? 0 : 2)
+                << row.words[0] << ' ' << row.words[1] << " as " << role_name(role) << ": " << said;
+        }
+    }
+    EXPECT_FALSE(record_store.statements.empty()) << "the director's";
+    // What was refused has written nothing.
+    const auto written = [&](const char* folder) {
+        return std::distance(files::directory_iterator(in(folder)), files::directory_iterator());
+    };
+    EXPECT_EQ(written("research"), 5);
+    EXPECT_EQ(written("reports"), 1);
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test
