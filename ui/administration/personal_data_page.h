@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // For directors: what is stored about one person, a copy of it for that person, and its erasure; how long
 // data of trainees are kept, and who is due. Nothing is erased without a look at what it is and a second
-// press, which no key that is held does. What grows with the store is read and deleted in the background; what
-// was begun to be erased is erased also after the page was left.
+// press, which no key that is held does. What grows with the store is read and deleted in the background;
+// what was begun to be erased is erased also after the page was left.
 #pragma once
 
 #include <QString>
