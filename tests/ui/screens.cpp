@@ -1,19 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/screens.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QStyleOption>
+#include <QTextDocument>
 
 #include "tests/ui/four_people.h"
 #include "tests/ui/picture_kinds.h"
 #include "ui/page/background_job.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/page_table.h"
+#include "ui/style/widgets.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
 namespace fulcrum::ui::window_test {
+namespace {
+
+/// px, of a label's longest word.
+int longest_word(const QLabel& label) {
+    int widest = 0;
+    QTextDocument rich;
+    rich.setHtml(label.text());
+    const QString shown = Qt::mightBeRichText(label.text()) ? rich.toPlainText() : label.text();
+    // Spaces that do not break a line hold words together.
+    for (const QString& word : shown.split(QRegularExpression(QStringLiteral("[ \\t\\n]"))))
+        widest = std::max(widest, label.fontMetrics().horizontalAdvance(word));
+    return widest;
+}
+
+}  // namespace
 
 Screens::Screens() {
     apply_theme(*qApp, Theme::light);
@@ -104,6 +125,34 @@ void Screens::expect_fits(const QString& screen) {
         EXPECT_TRUE(place.left() >= 0 && place.right() <= shown.right())
             << screen.toStdString() << ": " << button->objectName().toStdString();
     }
+}
+
+int Screens::expect_whole(const QString& screen, QWidget* within) {
+    const QWidget& all = within != nullptr ? *within : *window;
+    int seen = 0;
+    const auto needs = [&](const QWidget& widget, const QString& shown, const QSize& needed) {
+        if (shown.isEmpty() || !widget.isVisible()) return;
+        ++seen;
+        if (widget.width() >= needed.width() && widget.height() >= needed.height()) return;
+        ADD_FAILURE() << screen.toStdString() << ", " << widget.metaObject()->className() << ' '
+                      << widget.objectName().toStdString() << ": \"" << shown.left(60).toStdString()
+                      << "\" has " << widget.width() << " x " << widget.height() << " of " << needed.width()
+                      << " x " << needed.height() << " px";
+    };
+    for (const QLabel* label : all.findChildren<QLabel*>()) {
+        if (dynamic_cast<const ElidedLabel*>(label) != nullptr) continue;  // whole in its tool tip
+        if (!label->wordWrap()) {
+            needs(*label, label->text(), label->sizeHint());
+            continue;
+        }
+        needs(*label, label->text(), {longest_word(*label), label->heightForWidth(label->width())});
+    }
+    for (const QPushButton* button : all.findChildren<QPushButton*>())
+        needs(*button, button->text(), button->sizeHint());
+    for (const QRadioButton* button : all.findChildren<QRadioButton*>())
+        needs(*button, button->text(), button->sizeHint());
+    for (const QCheckBox* box : all.findChildren<QCheckBox*>()) needs(*box, box->text(), box->sizeHint());
+    return seen;
 }
 
 void Screens::keep(const QString& screen) {

@@ -48,6 +48,8 @@ class Screens : public ::testing::Test {
     QString error_shown();
     /// The page has the space that it needs, and the window has kept its size.
     void expect_fits(const QString& screen);
+    /// No visible text has less room than it needs; how many there are. `within`: of this widget alone.
+    int expect_whole(const QString& screen, QWidget* within = nullptr);
     /// Stores a picture in the folder FULCRUM_PICTURES.
     void keep(const QString& screen);
     /// Opens every screen of every role and calls `look`.

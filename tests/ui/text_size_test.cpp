@@ -3,16 +3,11 @@
 // screens are stored there, in both themes and in German.
 #include <gtest/gtest.h>
 
-#include <QCheckBox>
 #include <QPushButton>
-#include <QRadioButton>
-#include <QRegularExpression>
-#include <QTextDocument>
 
 #include "tests/ui/screens.h"
 #include "tests/ui/trace_files.h"
 #include "ui/language/language.h"
-#include "ui/style/widgets.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -23,51 +18,6 @@ class LargeText : public Screens {
         window.reset();
         apply_text_size(*qApp, 100);
         use_language(Language::english);
-    }
-    void complain(const QString& screen, const QWidget& widget, const QString& shown, const QString& what) {
-        ADD_FAILURE() << screen.toStdString() << ", " << widget.metaObject()->className() << ' '
-                      << widget.objectName().toStdString() << ": \"" << shown.left(60).toStdString() << "\" "
-                      << what.toStdString();
-    }
-    /// No visible text has less room than it needs, and all of it can be reached.
-    int expect_whole(const QString& screen) {
-        int seen = 0;
-        const auto needs = [&](const QWidget& widget, const QString& shown, const QSize& needed) {
-            if (shown.isEmpty() || !widget.isVisible()) return;
-            ++seen;
-            if (widget.width() < needed.width() || widget.height() < needed.height())
-                complain(screen, widget, shown,
-                         QStringLiteral("has %1 x %2 of %3 x %4 px")
-                             .arg(widget.width())
-                             .arg(widget.height())
-                             .arg(needed.width())
-                             .arg(needed.height()));
-        };
-        for (const QLabel* label : window->findChildren<QLabel*>()) {
-            if (dynamic_cast<const ElidedLabel*>(label) != nullptr) continue;  // whole in its tool tip
-            if (!label->wordWrap()) {
-                needs(*label, label->text(), label->sizeHint());
-                continue;
-            }
-            needs(*label, label->text(), {longest_word(*label), label->heightForWidth(label->width())});
-        }
-        for (const QPushButton* button : window->findChildren<QPushButton*>())
-            needs(*button, button->text(), button->sizeHint());
-        for (const QRadioButton* button : window->findChildren<QRadioButton*>())
-            needs(*button, button->text(), button->sizeHint());
-        for (const QCheckBox* box : window->findChildren<QCheckBox*>())
-            needs(*box, box->text(), box->sizeHint());
-        return seen;
-    }
-    static int longest_word(const QLabel& label) {
-        int widest = 0;
-        QTextDocument rich;
-        rich.setHtml(label.text());
-        const QString shown = Qt::mightBeRichText(label.text()) ? rich.toPlainText() : label.text();
-        // Spaces that do not break a line hold words together.
-        for (const QString& word : shown.split(QRegularExpression(QStringLiteral("[ \\t\\n]"))))
-            widest = std::max(widest, label.fontMetrics().horizontalAdvance(word));
-        return widest;
     }
 };
 

@@ -13,6 +13,9 @@
 
 namespace fulcrum::ui {
 
+/// s of work after which the first steps end, whatever was done.
+inline constexpr double teaching_s = 120;
+
 /// What moves the hands in an attempt.
 struct TaughtHands {
     std::string kind = "mouse-keyboard";  ///< a name of device_table

@@ -219,6 +219,7 @@ void TheatrePage::end_session() {
     timer_.stop();
     strip_->hide();
     since_moved_ = -1;
+    strip_tick_ = 0;
     learns_ = teaching_begun_ = strip_ended_ = false;
     session_.reset();
     input_.reset();
@@ -357,7 +358,7 @@ void TheatrePage::tick() {
         strip_->hide();
         return;
     }
-    show_strip(dt);
+    show_strip();
     if (!world_is_new_) return;
     // At most 33 pictures a second, and never so many that drawing takes more than two thirds of this thread:
     // the hands are read here too.

@@ -89,8 +89,7 @@ class TheatrePage : public Page {
     void teach_again();
     HandDeeds needed() const;
     QString strip_words() const;
-    /// `dt`: s since the last call.
-    void show_strip(double dt);
+    void show_strip();
     void place_strip();
     void resume();
     void abandon();
@@ -124,7 +123,8 @@ class TheatrePage : public Page {
     QPushButton *resume_, *abandon_, *pause_, *help_, *sound_, *leave_;
     QTimer timer_;
     QElapsedTimer since_tick_, since_picture_;
-    double since_moved_ = -1;  ///< s of work since a hand moved; negative: none has
+    double since_moved_ = -1;       ///< s of work since a hand moved; negative: none has
+    std::uint32_t strip_tick_ = 0;  ///< at the last look at the strip
     Panel shown_ = Panel::none;
     std::vector<bool> done_;
     int active_target_ = -1;

@@ -13,7 +13,7 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr double needed_s = 8, learning_s = 120;
+constexpr double needed_s = 8;
 constexpr int most_lines = 5;  // at a time
 
 QString strip_line(const QString& line, bool done) {
@@ -114,15 +114,17 @@ QString TheatrePage::strip_words() const {
 }
 
 /// From the beginning until a hand has moved for some seconds; in practice, where something is new to the
-/// person, until each line was done, two minutes at most. Only work counts: no pause, no lock, no
-/// lost device, and not while the help is shown.
-void TheatrePage::show_strip(double dt) {
+/// person, until each line was done, two minutes at most. Only work counts, by the ticks of the attempt: no
+/// pause, no lock, no lost device, and not while the help is shown.
+void TheatrePage::show_strip() {
     const bool begun = has_begun() && demonstrated_.isEmpty() && watch_ != nullptr;
     if (begun && !teaching_begun_) begin_teaching();
-    if (begun && session_->display().moving_seen && since_moved_ < 0) since_moved_ = 0;
     const bool live =
         begun && shown_ == Panel::none && !help_shown_ && session_->phase() == AttemptPhase::running;
-    if (live && since_moved_ >= 0) since_moved_ += dt;
+    const std::uint32_t tick = session_->health().ticks;
+    if (live && since_moved_ >= 0) since_moved_ += session_->scene().tick_period() * (tick - strip_tick_);
+    strip_tick_ = tick;
+    if (begun && session_->display().moving_seen && since_moved_ < 0) since_moved_ = 0;
     if (learns_ && live) {
         const HandDeeds done = deeds();
         keep_learnt(done);
@@ -131,7 +133,7 @@ void TheatrePage::show_strip(double dt) {
             since_moved_ = 0;
         }
     }
-    const bool shown = live && !strip_ended_ && since_moved_ <= (learns_ ? learning_s : needed_s);
+    const bool shown = live && !strip_ended_ && since_moved_ <= (learns_ ? teaching_s : needed_s);
     if (shown) {
         const QString words = strip_words();
         if (words != strip_text_->text()) {

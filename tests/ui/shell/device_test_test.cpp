@@ -10,6 +10,7 @@
 
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
+#include "ui/shell/devices_card.h"
 #include "ui/shell/frame_check.h"
 #include "ui/shell/workspace_fit.h"
 #include "ui/shell/workspace_view.h"
@@ -301,6 +302,9 @@ TEST_F(DeviceOnThePage, IsDrawnInBothThemesLanguagesAndLarge) {
                 bring(*frame);
                 settle();
                 expect_fits("device test");
+                EXPECT_GT(expect_whole(QStringLiteral("device test %1").arg(percent),
+                                       window->findChild<DevicesCard*>()),
+                          8);
                 keep(QStringLiteral("device-test-%1-%2").arg(touch ? "touch" : "controller").arg(percent));
                 keep_body(
                     *window, *window->current_page(),

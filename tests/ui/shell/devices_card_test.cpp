@@ -11,6 +11,7 @@
 #include "sim_core/devices/device_table.h"
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
+#include "ui/style/appearance.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -52,6 +53,7 @@ class DevicesOnThePage : public Screens {
     }
     ~DevicesOnThePage() override {
         window.reset();
+        apply_text_size(*qApp, 100);
         use_language(Language::english);
     }
     void open_page() {
@@ -212,19 +214,23 @@ TEST_F(DevicesOnThePage, OneThatIsTriedInVainSaysWhyAndWhatToDoInBothLanguages) 
     })) << words().toStdString();
 }
 
-TEST_F(DevicesOnThePage, AreDrawnInBothThemesAndLanguages) {
+TEST_F(DevicesOnThePage, AreDrawnInBothThemesLanguagesAndLarge) {
     use_haptic_device();
-    for (const Theme theme : {Theme::light, Theme::dark}) {
+    for (const auto& [theme, percent] : {std::pair(Theme::light, 100), std::pair(Theme::light, 200),
+                                         std::pair(Theme::dark, 200), std::pair(Theme::dark, 100)}) {
         open_page();
         window->set_theme(theme);
         window->set_language(theme == Theme::light ? Language::english : Language::german);
+        window->set_text_size(percent);
         settle();
         ASSERT_TRUE(wait_for([&] { return sees(*window, "device_touch"); }));
         bring(*find<QPushButton>(*window, "look_for_devices"));
         settle();
         expect_fits("devices");
-        keep("devices");
-        if (theme == Theme::dark) {
+        EXPECT_GT(expect_whole(QStringLiteral("devices %1").arg(percent), window->findChild<DevicesCard*>()),
+                  8);
+        keep(QStringLiteral("devices-%1").arg(percent));
+        if (theme == Theme::dark && percent == 100) {
             EXPECT_TRUE(words().contains("– SpaceMouse: nicht verbunden")) << words().toStdString();
             EXPECT_TRUE(words().contains("Gerät zu öffnen (/dev/ttyACM0)")) << words().toStdString();
             EXPECT_TRUE(words().contains("schreiben Sie die Zeile SUBSYSTEMS==\"usb\""))

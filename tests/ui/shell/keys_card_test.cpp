@@ -166,6 +166,7 @@ TEST_F(KeysOnThePage, AreDrawnInBothThemesLanguagesAndLarge) {
             settle();
             expect_fits("keys");
             const QString size = QString::number(percent);
+            EXPECT_GT(expect_whole("keys " + size, window->findChild<KeysCard*>()), 33) << "a button each";
             keep("keys-" + size);
             keep_body(
                 *window, *window->current_page(),
