@@ -220,7 +220,7 @@ ui::DeviceInUse Devices::in_use() const {
     if (row != nullptr && row->found_by == FoundBy::script) device.practice_only = ui::PracticeOnly::scripted;
     if (specification_.rfind("joystick:raw", 0) == 0) device.practice_only = ui::PracticeOnly::scripted;
     if (specification_ == two_mice || specification_ == virtual_mice) {
-        device.title = QT_TRANSLATE_NOOP("fulcrum::device_list", "two mice and keyboard");
+        device.title = ui::two_mice_title;
         device.two_mice = true;
         device.virtual_mice = specification_ == virtual_mice;
         device.practice_only = ui::PracticeOnly::no_limits;

@@ -2,6 +2,8 @@
 // Two mice through the X server: each moves its own hand.
 #include <gtest/gtest.h>
 
+#include <QRadioButton>
+#include <algorithm>
 #include <cstdlib>
 
 #include "sim_core/numerics/input_error.h"
@@ -150,7 +152,32 @@ TEST_F(TwoMiceWindow, EachMouseMovesItsHandAtTheSameTimeAndAnUnpluggedOnePauses)
     const database::AttemptSummary attempt = newest_attempt();
     EXPECT_EQ(attempt.meta.device, "two mice and keyboard");
     EXPECT_EQ(attempt.meta.device_class, DeviceClass::mouse_keyboard);
+    EXPECT_FALSE(attempt.meta.limits.empty()) << "those of one mouse";
+    EXPECT_TRUE(shown("debrief_notes").contains("two mice, for which no limits exist: it is compared with"))
+        << shown("debrief_notes").toStdString();
+    EXPECT_TRUE(shown("debrief_notes").contains("Force was not felt"))
+        << shown("debrief_notes").toStdString();
     expect_replays(attempt.meta.id);
+}
+
+TEST_F(TwoMiceWindow, AreForPracticeOnlyAndTheBriefingSaysWhatTheScoreIsComparedWith) {
+    create_programme_and_trainee();
+    EXPECT_EQ(services.device_in_use().device_class, DeviceClass::mouse_keyboard);
+    ui::window_test::click(window, "briefing_A2");
+    expect_page("briefing_page");
+    EXPECT_FALSE(ui::window_test::find<QRadioButton>(window, "mode_assessed")->isEnabled());
+    for (const char* words : {"One mouse for each hand: practice only.", "No limits exist for two mice",
+                              "compared with those of mouse and keyboard, where the task has them"})
+        EXPECT_TRUE(shown("mode_note").contains(words)) << shown("mode_note").toStdString();
+    const auto limits = services.judged_limits(window.context().session(), "A2",
+                                               services.device_in_use().device_class, "standard");
+    EXPECT_TRUE(std::any_of(limits.begin(), limits.end(), [](const JudgedLimit& one) { return one.of_set; }));
+    // The button is not the only guard.
+    emit window.context().attempt_wanted(QStringLiteral("A2"), true, 0, false);
+    ASSERT_TRUE(wait_for([&] { return sees(window, "message_text"); }));
+    EXPECT_TRUE(shown("message_text").contains("this device is for practice only"))
+        << shown("message_text").toStdString();
+    expect_page("briefing_page");
 }
 
 }  // namespace

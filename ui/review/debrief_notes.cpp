@@ -8,6 +8,7 @@
 #include "ui/reports/void_words.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/trace_panel.h"
+#include "ui/services/device_service.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -85,6 +86,10 @@ QStringList DebriefPage::notes() const {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
     if (!felt.isEmpty()) notes << felt;
+    if (attempt.meta.device == two_mice_title && !attempt.meta.limits.empty())
+        notes << tr(
+            "Performed with two mice, for which no limits exist: it is compared with those of mouse and "
+            "keyboard.");
     if (attempt.meta.rig_use) notes << rig_text(attempt.meta.device, *attempt.meta.rig_use);
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
     return notes;

@@ -40,8 +40,11 @@ struct ListedDevice {
 enum class PracticeOnly : std::uint8_t {
     no,
     scripted,  ///< no person moves it
-    no_limits  ///< no limits exist for it, and those of its class were made with less
+    no_limits  ///< no limits exist for it; those of its class, made with less, are a guide
 };
+/// Stored with attempts.
+inline constexpr const char* two_mice_title =
+    QT_TRANSLATE_NOOP("fulcrum::device_list", "two mice and keyboard");
 
 /// What the clutch of a device that the daemon reads is.
 enum class ClutchButton : std::uint8_t {

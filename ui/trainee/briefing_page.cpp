@@ -30,8 +30,8 @@ QString device_words(const DeviceInUse& device) {
     const QString title = text(device.title);
     if (device.two_mice)
         return BriefingPage::tr(
-            "One mouse for each hand: practice only, because no limits exist for two mice. F1 shows what "
-            "their buttons do.");
+            "One mouse for each hand: practice only. No limits exist for two mice; your score is compared "
+            "with those of mouse and keyboard, where the task has them. F1 shows what the buttons do.");
     if (device.practice_only == PracticeOnly::scripted)
         return BriefingPage::tr(
                    "A script moves the hands (%1): practice only. What it does not have is moved "

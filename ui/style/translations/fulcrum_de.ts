@@ -12018,8 +12018,8 @@ und %1 weitere</translation>
 <context>
     <name>fulcrum::ui::BriefingPage</name>
     <message>
-        <source>One mouse for each hand: practice only, because no limits exist for two mice. F1 shows what their buttons do.</source>
-        <translation>Je eine Maus für jede Hand: nur Übung, weil es für zwei Mäuse keine Grenzwerte gibt. F1 zeigt, was ihre Tasten tun.</translation>
+        <source>One mouse for each hand: practice only. No limits exist for two mice; your score is compared with those of mouse and keyboard, where the task has them. F1 shows what the buttons do.</source>
+        <translation>Je eine Maus für jede Hand: nur Übung. Für zwei Mäuse gibt es keine Grenzwerte; Ihre Bewertung wird mit denen für Maus und Tastatur verglichen, soweit die Aufgabe welche hat. F1 zeigt, was die Tasten tun.</translation>
     </message>
     <message>
         <source>A script moves the hands (%1): practice only. What it does not have is moved with mouse and keyboard; F1 shows the keys.</source>
@@ -13645,6 +13645,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Force was not felt: this device cannot render it. It was shown as bars.</source>
         <translation>Die Kraft war nicht zu spüren: Dieses Gerät kann sie nicht wiedergeben. Sie wurde als Balken gezeigt.</translation>
+    </message>
+    <message>
+        <source>Performed with two mice, for which no limits exist: it is compared with those of mouse and keyboard.</source>
+        <translation>Mit zwei Mäusen durchgeführt, für die es keine Grenzwerte gibt: Verglichen wird mit denen für Maus und Tastatur.</translation>
     </message>
     <message>
         <source>%1 samples were lost.</source>
