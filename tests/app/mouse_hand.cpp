@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCursor>
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QWheelEvent>
 #include <QtTest>
 #include <cmath>
@@ -192,6 +193,18 @@ void turn_wheel(ui::TheatreView& view, int units) {
     QWheelEvent event(place, view.mapToGlobal(place.toPoint()), QPoint(), QPoint(0, units), Qt::NoButton,
                       Qt::NoModifier, Qt::NoScrollPhase, false);
     QApplication::sendEvent(&view, &event);
+}
+
+int slide_mouse(ui::TheatreView& view, const QPoint& by, Qt::KeyboardModifiers with) {
+    const QPoint from = view.mapFromGlobal(QCursor::pos());
+    constexpr int parts = 10;
+    for (int i = 1; i <= parts; ++i) {
+        const QPoint to = from + by * i / parts;
+        QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::NoButton, with);
+        QApplication::sendEvent(&view, &event);
+        QTest::qWait(16);
+    }
+    return parts;
 }
 
 void MouseHand::steer() {

@@ -20,6 +20,10 @@ std::unique_ptr<ObservingRig> make_pointing_mind(const Scene& scene, double dept
 /// Turns the wheel over the view; 120 units are a notch.
 void turn_wheel(ui::TheatreView& view, int units);
 
+/// Moves the mouse over the view in ten steps, one a picture, from where the pointer is, which does not move.
+/// Returns their number.
+int slide_mouse(ui::TheatreView& view, const QPoint& by, Qt::KeyboardModifiers with = Qt::NoModifier);
+
 class MouseHand {
   public:
     /// `mind`: reads the screen and returns the wanted poses of the handles, tick by tick.

@@ -90,6 +90,11 @@ class FakeTrainer {
         place.yaw = std::lround(1e6 * std::atan2(to_the_tip.x(), -to_the_tip.z()));
         place.insertion = std::lround(1e6 * (length - handle.norm()));
     }
+    /// rad about the shaft.
+    void turn(char letter, double roll) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        place_[letter == 'L' ? 0 : letter == 'R' ? 1 : 2].roll = std::lround(1e6 * roll);
+    }
     void hold(char letter, int jaw, int buttons) {
         const std::lock_guard<std::mutex> lock(mutex_);
         Place& place = place_[letter == 'L' ? 0 : letter == 'R' ? 1 : 2];
