@@ -15,6 +15,8 @@ namespace {
 constexpr double near_goal = 0.6e-3;  // m of the handle
 constexpr double closing_s = 0.15;
 constexpr int button_ms = 120;
+constexpr std::int32_t trigger_pulled = 32767 / 10;  // of a trigger: a finger is on it
+constexpr int first_axis_number = 32;                // as a number of a button
 
 /// How far a stick has to be pushed for a share of the fastest speed.
 double push_for(double speed) {
@@ -30,8 +32,7 @@ double push_for(double speed) {
 
 void ControllerHand::let_go() {
     for (int axis = 0; axis < 6; ++axis) set_axis(axis, 0);
-    buttons_ = 0;
-    pad_.set_buttons(0);
+    for (int button = 0; button < controllers::button_count; ++button) set_button(button, false);
     pad_button_ = -1;
     along_[0] = along_[1] = false;
 }
@@ -40,6 +41,7 @@ void ControllerHand::set_axis(int axis, double share) {
     const auto value = static_cast<std::int32_t>(std::lround(32767 * std::clamp(share, -1.0, 1.0)));
     if (axis_[axis] == value) return;
     axis_[axis] = value;
+    if (axis >= controllers::axis_left_trigger) note_hold(first_axis_number + axis, value > trigger_pulled);
     pad_.set_axis(axis, value);
     ++events_;
 }
@@ -48,6 +50,7 @@ void ControllerHand::set_button(int button, bool held) {
     const std::uint32_t bit = 1U << static_cast<unsigned>(button), before = buttons_;
     buttons_ = held ? before | bit : before & ~bit;
     if (buttons_ == before) return;
+    note_hold(button, held);
     pad_.set_buttons(buttons_);
     ++events_;
 }

@@ -5,11 +5,11 @@
 // newcomer_test.cpp and controller_window_test.cpp.
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QMouseEvent>
+#include <type_traits>
 
 #include "sim_core/lab/result_page.h"
 #include "tests/app/controller_hand.h"
+#include "tests/app/input_watch.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/two_mice_hand.h"
 #include "tests/app/window_fixture.h"
@@ -43,9 +43,17 @@ void write_page() {
         "controller of SDL 2, bring them there. With mouse and keyboard the trainee does the first steps of "
         "the "
         "theatre before, in C4, until each line is marked. Each attempt is made in practice mode, and each "
-        "record is replayed bit for bit.");
+        "record is replayed bit for bit. Held are keys (with Shift) and mouse buttons by the events that the "
+        "window gets; of two mice and of the controller their buttons, and triggers from a tenth on.");
     lab::ResultTable table;
-    table.columns = {"device", "task", "how it ended", "time", "points of 100", "input events"};
+    table.columns = {"device",
+                     "task",
+                     "how it ended",
+                     "time",
+                     "points of 100",
+                     "input events",
+                     "most held at the same time",
+                     "time with more than two held"};
     table.rows = rows_of_page();
     page.table(table);
     page.write(std::getenv(work_page_variable), lab::this_machine(lab::build_info()));
@@ -53,9 +61,23 @@ void write_page() {
 
 class AtWork : public Window {
   protected:
+    /// Most that were held at the same time, and the share of the time with more than two.
+    static std::vector<std::string> held_words(InputWatch& watch) {
+        return {std::to_string(watch.most_held()),
+                ui::plain(ui::decimal(100 * watch.share_above(2), 1)) + " %"};
+    }
+    static void add_row(std::vector<std::string> row, const std::vector<std::string>& held) {
+        row.insert(row.end(), held.begin(), held.end());
+        for (const std::string& cell : row) std::cout << cell << "  ";
+        std::cout << std::endl;
+        rows_of_page().push_back(std::move(row));
+    }
     /// Completes the tasks with the driver that `make` returns for an attempt.
     template <typename Make>
     void complete_all(const char* device, Make&& make, const char* usual = "B1,B2,C4") {
+        const bool one_mouse = std::string(device) == "mouse";
+        InputWatch watch(std::string(device) == "two-mice" ? InputWatch::MouseButtons::of_hold
+                                                           : InputWatch::MouseButtons::of_events);
         const QStringList tasks =
             qEnvironmentVariable(task_variable, QLatin1String(usual)).split(QLatin1Char(','));
         for (const QString& name : tasks) {
@@ -64,7 +86,12 @@ class AtWork : public Window {
             const auto mind = make_operator(OperatorLevel::expert, theatre().session()->task(),
                                             theatre().session()->scene(), 7);
             auto hand = make(theatre(), *mind);
+            if constexpr (std::is_base_of_v<WorkingHand, decltype(hand)>)
+                hand.on_hold = [&watch](int number, bool held) { watch.hold(number, held); };
+            watch.restart();
             EXPECT_TRUE(hand.work_until([] { return false; }, longest_ms)) << task.constData();
+            const std::vector<std::string> held = held_words(watch);
+            EXPECT_TRUE(!one_mouse || watch.share_above(2) < 0.1) << "more than two keys and buttons";
             const bool ended = theatre_ended();
             if (ended)
                 wait_for_debrief();
@@ -75,12 +102,10 @@ class AtWork : public Window {
             const database::AttemptSummary attempt = newest_attempt();
             EXPECT_EQ(attempt.state, AttemptState::completed) << task.constData();
             expect_replays(attempt.meta.id);
-            rows_of_page().push_back({attempt.meta.device, task.toStdString(),
-                                      row_of(attempt_states, attempt.state).name,
-                                      ui::plain(ui::clock_text(attempt.duration_s)),
-                                      ui::plain(ui::figure(attempt.points)), std::to_string(hand.events())});
-            for (const std::string& cell : rows_of_page().back()) std::cout << cell << "  ";
-            std::cout << std::endl;
+            add_row({attempt.meta.device, task.toStdString(), row_of(attempt_states, attempt.state).name,
+                     ui::plain(ui::clock_text(attempt.duration_s)), ui::plain(ui::figure(attempt.points)),
+                     std::to_string(hand.events())},
+                    held);
             home();
         }
         write_page();
@@ -96,16 +121,7 @@ class HandsAtWorkMouse : public AtWork {
     }
     bool learns() { return ui::window_test::sees(window, "theatre_keys") && strip().contains("Enter"); }
     void move(const QPoint& by, Qt::KeyboardModifiers with = Qt::NoModifier) {
-        ui::TheatreView* const view = theatre().view();
-        const QPoint from = view->mapFromGlobal(QCursor::pos());
-        constexpr int parts = 10;
-        for (int i = 1; i <= parts; ++i) {
-            const QPoint to = from + by * i / parts;
-            QMouseEvent event(QEvent::MouseMove, to, view->mapToGlobal(to), Qt::NoButton, Qt::NoButton, with);
-            QApplication::sendEvent(view, &event);
-            QTest::qWait(16);
-            ++events_;
-        }
+        events_ += slide_mouse(*theatre().view(), by, with);
     }
     void key(Qt::Key key, int milliseconds) {
         QTest::keyPress(theatre().view(), key);
@@ -126,6 +142,7 @@ class HandsAtWorkMouse : public AtWork {
         QTest::mouseMove(theatre().view(), theatre().view()->rect().center());
         ASSERT_TRUE(ui::window_test::wait_for([this] { return learns(); }, 30000));
         const double begun = theatre().session()->display().elapsed_s;
+        InputWatch watch;
         for (int again = 0; again < 3 && learns(); ++again) {
             for (int hand = 0; hand < hand_count; ++hand) {
                 move({60, 20});
@@ -147,9 +164,11 @@ class HandsAtWorkMouse : public AtWork {
         }
         EXPECT_FALSE(learns()) << strip().toStdString();
         const double took = theatre().session()->display().elapsed_s - begun;
+        const std::vector<std::string> held = held_words(watch);
         abandon();
-        rows_of_page().push_back({newest_attempt().meta.device, "first steps, in C4", "each line marked",
-                                  ui::plain(ui::clock_text(took)), "", std::to_string(events_)});
+        add_row({newest_attempt().meta.device, "first steps, in C4", "each line marked",
+                 ui::plain(ui::clock_text(took)), "", std::to_string(events_)},
+                held);
     }
     int events_ = 0;
 };

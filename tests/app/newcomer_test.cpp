@@ -2,28 +2,24 @@
 // The path of a newcomer, counted: from the page of sign-in to the first target of A2 that is touched, with
 // each kind of device, by real input: keys and clicks, raw events of two mice, sticks, poses of a tracker and
 // of devices with force. FULCRUM_NEWCOMER_PAGE=docs/results takes the path with each of them and writes the
-// table; without it two mice do.
+// table; without it two mice do, and a joystick that is chosen on the way.
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
-#include <fstream>
+#include <QPushButton>
 
 #include "app/live/device_rig.h"
-#include "sim_core/controllers/sdl_library.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/controller_hand.h"
+#include "tests/app/held_devices.h"
+#include "tests/app/input_watch.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
-#include "tests/app/program_path.h"
 #include "tests/app/two_mice_hand.h"
 #include "tests/app/window_fixture.h"
-#include "tests/fakes/fake_force_dimension.h"
 #include "tests/fakes/fake_page.h"
-#include "tests/fakes/fake_touch.h"
 #include "tests/support/built.h"
-#include "tests/support/fake_haply.h"
 #include "tests/support/fake_spacenavd.h"
-#include "tests/support/fake_tracker.h"
 #include "tests/support/fake_trainer.h"
 #include "tests/support/own_folder.h"
 #include "ui/style/text.h"
@@ -44,12 +40,42 @@ class Newcomer : public Window {
         create_programme_and_trainee();
         switch_user();
     }
+    void TearDown() override {
+        if (!chosen_.empty()) services.choose_device("mouse-keyboard");  // the settings outlive the window
+    }
     /// Also where no page is wanted.
     virtual bool always() const { return false; }
-    /// Types name and password, opens the briefing and begins; counts keys and clicks.
-    void begin() {
-        sign_in("tara", newcomer_password);
+    void fill_in(const char* field, const char* words) {
+        auto* const edit = ui::window_test::find<QLineEdit>(window, field);
+        ASSERT_NE(edit, nullptr);
+        edit->clear();  // of the name that made the account
+        QTest::mouseClick(edit, Qt::LeftButton);
+        QTest::keyClicks(edit, QString::fromLatin1(words));
+    }
+    /// On the page *Settings*.
+    void choose(const std::string& kind) {
+        const std::string button = "use_" + kind;
+        ui::window_test::click(window, "rail_settings");
+        ASSERT_TRUE(ui::window_test::wait_for([&] { return ui::window_test::sees(window, button.c_str()); },
+                                              newcomer_patience_ms));
+        ui::window_test::bring(*ui::window_test::find<QPushButton>(window, button.c_str()));
+        ui::window_test::click(window, button.c_str());
+        EXPECT_EQ(services.device_in_use().kind, kind);
+        ui::window_test::click(window, "rail_home");
         expect_page("home_page");
+        chosen_ = kind;
+    }
+    /// Types name and password, chooses the device where it is one of those (`kind`), opens the briefing and
+    /// begins; counts keys and clicks.
+    void begin(const std::string& kind = "") {
+        const InputWatch watch;
+        ASSERT_NO_FATAL_FAILURE(fill_in("login", "tara"));
+        ASSERT_NO_FATAL_FAILURE(fill_in("password", newcomer_password));
+        QTest::keyClick(ui::window_test::find<QLineEdit>(window, "password"), Qt::Key_Return);
+        expect_page("home_page");
+        if (!kind.empty()) {
+            ASSERT_NO_FATAL_FAILURE(choose(kind));
+        }
         ui::window_test::click(window, "briefing_A2");
         expect_page("briefing_page");
         ui::window_test::check(window, "mode_practice");
@@ -60,8 +86,13 @@ class Newcomer : public Window {
             << shown("message_text").toStdString();
         ASSERT_TRUE(ui::window_test::wait_for(
             [&] { return theatre().session()->phase() == ui::AttemptPhase::running; }, newcomer_patience_ms));
-        const std::size_t letters = std::string("tara").size() + std::string(newcomer_password).size();
-        keys_ = static_cast<int>(letters) + 1 + 2 + 3;  // Enter; into two fields; the task, practice, start
+        keys_ = watch.presses();
+        // Name and password with a click into each field, Enter, the task, start; practice is a click where
+        // it is not chosen already. A device: settings, the device, home.
+        const auto letters =
+            static_cast<int>(std::string("tara").size() + std::string(newcomer_password).size());
+        EXPECT_GE(keys_, letters + 2 + 1 + 2 + (kind.empty() ? 0 : 3));
+        EXPECT_LE(keys_, letters + 2 + 1 + 3 + (kind.empty() ? 0 : 3)) << "nothing else has to be pressed";
     }
     /// An instrument presses on the target that is lit.
     bool touched() {
@@ -80,8 +111,8 @@ class Newcomer : public Window {
         EXPECT_GT(worker.events(), 3) << device;
         EXPECT_GE(theatre().session()->display().elapsed_s, begun);
         std::cout << device << ": " << worker.events() << " " << unit << ", " << 1e-3 * ticks << " s\n";
-        rows().push_back({device, std::to_string(keys_), std::to_string(worker.events()), unit,
-                          decimal_words(1e-3 * ticks)});
+        rows().push_back({device, chosen_words(), std::to_string(keys_), std::to_string(worker.events()),
+                          unit, decimal_words(1e-3 * ticks)});
         EXPECT_LT(1e-3 * ticks, 60) << device;
         abandon();
         const database::AttemptSummary attempt = newest_attempt();
@@ -99,6 +130,11 @@ class Newcomer : public Window {
             });
         });
     }
+    std::string chosen_words() const {
+        if (!chosen_.empty()) return "on the page Settings";
+        return qEnvironmentVariableIsSet("FULCRUM_DEVICE") ? "FULCRUM_DEVICE, by the station"
+                                                           : "no choice needed";
+    }
     static std::string decimal_words(double seconds) { return ui::plain(ui::decimal(seconds, 1)); }
     static std::vector<std::vector<std::string>>& rows() {
         static std::vector<std::vector<std::string>> all;
@@ -114,19 +150,28 @@ class Newcomer : public Window {
         page.paragraph(
             "The path of a trainee whose account exists, in the program's window: name and password, the "
             "task "
-            "A2, practice, start, then the device until the first sphere that is lit has been touched. The "
-            "hands know where to go and approach like the demonstration; a person takes longer. Seconds are "
-            "those of the attempt's clock from its first tick. A pose is a reading of the device that "
-            "differs "
-            "from the one before: a hand that moves makes them by itself.");
+            "A2, practice, start, then the device until the first sphere that is lit has been touched. Keys "
+            "and "
+            "clicks are counted as events that the window gets; a device that the page Settings offers is "
+            "chosen there on the way, the others are named by whoever sets up the station. The hands know "
+            "where "
+            "to go and approach like the demonstration; a person takes longer. Seconds are those of the "
+            "attempt's clock from its first tick. A pose is a reading of the device that differs from the "
+            "one "
+            "before: a hand that moves makes them by itself.");
         lab::ResultTable table;
-        table.columns = {"device", "keys and clicks before the theatre", "input in the theatre",
-                         "of which kind", "time in the theatre, s"};
+        table.columns = {"device",
+                         "device chosen",
+                         "keys and clicks before the theatre",
+                         "input in the theatre",
+                         "of which kind",
+                         "time in the theatre, s"};
         table.rows = rows();
         page.table(table);
         page.write(folder, lab::this_machine(lab::build_info()));
     }
     int keys_ = 0;
+    std::string chosen_;  ///< kind of device
 };
 
 TEST_F(Newcomer, TouchesTheFirstTargetWithMouseAndKeyboard) {
@@ -153,79 +198,39 @@ struct NewcomersPad {
     NewcomersPad() { page->controller[0].plugged = 1; }
     fulcrum::test::FakePage<fulcrum::test::FakeSdlPage> page{"FAKE_SDL_PAGE"};
     Variable library{"FULCRUM_LIBSDL2", fulcrum::test::fake_library("libSDL2.so")};
-    Variable device{"FULCRUM_DEVICE", "controller"};
     FakePad pad{page->controller[0]};
 };
 class NewcomerWithController : public NewcomersPad, public Newcomer {};
 TEST_F(NewcomerWithController, TouchesTheFirstTarget) {
-    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(begin("controller"));
     touch_first("game controller", "changes of sticks and buttons",
                 [this](ObservingRig& mind) { return ControllerHand(theatre(), mind, pad); });
 }
 
-/// fulcrum-hapticd next to the program.
-std::string newcomers_daemon() {
-    const std::string program = program_path();
-    return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
-}
-
-/// Both hands by devices whose pose a test sets.
-struct NewcomersTouch {
-    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
-    fulcrum::test::FakePage<fulcrum::test::FakeTouchPage> page{"FAKE_TOUCH_PAGE"};
-    Variable library{"FULCRUM_LIBHD", fulcrum::test::fake_library("libHD.so")};
-    Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
+/// Both hands by devices of fulcrum-hapticd whose poses a test sets.
+struct WithHeld : ::testing::WithParamInterface<std::string> {
+    static bool is_chosen() { return GetParam() == "Joystick"; }
+    std::unique_ptr<HeldDevice> held = make_held(GetParam(), !is_chosen());
 };
-class NewcomerWithTouch : public NewcomersTouch, public Newcomer {};
-TEST_F(NewcomerWithTouch, TouchesTheFirstTarget) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    touch_first("3D Systems Touch (fake of its library)", "poses", [this](ObservingRig& mind) {
-        return PosedHand(theatre(), mind, [this](int hand, const Vector3& position) {
-            for (int axis = 0; axis < 3; ++axis) page->device[hand].position[axis] = 1e3 * position[axis];
-        });
-    });
-    double felt = 0;
-    for (int h = 0; h < 2; ++h)
-        for (const auto& force : page->device[h].force) felt = std::max(felt, std::abs(force.load()));
-    EXPECT_EQ(felt, 0) << "after the attempt";
-}
-
-struct NewcomersHaply {
-    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
-    fulcrum::test::FakeHaply haply{{{"0A11", "left"}, {"0B22", "right"}}};
-    Variable device{"FULCRUM_DEVICE", haply.specification()};
+class NewcomerWithDevice : public WithHeld, public Newcomer {
+  protected:
+    bool always() const override { return is_chosen(); }
 };
-class NewcomerWithHaply : public NewcomersHaply, public Newcomer {};
-TEST_F(NewcomerWithHaply, TouchesTheFirstTarget) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    touch_first("Haply Inverse3 (fake of its service)", "poses", [this](ObservingRig& mind) {
+TEST_P(NewcomerWithDevice, TouchesTheFirstTarget) {
+    if (GetParam() == "Trainer" && !fulcrum::test::FakeTrainer::is_possible())
+        GTEST_SKIP() << "this machine gives no terminals: mount /dev/pts";
+    ASSERT_NO_FATAL_FAILURE(begin(is_chosen() ? "joystick" : ""));
+    touch_first(held->title, "poses", [this](ObservingRig& mind) {
         return PosedHand(
-            theatre(), mind,
-            [this](int hand, const Vector3& p) {
-                haply.move(static_cast<std::size_t>(hand), Vector3(p.x(), -p.z(), p.y()));
-            },
-            Vector3(0.01, 0.1, 0.15));
+            theatre(), mind, [this](int hand, const Vector3& position) { held->put(hand, position); },
+            held->begin());
     });
+    EXPECT_EQ(held->force(), 0) << "after the attempt";
 }
-
-struct NewcomersForceDimension {
-    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
-    fulcrum::test::FakePage<fulcrum::test::FakeForceDimensionPage> page{"FAKE_FORCE_DIMENSION_PAGE"};
-    Variable library{"FULCRUM_LIBDRD", fulcrum::test::fake_library("libdrd.so")};
-    Variable device{"FULCRUM_DEVICE", "force-dimension"};
-};
-class NewcomerWithForceDimension : public NewcomersForceDimension, public Newcomer {};
-TEST_F(NewcomerWithForceDimension, TouchesTheFirstTarget) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    touch_first("Force Dimension (fake of its library)", "poses", [this](ObservingRig& mind) {
-        return PosedHand(theatre(), mind, [this](int hand, const Vector3& p) {
-            const double place[3] = {p.z(), p.x(), p.y()};  // towards the person, to the right, up
-            for (int axis = 0; axis < 3; ++axis) page->device[hand].position[axis] = place[axis];
-        });
-    });
-    for (int h = 0; h < 2; ++h)
-        for (const auto& force : page->device[h].force) EXPECT_EQ(force.load(), 0) << "after the attempt";
-}
+INSTANTIATE_TEST_SUITE_P(Newcomer, NewcomerWithDevice,
+                         ::testing::Values("Touch", "Haply", "ForceDimension", "Tracker", "Trainer",
+                                           "Joystick"),
+                         [](const auto& of) { return of.param; });
 
 /// Follows a wanted place with the deflection of the cap, as a person does who looks at the screen. The other
 /// hand rests.
@@ -278,7 +283,7 @@ class CapHand {
 
 /// A2 asks for the left hand first.
 struct NewcomersCap {
-    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
+    Variable daemon{"FULCRUM_HAPTICD", fulcrum::test::hapticd_program()};
     fulcrum::test::OwnFolder cap_folder;
     std::string path = (cap_folder.path() / "spnav.sock").string();
     Variable socket{"SPNAV_SOCKET", path};
@@ -290,40 +295,6 @@ TEST_F(NewcomerWithSpaceMouse, TouchesTheFirstTarget) {
     ASSERT_NO_FATAL_FAILURE(begin());
     touch_first("SpaceMouse for the left hand (fake of spacenavd)", "deflections of the cap",
                 [this](ObservingRig& mind) { return CapHand(theatre(), mind, cap, 0); });
-}
-
-struct NewcomersTracker {
-    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
-    fulcrum::test::FakeTracker tracker{{"LeftTipToPatient", "RightTipToPatient"}};
-    Variable device{"FULCRUM_DEVICE", "openigtlink:" + tracker.address() +
-                                          ",left=LeftTipToPatient,right=RightTipToPatient,length=0"};
-};
-class NewcomerWithTracker : public NewcomersTracker, public Newcomer {};
-TEST_F(NewcomerWithTracker, TouchesTheFirstTarget) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    touch_first("tracked instruments over OpenIGTLink", "poses", [this](ObservingRig& mind) {
-        return PosedHand(theatre(), mind, [this](int hand, const Vector3& position) {
-            igtl::Pose pose;
-            pose.place = position;
-            tracker.move(static_cast<std::size_t>(hand), pose);
-        });
-    });
-}
-
-struct NewcomersTrainer {
-    Variable daemon{"FULCRUM_HAPTICD", newcomers_daemon()};
-    fulcrum::test::FakeTrainer trainer{"LR"};
-    Variable device{"FULCRUM_DEVICE", trainer.specification()};
-};
-class NewcomerWithTrainer : public NewcomersTrainer, public Newcomer {};
-TEST_F(NewcomerWithTrainer, TouchesTheFirstTarget) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    touch_first("box trainer on a serial port (pseudo-terminal)", "poses", [this](ObservingRig& mind) {
-        return PosedHand(
-            theatre(), mind,
-            [this](int hand, const Vector3& position) { trainer.move(hand == 0 ? 'L' : 'R', position); },
-            Vector3(0, 0, 0.24));
-    });
 }
 
 }  // namespace

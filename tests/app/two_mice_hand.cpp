@@ -27,6 +27,7 @@ void TwoMiceHand::let_go() {
 void TwoMiceHand::hold(int hand, int button, bool held) {
     if (held_[hand][button] == held) return;
     held_[hand][button] = held;
+    note_hold(10 * hand + button, held);
     mice_.button(hand, button, held);
     ++events_;
 }

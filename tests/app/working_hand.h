@@ -20,8 +20,13 @@ class WorkingHand {
     int events() const { return events_; }
     /// Lets go of everything.
     virtual void let_go() = 0;
+    /// Called where a button of the device goes down or up, if it is set: `number` tells them apart.
+    std::function<void(int number, bool held)> on_hold;
 
   protected:
+    void note_hold(int number, bool held) const {
+        if (on_hold) on_hold(number, held);
+    }
     /// `mind`: reads the screen and returns the wanted poses of the handles, tick by tick. `planned_ahead`: m
     /// of the handle.
     WorkingHand(ui::TheatrePage& theatre, ObservingRig& mind, double planned_ahead)
