@@ -82,7 +82,7 @@ class ForwardingServices : public ui::ApplicationServices {
     ui::SoundChoice sound_choice() const override { return own_->sound_choice(); }
     void choose_sound(const ui::SoundChoice& choice) override { own_->choose_sound(choice); }
     void play_sound(const SoundState& state) override {
-        if (hears) own_->play_sound(state);
+        if (hears) own_->play_sound(heard ? heard(state) : state);
     }
     void test_sound() override { own_->test_sound(); }
     Sentence sound_trouble() override { return hears ? own_->sound_trouble() : Sentence(); }
@@ -156,7 +156,9 @@ class ForwardingServices : public ui::ApplicationServices {
     /// Gets the real device, returns the device that the attempt reads instead.
     std::function<std::shared_ptr<Rig>(std::shared_ptr<Rig>)> between;
     std::uint64_t seed = 0;  ///< of the next attempts; 0: drawn, as in the program
-    bool hears = false;      ///< sound is played
+    bool hears = false;  ///< sound is played
+    /// What is played in place of the state; empty: the state.
+    std::function<SoundState(const SoundState&)> heard;
 
   private:
     std::unique_ptr<ui::ApplicationServices> own_;

@@ -19,7 +19,7 @@ struct FakeSdlController {
     // Seen.
     std::atomic<std::uint32_t> open{0}, closed{0};
     std::atomic<std::uint32_t> slow{0}, fast{0}, rumble_ms{0}, rumbles{0};
-    std::atomic<std::int64_t> rumble_time{0};  ///< ns, of the newest
+    std::atomic<std::int64_t> felt_at{0};  ///< ns, of the first with a motor that runs; set to 0 to arm
 };
 
 /// A sound device that plays into nothing, in real time.

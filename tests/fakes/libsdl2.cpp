@@ -210,7 +210,7 @@ int SDL_GameControllerRumble(void* controller, std::uint16_t low, std::uint16_t 
     one->fast = high;
     one->rumble_ms = milliseconds;
     ++one->rumbles;
-    one->rumble_time = clock_ns();
+    if ((low > 0 || high > 0) && one->felt_at == 0) one->felt_at = clock_ns();
     return 0;
 }
 std::uint32_t SDL_OpenAudioDevice(const char*, int capture, const Spec* asked, Spec* given, int) {

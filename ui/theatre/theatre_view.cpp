@@ -3,6 +3,8 @@
 
 #include <QElapsedTimer>
 #include <QPainter>
+#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include "ui/page/background_job.h"
@@ -64,7 +66,7 @@ void TheatreView::unload() {
     assembler_.reset();
     has_world_ = has_hud_ = installed_ = false;
     pictures_ = 0;
-    pale_at_ = 0;
+    pale_ = dented_ = {};
     pace_.restart();
     realignment_.reset();
     ghost_.reset();
@@ -153,9 +155,8 @@ bool TheatreView::paint_scene(QPainter& painter) {
         const SceneFrame& frame = assemble();
         const QImage& picture = stage_->draw(*renderer_, frame, pixels);
         if (picture.isNull()) return false;
-        for (const DrawnTool& tool : frame.tools)
-            if (tool.strain > 0 && pale_at_ == 0)
-                pale_at_ = std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+        strained_ = std::any_of(frame.tools.begin(), frame.tools.end(),
+                                [](const DrawnTool& tool) { return tool.strain > 0; });
         resolution_ = static_cast<double>(picture.height()) / std::min(pixels.width(), pixels.height());
         scope_.paint(painter, rect(), picture);
     } catch (const std::runtime_error& why) {
@@ -178,6 +179,13 @@ void TheatreView::paint_words(QPainter& painter) {
     painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, words);
 }
 
+void TheatreView::note_appearances() {
+    const std::int64_t now =
+        std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+    pale_.see(strained_, now);
+    dented_.see(world_.bowel.dent_count > 0, now);
+}
+
 void TheatreView::paintEvent(QPaintEvent*) {
     QElapsedTimer timer;
     timer.start();
@@ -189,6 +197,7 @@ void TheatreView::paintEvent(QPaintEvent*) {
     if (drawn && realignment_) paint_realignment(painter, rect(), *realignment_);
     if (!cover_lines_.isEmpty()) paint_cover(painter, rect(), cover_heading_, cover_lines_);
     painter.end();
+    if (drawn) note_appearances();
     frame_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     if (drawn && paced_) pace_.drawn(frame_ms_);
 }

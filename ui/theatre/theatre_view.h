@@ -61,9 +61,13 @@ class TheatreView : public QWidget {
     double resolution() const { return resolution_; }
     /// Pictures of the scene that were drawn since load().
     int pictures() const { return pictures_; }
-    /// When a picture was drawn first in which tissue is pale under a tip, ns of the steady clock; 0: not
-    /// since load().
-    std::int64_t pale_at() const { return pale_at_; }
+    /// When the newest picture was on the window in which tissue is pale under a tip, or is dented, and was
+    /// not in the one before; ns of the steady clock, 0: none since load().
+    std::int64_t pale_at() const { return pale_.at; }
+    std::int64_t dented_at() const { return dented_.at; }
+    /// The last picture has it.
+    bool is_pale() const { return pale_.shown; }
+    bool is_dented() const { return dented_.shown; }
     /// Duration of the last picture, ms: all of it, on this thread.
     double last_frame_ms() const { return frame_ms_; }
 
@@ -75,6 +79,17 @@ class TheatreView : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    /// Something that comes and goes in the pictures.
+    struct Appearance {
+        bool shown = false;
+        std::int64_t at = 0;
+        void see(bool now_shown, std::int64_t now) {
+            if (now_shown && !shown) at = now;
+            shown = now_shown;
+        }
+    };
+    /// Notes what the picture shows that was just drawn.
+    void note_appearances();
     /// The frame for the world to show, as the attempt stands.
     SceneFrame& assemble();
     /// Paints the scene; false where there is none to paint.
@@ -85,7 +100,7 @@ class TheatreView : public QWidget {
     HudState hud_;
     std::vector<bool> done_;
     int active_ = -1;
-    bool touched_ = false, has_world_ = false, has_hud_ = false, installed_ = false;
+    bool touched_ = false, has_world_ = false, has_hud_ = false, installed_ = false, strained_ = false;
     QString notice_, cover_heading_, error_;
     QStringList cover_lines_;
     std::optional<Realignment> realignment_;
@@ -94,7 +109,7 @@ class TheatreView : public QWidget {
     DrawingPace pace_;
     bool paced_ = false;
     int pictures_ = 0;
-    std::int64_t pale_at_ = 0;
+    Appearance pale_, dented_;
     std::unique_ptr<SceneAssembler> assembler_;
     std::unique_ptr<OffscreenStage> stage_;  // made at the first picture
     std::unique_ptr<SceneRenderer> renderer_;
