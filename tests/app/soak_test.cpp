@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Real-time operation while the window draws and both hands grasp and drag the bowel: by mouse, and by a
 // haptic device (a fake of libHD) behind fulcrum-hapticd. Eight seconds by default; FULCRUM_SOAK_S=600 runs
-// ten minutes, FULCRUM_SOAK_PAGE=docs/results writes their page.
+// ten minutes, and each of the two once more while operators keep all cores busy. FULCRUM_SOAK_PAGE=
+// docs/results writes the pages of all four (soak_page.h).
+#include <QProcess>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -11,9 +13,9 @@
 #include "app/live/live_attempt.h"
 #include "assessment/task/attempt_words.h"
 #include "assessment/task/bowel_line.h"
-#include "sim_core/lab/result_page.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
+#include "tests/app/soak_page.h"
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/fakes/fake_touch.h"
@@ -145,11 +147,39 @@ std::string list(std::initializer_list<double> values, const char* format = "%.0
     return text;
 }
 
+/// `fulcrum lab operators C4`, which uses all cores, again and again while it exists.
+class BusyOperators {
+  public:
+    BusyOperators() {
+        QObject::connect(&process_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), &process_,
+                         [this](int exit_code, QProcess::ExitStatus) {
+                             EXPECT_EQ(exit_code, 0) << process_.readAllStandardError().toStdString();
+                             if (exit_code == 0) begin();
+                         });
+        begin();
+        EXPECT_TRUE(process_.waitForStarted());
+    }
+    ~BusyOperators() {
+        process_.disconnect();
+        process_.kill();
+        process_.waitForFinished();
+    }
+
+  private:
+    void begin() {
+        process_.start(
+            QString::fromStdString(fulcrum::test::built_program("fulcrum-lab")),
+            {QStringLiteral("lab"), QStringLiteral("operators"), QStringLiteral("C4"),
+             QStringLiteral("--seeds"), QStringLiteral("60"), QStringLiteral("--output"), folder_.path()});
+    }
+    QTemporaryDir folder_;
+    QProcess process_;
+};
+
 /// What differs between two devices of the hands.
 struct SoakKind {
-    const char* page;
-    const char* filter;  ///< of the test
-    std::string how;     ///< a sentence of the page
+    bool through_daemon = false;
+    bool loaded = false;  ///< operators use all cores
     /// Moves the hands until it is done.
     std::function<bool(ObservingRig&, const std::function<bool()>&, int milliseconds)> work;
     std::function<int()> events;
@@ -171,6 +201,7 @@ class Soak : public Window {
     void watch(const SoakKind& kind, Seen& seen);
     lab::ResultTable table_of(const SoakKind& kind, const Seen& seen, const database::AttemptSummary& attempt,
                               const database::Trace& trace, int grasps) const;
+    void write_pages(const SoakKind& kind, const lab::ResultTable& table) const;
     const int seconds_ =
         std::getenv("FULCRUM_SOAK_S") != nullptr ? std::atoi(std::getenv("FULCRUM_SOAK_S")) : 8;
 };
@@ -220,7 +251,6 @@ lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
     };
     const LoopStatistics& statistics = seen.statistics;
     lab::ResultTable table;
-    table.name = kind.page;
     table.columns = {"what", "value"};
     table.rows = {
         {"ticks", number(static_cast<double>(statistics.ticks))},
@@ -272,7 +302,11 @@ void Soak::run(const SoakKind& kind) {
     create_programme_and_trainee();
     start("B1", false);
     Seen seen;
-    ASSERT_NO_FATAL_FAILURE(watch(kind, seen));
+    {
+        std::optional<BusyOperators> busy;
+        if (kind.loaded) busy.emplace();
+        ASSERT_NO_FATAL_FAILURE(watch(kind, seen));
+    }
     if (theatre().session() != nullptr && theatre().session()->phase() == AttemptPhase::running) {
         abandon();
     } else {
@@ -285,17 +319,7 @@ void Soak::run(const SoakKind& kind) {
     for (const Event& event : trace.events) grasps += event.kind == EventKind::grasp ? 1 : 0;
     const lab::ResultTable table = table_of(kind, seen, attempt, trace, grasps);
     for (const auto& row : table.rows) std::printf("%s: %s\n", row[0].c_str(), row[1].c_str());
-    if (const char* page_folder = std::getenv("FULCRUM_SOAK_PAGE")) {
-        lab::ResultPage page(kind.page, "In real time for " + std::to_string(seconds_) + " s",
-                             "FULCRUM_SOAK_S=" + std::to_string(seconds_) + " FULCRUM_SOAK_PAGE=" +
-                                 page_folder + " test_app --gtest_filter=" + kind.filter);
-        const char* load = std::getenv("FULCRUM_SOAK_LOAD");
-        page.paragraph("B1 in the real window under Xvfb, with drawing. " + kind.how +
-                       " Running at the same time: " +
-                       (load != nullptr ? load : "nothing else that was started for this run") + ".");
-        page.table(table);
-        page.write(page_folder, lab::this_machine(lab::build_info()));
-    }
+    write_pages(kind, table);
     EXPECT_EQ(attempt.lost_samples, 0U);
     // A shared machine withholds its processors for up to a quarter of the periods and sometimes stops
     // completely. Required here: the attempt continues, and the record misses no tick.
@@ -307,13 +331,34 @@ void Soak::run(const SoakKind& kind) {
     expect_replays(attempt.meta.id);
 }
 
-TEST_F(Soak, ByMouseKeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
-    std::optional<MouseHand> hand;
-    run({"soak", "*ByMouseKeepsItsClock*", "Mouse and key events make both hands grasp and drag the bowel.",
-         [&](ObservingRig& mind, const std::function<bool()>& done, int milliseconds) {
-             return hand.emplace(theatre(), mind).work_until(done, milliseconds);
-         },
-         [&] { return hand->events(); }});
+void Soak::write_pages(const SoakKind& kind, const lab::ResultTable& table) const {
+    const char* const folder = std::getenv("FULCRUM_SOAK_PAGE");
+    if (folder == nullptr) return;
+    static std::vector<SoakRun> runs;  // of this process
+    runs.push_back({kind.through_daemon, kind.loaded, table.rows});
+    for (const lab::ResultPage& page : soak_pages(runs, seconds_))
+        page.write(folder, lab::this_machine(lab::build_info()));
+}
+
+class SoakByMouse : public Soak {
+  protected:
+    void drag(bool loaded) {
+        std::optional<MouseHand> hand;
+        run({false, loaded,
+             [&](ObservingRig& mind, const std::function<bool()>& done, int milliseconds) {
+                 return hand.emplace(theatre(), mind).work_until(done, milliseconds);
+             },
+             [&] { return hand->events(); }});
+    }
+};
+
+TEST_F(SoakByMouse, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
+    drag(false);
+}
+
+TEST_F(SoakByMouse, KeepsItsClockWhileOperatorsUseAllCores) {
+    if (std::getenv("FULCRUM_SOAK_S") == nullptr) GTEST_SKIP() << "FULCRUM_SOAK_S is not set";
+    drag(true);
 }
 
 /// Before the services of the fixture are made, which read these.
@@ -323,31 +368,40 @@ struct SoakDevice {
     fulcrum::test::Variable device{"FULCRUM_DEVICE", "touch:Left Device,Right Device"};
     fulcrum::test::Variable program{"FULCRUM_HAPTICD", fulcrum::test::hapticd_program()};
 };
-class SoakThroughTheDaemon : public SoakDevice, public Soak {};
+class SoakThroughTheDaemon : public SoakDevice, public Soak {
+  protected:
+    void drag(bool loaded) {
+        std::optional<PosedHand> hand;
+        double felt = 0;
+        run({true, loaded,
+             [&](ObservingRig& mind, const std::function<bool()>& done, int milliseconds) {
+                 const auto put = [&](int h, const Vector3& position) {
+                     for (int axis = 0; axis < 3; ++axis)
+                         page->device[h].position[axis] = 1e3 * position[axis];
+                 };
+                 const auto press = [&](int h, bool closed) { page->device[h].buttons = closed ? 1 : 0; };
+                 hand.emplace(theatre(), mind, put, Vector3::Zero(), press);
+                 return hand->work_until(
+                     [&] {
+                         for (const auto& one : page->device)
+                             for (const auto& force : one.force)
+                                 felt = std::max(felt, std::abs(force.load()));
+                         return done();
+                     },
+                     milliseconds);
+             },
+             [&] { return hand->events(); }});
+        EXPECT_GT(felt, 0.05) << "N, at the motors";
+    }
+};
 
 TEST_F(SoakThroughTheDaemon, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
-    std::optional<PosedHand> hand;
-    double felt = 0;
-    run({"soak_daemon", "SoakThroughTheDaemon*",
-         "Two haptic devices, fakes of the maker's library that fulcrum-hapticd opens and that the test "
-         "moves, "
-         "make both hands grasp and drag the bowel; the forces go to their motors.",
-         [&](ObservingRig& mind, const std::function<bool()>& done, int milliseconds) {
-             const auto put = [&](int h, const Vector3& position) {
-                 for (int axis = 0; axis < 3; ++axis) page->device[h].position[axis] = 1e3 * position[axis];
-             };
-             const auto press = [&](int h, bool closed) { page->device[h].buttons = closed ? 1 : 0; };
-             hand.emplace(theatre(), mind, put, Vector3::Zero(), press);
-             return hand->work_until(
-                 [&] {
-                     for (const auto& one : page->device)
-                         for (const auto& force : one.force) felt = std::max(felt, std::abs(force.load()));
-                     return done();
-                 },
-                 milliseconds);
-         },
-         [&] { return hand->events(); }});
-    EXPECT_GT(felt, 0.05) << "N, at the motors";
+    drag(false);
+}
+
+TEST_F(SoakThroughTheDaemon, KeepsItsClockWhileOperatorsUseAllCores) {
+    if (std::getenv("FULCRUM_SOAK_S") == nullptr) GTEST_SKIP() << "FULCRUM_SOAK_S is not set";
+    drag(true);
 }
 
 }  // namespace
