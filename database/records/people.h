@@ -43,7 +43,10 @@ struct RecentSignIn {
 
 inline constexpr int password_minimum_length = 10;  ///< characters
 inline constexpr std::int64_t one_time_password_valid_ms = 24LL * 3600 * 1000;
-inline constexpr double first_wait_s = 5, longest_wait_s = 300;
+/// After a wrong try a login waits, twice as long each time, but no longer than usual_wait_s until so many
+/// wrong tries are remembered; each longest_wait_s without a try takes one off.
+inline constexpr double first_wait_s = 5, usual_wait_s = 30, longest_wait_s = 300;
+inline constexpr int tries_before_longest_wait = 40;
 
 class People {
   public:

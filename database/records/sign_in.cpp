@@ -19,11 +19,11 @@ constexpr std::int64_t picker_ms = 30LL * 24 * 3600 * 1000;
 // Rows of logins that nobody tries any more are dropped after this; it is far beyond the longest wait.
 constexpr std::int64_t wait_forgotten_ms = 24LL * 3600 * 1000;
 
+/// Seconds for what a colleague has typed; the longest wait for whoever guesses without end.
 double wait_after(std::int64_t wrong_tries) {
     if (wrong_tries <= 0) return 0;
-    return std::min(
-        longest_wait_s,
-        first_wait_s * std::exp2(static_cast<double>(std::min<std::int64_t>(wrong_tries - 1, 30))));
+    if (wrong_tries > tries_before_longest_wait) return longest_wait_s;
+    return std::min(usual_wait_s, first_wait_s * std::exp2(static_cast<double>(wrong_tries - 1)));
 }
 
 struct Tries {
@@ -46,10 +46,10 @@ double remaining_wait_s(const Tries& tries) {
     return std::max(0.0, wait_after(tries.wrong) - tries.since_last_s);
 }
 
-/// Each longest wait without a try takes one off, so that what a colleague typed in the morning does not cost
-/// five minutes in the afternoon; more than lead to the longest wait are not counted.
+/// Each longest wait without a try takes one off, so that in the long run guesses are as rare as the longest
+/// wait allows, whatever their rhythm; more than lead to it are not counted.
 std::int64_t remembered(const Tries& tries) {
-    constexpr std::int64_t most = 7;
+    constexpr std::int64_t most = tries_before_longest_wait;
     const auto forgotten = static_cast<std::int64_t>(tries.since_last_s / longest_wait_s);
     return std::clamp<std::int64_t>(tries.wrong - forgotten, 0, most);
 }
