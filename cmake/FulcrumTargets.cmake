@@ -57,6 +57,12 @@ target_precompile_headers(fulcrum_precompiled PRIVATE <Eigen/Dense> <algorithm> 
 # fulcrum_compile_together(TARGET NAME sources...): these sources, with paths in full, as one source of the target. Not CMake's own unity build,
 # which includes them by their full paths: what one clone compiled, ccache would not find for another without preprocessing it.
 function(fulcrum_compile_together target name)
+    fulcrum_compile_also(${target} ${name} ${ARGN})
+    set_source_files_properties(${ARGN} PROPERTIES HEADER_FILE_ONLY ON)
+endfunction()
+
+# fulcrum_compile_also(TARGET NAME sources...): the same for sources that are none of the target's own; where they belong they are compiled as before.
+function(fulcrum_compile_also target name)
     set(includes)
     foreach(source ${ARGN})
         file(RELATIVE_PATH relative ${PROJECT_SOURCE_DIR} ${source})
@@ -66,7 +72,6 @@ function(fulcrum_compile_together target name)
     file(CONFIGURE OUTPUT ${unit} @ONLY CONTENT "// Made by CMake (fulcrum_compile_together).\n@includes@")
     target_sources(${target} PRIVATE ${unit})
     set_source_files_properties(${unit} PROPERTIES SKIP_AUTOGEN ON)
-    set_source_files_properties(${ARGN} PROPERTIES HEADER_FILE_ONLY ON)
 endfunction()
 
 # fulcrum_in_batches(TARGET SIZE sources...): the same, so many at a time.
