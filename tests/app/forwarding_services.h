@@ -156,7 +156,7 @@ class ForwardingServices : public ui::ApplicationServices {
     /// Gets the real device, returns the device that the attempt reads instead.
     std::function<std::shared_ptr<Rig>(std::shared_ptr<Rig>)> between;
     std::uint64_t seed = 0;  ///< of the next attempts; 0: drawn, as in the program
-    bool hears = false;  ///< sound is played
+    bool hears = false;      ///< sound is played
     /// What is played in place of the state; empty: the state.
     std::function<SoundState(const SoundState&)> heard;
 
