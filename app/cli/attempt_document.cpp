@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -24,14 +23,6 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr std::uint64_t largest_detail = std::numeric_limits<std::int32_t>::max();
-
-/// In exports the begin of an attempt carries its seed, which places the targets.
-void put_seed(std::vector<Event>& events, std::uint64_t seed) {
-    for (Event& event : events)
-        if (event.kind == EventKind::attempt_begin && seed <= largest_detail)
-            event.detail = static_cast<std::int32_t>(seed);
-}
 std::uint64_t seed_of(const std::vector<Event>& events) {
     const auto begin = std::find_if(events.begin(), events.end(), [](const Event& event) {
         return event.kind == EventKind::attempt_begin;
@@ -207,7 +198,7 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     write_trace_csv(trace_from_samples(record.samples, record.events, labels, loaded.scene.tick_rate, hands),
                     trace);
     std::vector<Event> events = record.events;
-    put_seed(events, summary.meta.seed);
+    for (Event& event : events) put_seed(event, summary.meta.seed);
     write_events_csv(events, labels, loaded.scene.tick_period(), table);
     nlohmann::json document = attempt_document(summary.meta, attempt, scored);
     put_void(document, summary);

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <csignal>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/igtl/live_sender.h"
 #include "app/live/performance.h"
+#include "assessment/trace/events_csv.h"
 #include "assessment/trace/trace_csv.h"
 #include "database/records/attempts.h"
 #include "database/scoring/scoring.h"
@@ -50,36 +52,52 @@ class EndsOnInterrupt {
     void (*terminate_)(int);
 };
 
-/// Sends the rows of a trace that are attempt, neither pause nor what follows the end, at their own pace.
+/// Sends the rows of a trace that are attempt, neither pause nor what follows the end, at their own pace, and
+/// its events.
 class Served {
   public:
-    /// `from`: the trace's time at which the attempt began, s.
-    Served(igtl::Server& server, const Trace& trace, const WireScene& scene, double from, int rate, int speed)
-        : server_(server), trace_(trace), scene_(scene), from_(from), rate_(rate), speed_(speed) {}
+    /// `events`: by time. `from`: the trace's time at which the attempt began, s.
+    Served(igtl::Server& server, const Trace& trace, std::vector<Event> events, const WireScene& scene,
+           double from, int rate, int speed)
+        : server_(server),
+          trace_(trace),
+          events_(std::move(events)),
+          scene_(scene),
+          from_(from),
+          rate_(rate),
+          speed_(speed) {}
 
     void run() {
         start_ = wall_clock_ns() - std::llround(from_ * 1e9);
         begun_ = monotonic_ns() - static_cast<std::int64_t>(from_ * 1e9 / speed_);
-        igtl::Bytes greeting = greeting_of(scene_, start_);
-        const igtl::Bytes begin = state_message(WireState::begin, start_);
-        greeting.insert(greeting.end(), begin.begin(), begin.end());
-        server_.send(greeting);
-        server_.greet_with(std::move(greeting));
+        server_.send(begin_of(scene_, start_, false));
+        server_.greet_with(begin_of(scene_, start_, true));
         for (std::size_t b = 0; b < trace_.blocks.size() && igtl_stopped == 0; ++b) {
             if (b > 0) server_.send(state_message(WireState::resume, at(trace_.blocks[b].first)));
             send_block(trace_.blocks[b]);
             if (b + 1 < trace_.blocks.size())
                 server_.send(state_message(WireState::pause, at(trace_.blocks[b].last - 1)));
         }
-        server_.send(state_message(WireState::end, start_ + static_cast<std::int64_t>(trace_.end * 1e9)));
+        const bool part = igtl_stopped != 0;
+        if (!part) send_events(std::numeric_limits<double>::infinity());
+        server_.send(
+            state_message(WireState::end, start_ + static_cast<std::int64_t>(trace_.end * 1e9), part));
         const std::int64_t until = monotonic_ns() + patience;
         while (server_.backlog() > 0 && monotonic_ns() < until) server_.step(look_ms);
         server_.step(0);
     }
     std::size_t frames() const { return frames_; }
+    std::size_t events() const { return event_; }
 
   private:
-    std::int64_t at(std::size_t row) const { return start_ + std::llround(trace_.t[row] * 1e9); }
+    std::int64_t at(double t) const { return start_ + std::llround(t * 1e9); }
+    std::int64_t at(std::size_t row) const { return at(trace_.t[row]); }
+    /// Those until this time of the trace.
+    void send_events(double until) {
+        for (; event_ < events_.size() && trace_.time_of(events_[event_]) <= until; ++event_)
+            server_.send(event_message(events_[event_], scene_, trace_.tick_period,
+                                       at(trace_.time_of(events_[event_]))));
+    }
     void wait_until(double t) {
         const std::int64_t due = begun_ + static_cast<std::int64_t>(t * 1e9 / speed_);
         for (std::int64_t now = monotonic_ns(); now < due && igtl_stopped == 0; now = monotonic_ns())
@@ -95,6 +113,7 @@ class Served {
             if (!last && trace_.t[row] < next_) continue;
             while (next_ <= trace_.t[row]) next_ = static_cast<double>(++slot_) / rate_;
             wait_until(trace_.t[row]);
+            send_events(trace_.t[row]);
             server_.send(messages_of(frame_of(trace_, row, scene_), scene_, at(row)), monotonic_ns() / ms);
             ++frames_;
         }
@@ -102,13 +121,22 @@ class Served {
 
     igtl::Server& server_;
     const Trace& trace_;
+    const std::vector<Event> events_;
     const WireScene& scene_;
     double from_;
     int rate_, speed_;
     std::int64_t start_ = 0, begun_ = 0, slot_ = 0;
     double next_ = 0;
-    std::size_t frames_ = 0;
+    std::size_t frames_ = 0, event_ = 0;
 };
+
+/// Of a record, as a file of events has them.
+std::vector<Event> served_events(std::vector<Event> events, std::uint64_t seed) {
+    for (Event& event : events) put_seed(event, seed);
+    std::stable_sort(events.begin(), events.end(),
+                     [](const Event& a, const Event& b) { return a.tick < b.tick; });
+    return events;
+}
 
 int run_serve(const Arguments& arguments) {
     const igtl::Address address = igtl::parse_address(arguments.value_or("--address", ""), "--address", 0);
@@ -135,10 +163,11 @@ int run_serve(const Arguments& arguments) {
     while (server.clients() == 0 && igtl_stopped == 0) server.step(look_ms);
     // Ticks of practice from a moment continue those of the attempt that it began with.
     const double from = summary.meta.origin && !trace.t.empty() ? trace.t.front() : 0;
-    Served served(server, trace, scene, from, rate, speed);
+    Served served(server, trace, served_events(record.events, summary.meta.seed), scene, from, rate, speed);
     if (igtl_stopped == 0) served.run();
     const nlohmann::json document = {{"attempt", id},
                                      {"frames", served.frames()},
+                                     {"events", served.events()},
                                      {"rate_hz", rate},
                                      {"duration_s", trace.end - from},
                                      {"clients_dropped", server.dropped()},
@@ -146,8 +175,9 @@ int run_serve(const Arguments& arguments) {
     if (arguments.has("--json"))
         print_json(document);
     else
-        std::cout << served.frames() << " frames of " << decimal_text(trace.end - from, 1) << " s sent; "
-                  << server.dropped() << " clients dropped because they read too slowly\n";
+        std::cout << served.frames() << " frames of " << decimal_text(trace.end - from, 1) << " s and "
+                  << served.events() << " events sent; " << server.dropped()
+                  << " clients dropped because they read too slowly\n";
     return 0;
 }
 
@@ -223,6 +253,20 @@ Received receive_all(igtl::Connection& connection, TraceRecording& recording, st
                      QT_TRANSLATE_NOOP("errors", "name its tools with --left, --right and --camera"));
 }
 
+/// Writes the events where they are wanted and whole; their number.
+std::optional<std::size_t> write_events(const TraceRecording& recording, const Received& received,
+                                        const std::optional<std::string>& file) {
+    const std::optional<std::string> events =
+        received.wrong == 0 ? recording.events_csv() : std::nullopt;  // one of them may be an event
+    if (file && events) write_whole_file(*file, *events, FileAccess::owner_only);
+    if (file && !events)
+        print_note({QT_TRANSLATE_NOOP("commands",
+                                      "note: %1 was not written: the recording has not all events of an "
+                                      "attempt, from its begin to its end"),
+                    *file});
+    return events ? std::optional(recording.events()) : std::nullopt;
+}
+
 int run_record(const Arguments& arguments) {
     const std::string where = arguments.words().empty() ? std::string() : arguments.words()[0];
     const igtl::Address address = igtl::parse_address(where, "HOST:PORT");
@@ -231,6 +275,11 @@ int run_record(const Arguments& arguments) {
         throw UsageError("--output", QT_TRANSLATE_NOOP("errors", "is missing"),
                          QT_TRANSLATE_NOOP("errors", "name the file of the trace: -o TRACE.csv"));
     require_writable_file(*file);
+    const auto events_file = arguments.value("--events");
+    if (events_file == file)
+        throw UsageError("--events", QT_TRANSLATE_NOOP("errors", "is the file of the trace"),
+                         QT_TRANSLATE_NOOP("errors", "name another file"));
+    if (events_file) require_writable_file(*events_file);
     const TraceRecording::Names names = {arguments.value_or("--left", tool_names[0]),
                                          arguments.value_or("--right", tool_names[1]),
                                          arguments.value_or("--camera", tool_names[2])};
@@ -244,10 +293,12 @@ int run_record(const Arguments& arguments) {
     std::ostringstream text;
     write_trace_csv(trace, text);
     write_whole_file(*file, text.str(), FileAccess::owner_only);
+    const std::optional<std::size_t> events = write_events(recording, received, events_file);
     const double length = trace.t.back() - trace.t.front();
     if (arguments.has("--json"))
         print_json({{"file", *file},
                     {"samples", trace.t.size()},
+                    {"events", events ? nlohmann::json(*events) : nlohmann::json()},
                     {"duration_s", length},
                     {"ended_because", word_of(received.end)},
                     {"left_out", recording.left_out()},
@@ -255,6 +306,7 @@ int run_record(const Arguments& arguments) {
                     {"unknown_tools", recording.unknown_tools()}});
     else
         std::cout << *file << ": " << trace.t.size() << " samples in " << decimal_text(length, 1) << " s; "
+                  << (events ? std::to_string(*events) : std::string("not all")) << " events; "
                   << recording.left_out() << " left out, " << received.wrong
                   << " with a wrong checksum; ended: " << word_of(received.end) << '\n';
     return received.end == RecordEnd::not_openigtlink ? 1 : 0;
@@ -281,7 +333,7 @@ std::vector<Command> igtl_commands() {
                            "Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, "
                            "CameraToPatient; mm, axes of 3D Slicer), the force of each instrument on tissue "
                            "(SENSOR LeftForce, RightForce; N) and its state (LeftState, RightState). "
-                           "docs/FORMATS.md has the details.")},
+                           "Events are STRINGs. docs/FORMATS.md has the details.")},
         {"igtl record",
          "[HOST:PORT]",
          0,
@@ -290,6 +342,8 @@ std::vector<Command> igtl_commands() {
              "commands",
              "Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md."),
          {{"--output", "TRACE.csv", QT_TRANSLATE_NOOP("commands", "The file to write."), "", {}, "-o"},
+          {"--events", "EVENTS.csv",
+           QT_TRANSLATE_NOOP("commands", "Also write the events, where Fulcrum sends a whole attempt.")},
           {"--left", "NAME", QT_TRANSLATE_NOOP("commands", "The tool of the left hand."), tool_names[0]},
           {"--right", "NAME", QT_TRANSLATE_NOOP("commands", "The tool of the right hand."), tool_names[1]},
           {"--camera", "NAME", QT_TRANSLATE_NOOP("commands", "The tool of the scope."), tool_names[2]},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "assessment/trace/events_csv.h"
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/device.h"
 
@@ -27,22 +28,31 @@ class LiveSender::Pass {
 
     void follow(const std::shared_ptr<const Attempt>& newest) {
         if (newest == attempt_) return;
-        end();
+        end(true);
         attempt_ = newest;
         begun_ = paused_ = false;
         tick_ = 0;
+        waiting_.clear();
+        begin_event_.reset();
     }
     void send_newest() {
         if (attempt_ == nullptr || ended_with(attempt_)) return;
         const bool over =
-            attempt_->tap->ended.load(std::memory_order_acquire);  // then the newest is the last
+            attempt_->tap->ended.load(std::memory_order_acquire);  // then what is there is the last
+        for (const Event& event : attempt_->tap->events.take()) waiting_.push_back(event);
         TappedSample newest;
         if (attempt_->tap->newest.read(newest) && newest.sample.tick != tick_) send(newest.sample);
-        if (over) end();
+        if (begun_) send_events();
+        if (over) end(attempt_->tap->part.load());
     }
-    void end() {
+    /// `part`: the attempt is still under way, or events of it are missing.
+    void end(bool part) {
         if (attempt_ == nullptr || !begun_) return;
-        server_.send(state_message(WireState::end, time_of(tick_)));
+        if (!part && begin_event_) {
+            put_seed(*begin_event_, attempt_->seed);
+            send(*begin_event_);
+        }
+        server_.send(state_message(WireState::end, time_of(tick_), part));
         server_.greet_with({});
         begun_ = false;
         over_ = attempt_;
@@ -58,11 +68,8 @@ class LiveSender::Pass {
         if (!begun_) {
             start_ = wall_clock_ns();
             start_ -= time_of(sample.tick) - start_;
-            igtl::Bytes greeting = greeting_of(attempt_->scene, start_);
-            const igtl::Bytes state = state_message(WireState::begin, start_);
-            greeting.insert(greeting.end(), state.begin(), state.end());
-            server_.send(greeting);
-            server_.greet_with(std::move(greeting));
+            server_.send(begin_of(attempt_->scene, start_, false));
+            server_.greet_with(begin_of(attempt_->scene, start_, true));
             begun_ = true;
         }
         const bool stopped = (sample.rig_flags & stopped_flags) != 0;
@@ -74,12 +81,26 @@ class LiveSender::Pass {
             server_.send(messages_of(frame_of(sample), attempt_->scene, time_of(sample.tick)),
                          monotonic_ns() / ms_ns);
     }
+    void send(const Event& event) {
+        server_.send(event_message(event, attempt_->scene, attempt_->tick_period, time_of(event.tick)));
+    }
+    void send_events() {
+        for (const Event& event : waiting_) {
+            if (event.kind == EventKind::attempt_begin)
+                begin_event_ = event;
+            else if (server_.clients() > 0)
+                send(event);
+        }
+        waiting_.clear();
+    }
 
     igtl::Server& server_;
     std::shared_ptr<const Attempt> attempt_, over_;
     bool begun_ = false, paused_ = false;
     std::uint32_t tick_ = 0;
     std::int64_t start_ = 0;
+    std::vector<Event> waiting_;        // for the first sample, which says when the attempt began
+    std::optional<Event> begin_event_;  // for the end
 };
 
 LiveSender::LiveSender(const igtl::Address& address) : server_(address), port_(server_.port()) {
@@ -91,10 +112,11 @@ LiveSender::~LiveSender() {
     thread_.join();
 }
 
-std::shared_ptr<SampleTap> LiveSender::begin(const Scene& scene) {
+std::shared_ptr<SampleTap> LiveSender::begin(const Scene& scene, std::uint64_t seed) {
     auto attempt = std::make_shared<Attempt>();
     attempt->tap = std::make_shared<SampleTap>();
     attempt->scene = wire_scene(scene);
+    attempt->seed = seed;
     attempt->tick_period = scene.tick_period();
     const std::lock_guard<std::mutex> lock(mutex_);
     next_ = attempt;
@@ -119,7 +141,7 @@ void LiveSender::run() {
         clients_.store(server_.clients(), std::memory_order_relaxed);
         dropped_.store(server_.dropped(), std::memory_order_relaxed);
     }
-    pass.end();
+    pass.end(true);
 }
 
 }  // namespace fulcrum::app

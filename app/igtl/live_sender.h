@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sends a running attempt over OpenIGTLink, 60 times a second, from a thread of its own: neither the haptic
-// thread nor the window waits for it or for a client.
+// Sends a running attempt over OpenIGTLink, its newest sample 60 times a second and every event, from a
+// thread of its own: neither the haptic thread nor the window waits for it or for a client.
 #pragma once
 
 #include <atomic>
@@ -21,8 +21,9 @@ class LiveSender {
     LiveSender(const LiveSender&) = delete;
     LiveSender& operator=(const LiveSender&) = delete;
 
-    /// The next attempt: what is returned goes into its LiveRequest.
-    std::shared_ptr<SampleTap> begin(const Scene& scene);
+    /// The next attempt: what is returned goes into its LiveRequest. Its seed is sent when it is over, since
+    /// it says where targets will be.
+    std::shared_ptr<SampleTap> begin(const Scene& scene, std::uint64_t seed);
 
     int port() const { return port_; }
     std::size_t clients() const { return clients_.load(std::memory_order_relaxed); }
@@ -33,6 +34,7 @@ class LiveSender {
     struct Attempt {
         std::shared_ptr<SampleTap> tap;
         WireScene scene;
+        std::uint64_t seed = 0;
         double tick_period = 1e-3;
     };
     class Pass;

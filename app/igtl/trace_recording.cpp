@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "app/igtl/wire_frame.h"
+#include "assessment/trace/events_csv.h"
 #include "assessment/trace/trace_csv.h"
 
 namespace fulcrum::app {
@@ -14,6 +16,7 @@ constexpr std::size_t force_part = 2, state_part = 4, camera_part = 6;
 constexpr const char* sensor_names[] = {"LeftForce", "RightForce", "LeftState", "RightState"};
 constexpr std::size_t sensor_sizes[] = {3, 3, 9, 9};
 constexpr std::size_t most_unknown = 32, longest_label_list = 120;
+constexpr double event_time_unit = 1e-5;  // s, orders the events of every tick rate
 constexpr double resolution = 1e7;  // of a place in the record, per m: takes the rounding of the floats away
 
 Vector3 patient_of(const Vector3& v) {  // from Slicer's axes
@@ -41,6 +44,13 @@ std::string label_of(std::string_view text) {
     for (char& c : label)
         if (c <= ' ' || c > '~' || c == ',' || c == '"') c = '_';
     return label.empty() ? std::string("_") : label;
+}
+
+/// The rows of names and units of an events file.
+std::string events_header() {
+    std::ostringstream text;
+    write_events_csv({}, {}, 1, text);
+    return text.str();
 }
 
 /// Keeps the rows from `first` on.
@@ -83,6 +93,8 @@ TraceRecording::Took TraceRecording::take(const igtl::Message& message, std::int
     igtl::Position position;
     igtl::Sensor sensor;
     igtl::Status status;
+    std::string_view text;
+    std::uint16_t encoding = 0;
     if (message.type == "TRANSFORM" && igtl::read_transform(message.content, transform)) {
         take_pose(message.device, time, igtl::pose_of(transform));
     } else if (message.type == "POSITION" && igtl::read_position(message.content, position)) {
@@ -95,24 +107,62 @@ TraceRecording::Took TraceRecording::take(const igtl::Message& message, std::int
         }
     } else if (message.type == "SENSOR" && igtl::read_sensor(message.content, sensor)) {
         take_sensor(message.device, time, sensor);
-    } else if (message.type == "STRING" && message.device == "Tissues") {
-        std::string_view text;
-        std::uint16_t encoding = 0;
-        if (igtl::read_string(message.content, text, encoding) && trace_.tissues.empty())
-            while (!text.empty() && trace_.tissues.size() < longest_label_list) {
-                const std::size_t end = std::min(text.find('\n'), text.size());
-                trace_.tissues.push_back(label_of(text.substr(0, end)));
-                text.remove_prefix(std::min(end + 1, text.size()));
-            }
+    } else if (message.type == "STRING" && igtl::read_string(message.content, text, encoding)) {
+        if (message.device == "Tissues") take_tissues(text);
+        if (message.device == "Event") take_event(text);
     } else if (message.type == "STATUS" && message.device == "Attempt" &&
                igtl::read_status(message.content, status)) {
-        if (status.name == "begin" && rows_made_ == 0 && in_row_ == 0) begin_ns_ = igtl::ns_of(time);
-        if (status.name == "end") {
-            close_row();
-            return Took::end;
-        }
+        if (take_state(time, status) == Took::end) return Took::end;
     }
     return rows_made_ > before ? Took::row : Took::nothing;
+}
+
+TraceRecording::Took TraceRecording::take_state(std::uint64_t time, const igtl::Status& status) {
+    if (status.name == "begin" && rows_made_ == 0 && in_row_ == 0) {
+        begin_ns_ = igtl::ns_of(time);
+        begin_seen_ = status.text.empty();
+    }
+    if (status.name != "end") return Took::nothing;
+    close_row();
+    end_seen_ = status.text.empty();
+    return Took::end;
+}
+
+void TraceRecording::take_tissues(std::string_view text) {
+    if (!trace_.tissues.empty()) return;
+    while (!text.empty() && trace_.tissues.size() < longest_label_list) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        trace_.tissues.push_back(label_of(text.substr(0, end)));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
+
+void TraceRecording::take_event(std::string_view row) {
+    std::istringstream file(events_header() + std::string(row) + '\n');
+    std::vector<Event> read;
+    try {
+        read = read_events_csv(file, "Event", trace_.tissues, event_time_unit);
+    } catch (const std::exception&) {
+        // It is no event.
+    }
+    if (read.size() == 1 && events_.size() < events_csv_row_limit) {
+        events_.push_back({read[0].tick, read[0].kind == EventKind::attempt_begin, std::string(row)});
+        return;
+    }
+    ++left_out_;
+    event_missing_ = true;
+}
+
+std::optional<std::string> TraceRecording::events_csv() const {
+    if (events_.empty() || event_missing_ || !begin_seen_ || !end_seen_) return std::nullopt;
+    // An event can be recorded after later ones (write_events_csv()).
+    std::vector<EventRow> rows = events_;
+    std::stable_sort(rows.begin(), rows.end(), [](const EventRow& a, const EventRow& b) {
+        return a.time != b.time ? a.time < b.time : a.begins && !b.begins;
+    });
+    std::string text = events_header();
+    for (const EventRow& row : rows) text += row.text + '\n';
+    return text;
 }
 
 void TraceRecording::begin_part(std::size_t part, std::uint64_t time) {

@@ -2,7 +2,9 @@
 #include "app/igtl/wire_frame.h"
 
 #include <cmath>
+#include <sstream>
 
+#include "assessment/trace/events_csv.h"
 #include "sim_core/instrument/instrument.h"
 
 namespace fulcrum::app {
@@ -12,6 +14,7 @@ constexpr const char* force_names[hand_count] = {"LeftForce", "RightForce"};
 constexpr const char* state_names[hand_count] = {"LeftState", "RightState"};
 constexpr const char* attempt_name = "Attempt";
 constexpr const char* tissues_name = "Tissues";
+constexpr const char* event_device = "Event";
 constexpr std::uint16_t status_good = 1;
 constexpr std::size_t force_count = 3;
 
@@ -170,10 +173,29 @@ igtl::Bytes greeting_of(const WireScene& scene, std::int64_t ns) {
     return bytes;
 }
 
-igtl::Bytes state_message(WireState state, std::int64_t ns) {
+igtl::Bytes state_message(WireState state, std::int64_t ns, bool part) {
     igtl::Bytes bytes;
     igtl::append_status(bytes, attempt_name, igtl::timestamp_of(ns),
-                        {status_good, static_cast<std::int64_t>(state), word_of(state), ""});
+                        {status_good, static_cast<std::int64_t>(state), word_of(state), part ? "part" : ""});
+    return bytes;
+}
+
+igtl::Bytes begin_of(const WireScene& scene, std::int64_t ns, bool part) {
+    igtl::Bytes bytes = greeting_of(scene, ns);
+    const igtl::Bytes begin = state_message(WireState::begin, ns, part);
+    bytes.insert(bytes.end(), begin.begin(), begin.end());
+    return bytes;
+}
+
+igtl::Bytes event_message(const Event& event, const WireScene& scene, double tick_period, std::int64_t ns) {
+    Event sent = event;
+    if (sent.tissue >= static_cast<int>(scene.tissues.size())) sent.tissue = -1;
+    std::ostringstream file;
+    write_events_csv({sent}, scene.tissues, tick_period, file);
+    std::string text = file.str();
+    text.pop_back();  // the end of its last line, which is the event
+    igtl::Bytes bytes;
+    igtl::append_string(bytes, event_device, igtl::timestamp_of(ns), text.substr(text.rfind('\n') + 1));
     return bytes;
 }
 

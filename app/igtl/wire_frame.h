@@ -12,6 +12,7 @@
 #include "assessment/trace/trace.h"
 #include "sim_core/igtl/server.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"
 
 namespace fulcrum::app {
@@ -45,7 +46,12 @@ igtl::ServedFrame messages_of(const WireFrame& frame, const WireScene& scene, st
 /// What a client gets first: the labels of the tissues, one a line.
 igtl::Bytes greeting_of(const WireScene& scene, std::int64_t ns);
 enum class WireState { begin, pause, resume, end };
-igtl::Bytes state_message(WireState state, std::int64_t ns);
+/// `part`: begins or ends what is not the whole attempt.
+igtl::Bytes state_message(WireState state, std::int64_t ns, bool part = false);
+/// What every client gets when an attempt begins, and with `part` one that connects later.
+igtl::Bytes begin_of(const WireScene& scene, std::int64_t ns, bool part);
+/// A row of an events file.
+igtl::Bytes event_message(const Event& event, const WireScene& scene, double tick_period, std::int64_t ns);
 
 /// Names of the tools: the instruments of the hands, then the camera.
 inline constexpr const char* tool_names[hand_count + 1] = {"LeftTipToPatient", "RightTipToPatient",
@@ -67,6 +73,10 @@ class TraceRecording {
     /// Rows that were left out because a tool that comes later was still missing, and messages whose time or
     /// content was not usable.
     std::size_t left_out() const { return left_out_; }
+    std::size_t events() const { return events_.size(); }
+    /// The file of the events. Nothing where none came, or not those of the whole attempt from its begin to
+    /// its end: of a part, what counts events would be wrong.
+    std::optional<std::string> events_csv() const;
     /// Names of tools that are not those that Fulcrum reads.
     const std::vector<std::string>& unknown_tools() const { return unknown_; }
     /// The trace, with the channels that were sent. Once, at the end.
@@ -75,12 +85,20 @@ class TraceRecording {
   private:
     void take_pose(std::string_view device, std::uint64_t time, const std::optional<igtl::Pose>& pose);
     void take_sensor(std::string_view device, std::uint64_t time, const igtl::Sensor& sensor);
+    void take_tissues(std::string_view text);
+    void take_event(std::string_view row);
+    Took take_state(std::uint64_t time, const igtl::Status& status);
     /// Which of the parts of a row this message is; closes the row where it has the part already.
     void begin_part(std::size_t part, std::uint64_t time);
     void close_row();
     void drop_early_rows();
 
     static constexpr std::size_t part_count = 3 * hand_count + 1;
+    struct EventRow {
+        std::uint32_t time = 0;  // in units of 10 us
+        bool begins = false;     // the attempt; LiveSender sends it last
+        std::string text;
+    };
     Names names_;
     Trace trace_;
     WireFrame frame_;
@@ -89,6 +107,8 @@ class TraceRecording {
     std::int64_t row_ns_ = 0;
     std::optional<std::int64_t> begin_ns_;
     std::vector<std::string> unknown_;
+    std::vector<EventRow> events_;
+    bool begin_seen_ = false, end_seen_ = false, event_missing_ = false;
     std::size_t left_out_ = 0, rows_made_ = 0;
 };
 

@@ -97,6 +97,8 @@ struct LiveAttempt::State : public AttemptSink {
     void run_haptic() noexcept;
     void run_world() noexcept;
     void run_recorder();
+    void keep(const Event& event);
+    void end_tap();
     void drain();
     void finish();
     void fail(const Sentence& what, std::exception_ptr why);
@@ -183,7 +185,6 @@ void LiveAttempt::State::run_haptic() noexcept {
         counters.tick_ends(last_duration, last_use);
     }
     release_forces(rig, output, engine->scene());
-    if (tap != nullptr) tap->ended.store(true, std::memory_order_release);
     haptic_stopped.store(true);
     ticks_ready.post();
 }
@@ -225,6 +226,15 @@ void LiveAttempt::State::run_world() noexcept {
     world_stopped.store(true);
 }
 
+void LiveAttempt::State::keep(const Event& event) {
+    if (request.tap != nullptr) request.tap->events.add(event);
+    if (recording) recording->append(event);
+}
+
+void LiveAttempt::State::end_tap() {
+    if (request.tap != nullptr) request.tap->ended.store(true, std::memory_order_release);
+}
+
 void LiveAttempt::State::drain() {
     RecordTick tick;
     while (record_ring.pop(tick)) {
@@ -232,12 +242,10 @@ void LiveAttempt::State::drain() {
     }
     RecordWorld world;
     while (record_world_ring.pop(world)) {
-        if (!recording) continue;
-        if (world.is_event) {
-            recording->append(world.event);
-        } else {
+        if (world.is_event)
+            keep(world.event);
+        else if (recording)
             recording->append(world.step);
-        }
     }
     if (!recording) return;
     if (const std::int64_t gap = gap_ns.exchange(0)) recording->stood_still(static_cast<double>(gap) * 1e-9);
@@ -250,6 +258,7 @@ void LiveAttempt::State::fail(const Sentence& what, std::exception_ptr why) {
     trouble = what;
     error = std::move(why);
     failed.store(true);
+    if (request.tap != nullptr) request.tap->part.store(true);
 }
 
 void LiveAttempt::State::run_recorder() {
@@ -296,19 +305,13 @@ void LiveAttempt::State::finish() {
         return;
     }
     const std::uint64_t lost = world_ring.lost() + record_ring.lost() + record_world_ring.lost();
-    Event mark;
-    mark.tick = tick_count.load();
-    if (lost > 0) {
-        mark.kind = EventKind::samples_lost;
-        mark.detail = static_cast<std::int32_t>(lost);
-        recording->append(mark);
-    }
-    if (!ended.load()) {
-        // A trainee who closes the window abandons the attempt.
-        mark.kind = abandon.load() ? EventKind::abandoned : EventKind::interrupted;
-        mark.detail = 0;
-        recording->append(mark);
-    }
+    const auto mark = [&](EventKind kind, std::uint64_t detail) {
+        keep({tick_count.load(), kind, 255, -1, static_cast<std::int32_t>(detail), 0.0F});
+    };
+    if (lost > 0) mark(EventKind::samples_lost, lost);
+    // A trainee who closes the window abandons the attempt.
+    if (!ended.load()) mark(abandon.load() ? EventKind::abandoned : EventKind::interrupted, 0);
+    end_tap();  // before what takes time
     recording->settle();
     if (recording->became_practice()) became_practice.store(true);
     ScoredAttempt score = recording->score();
@@ -339,7 +342,10 @@ void LiveAttempt::State::finish() {
 
 LiveAttempt::LiveAttempt(LiveRequest request) : state_(std::make_unique<State>(std::move(request))) {
     State& state = *state_;
-    state.recorder_thread = std::thread([&state] { state.run_recorder(); });
+    state.recorder_thread = std::thread([&state] {
+        state.run_recorder();
+        state.end_tap();  // wherever it ended
+    });
 }
 
 LiveAttempt::~LiveAttempt() {

@@ -47,7 +47,7 @@ struct LiveRequest {
     std::function<bool(AttemptEngine& engine, const std::atomic<bool>& stop)> bring = {};
     /// Makes the ghost to be shown, null where `stop` became true before. Empty: none. As bring.
     std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>& stop)> make_ghost = {};
-    /// Gets every sample; null: nobody looks.
+    /// Gets every sample and event; null: nobody looks.
     std::shared_ptr<SampleTap> tap = {};
     /// Makes the key frames of the replay while the attempt runs; null: nobody.
     std::shared_ptr<FrameFollower> follower = {};

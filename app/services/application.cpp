@@ -226,7 +226,7 @@ class Services : public ui::ApplicationServices {
         if (replay.open == nullptr) replay.open = std::make_shared<char>();
         open_replays_[attempt.meta.id] = replay.open;
         replay.keeping = frames_of(session, attempt, replay.start.loaded);
-        replay.tap = sending_.begin(replay.start.loaded.scene);
+        replay.tap = sending_.begin(replay.start.loaded.scene, replay.start.seed);
         return make_replay_source(std::move(replay));
     }
     void prepare_replays(const database::Session& session) override {
@@ -351,7 +351,7 @@ class Services : public ui::ApplicationServices {
 
     std::unique_ptr<ui::AttemptSession> begin(LiveRequest live) {
         in_advance_.stop();
-        live.tap = sending_.begin(live.loaded.scene);
+        live.tap = sending_.begin(live.loaded.scene, live.seed);
         if (!live.store_path.empty()) {
             live.follower = std::make_shared<FrameFollower>();
             live.follower->replaces(std::move(follower_));

@@ -22,7 +22,8 @@ struct ReplayRequest {
     std::shared_ptr<FrameFollower> follower = {};  ///< of the newest attempt, which may be this one; or null
     std::vector<PackedFrame> frames = {};          ///< of the record's beginning, made already; or none
     std::shared_ptr<void> open = {};               ///< held while the replay is open
-    std::shared_ptr<SampleTap> tap = {};  ///< gets the recorded sample of what is shown; null: nobody looks
+    std::shared_ptr<SampleTap> tap =
+        {};  ///< gets the recorded sample of what is shown, no events; null: nobody looks
 };
 
 /// On a thread of its own one engine runs through the record once and leaves key frames (FrameStore), unless

@@ -57,8 +57,8 @@ void Sending::choose(bool wanted) {
         start({}, {});
 }
 
-std::shared_ptr<SampleTap> Sending::begin(const Scene& scene) {
-    return sender_ != nullptr ? sender_->begin(scene) : nullptr;
+std::shared_ptr<SampleTap> Sending::begin(const Scene& scene, std::uint64_t seed) {
+    return sender_ != nullptr ? sender_->begin(scene, seed) : nullptr;
 }
 
 }  // namespace fulcrum::app

@@ -18,7 +18,7 @@ class Sending {
     /// Remembered, unless the variable names an address.
     void choose(bool wanted);
     /// For an attempt in this scene; null where nothing is sent.
-    std::shared_ptr<SampleTap> begin(const Scene& scene);
+    std::shared_ptr<SampleTap> begin(const Scene& scene, std::uint64_t seed);
 
   private:
     void start(const std::string& address, const std::string& named);

@@ -89,6 +89,12 @@ EventKind kind_in(const CsvReader& reader) {
 
 }  // namespace
 
+void put_seed(Event& event, std::uint64_t seed) {
+    constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
+    if (event.kind == EventKind::attempt_begin && seed <= largest)
+        event.detail = static_cast<std::int32_t>(seed);
+}
+
 void write_events_csv(std::vector<Event> events, const std::vector<std::string>& tissues, double tick_period,
                       std::ostream& out) {
     // The first movement is known only when it has lasted: it is recorded after later events.

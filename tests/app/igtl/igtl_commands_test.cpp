@@ -5,9 +5,9 @@
 
 #include <QProcess>
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "app/services/program.h"
@@ -15,6 +15,7 @@
 #include "database/records/recorder.h"
 #include "database/rows/packed_bytes.h"
 #include "sim_core/numerics/input_error.h"
+#include "tests/app/igtl/recorded_metrics.h"
 #include "tests/app/program_path.h"
 #include "tests/support/fake_tracker.h"
 #include "tests/support/own_folder.h"
@@ -48,7 +49,7 @@ class IgtlCommands : public ::testing::Test {
     std::string path(const char* name) const { return (folder_ / name).string(); }
     /// Sends the attempt at this rate and so many times as fast as it was performed, and records it.
     nlohmann::json sent_and_recorded(const std::string& attempt, int rate, const std::string& trace,
-                                     int speed = 1000) const {
+                                     int speed, const std::string& events) const {
         QProcess serve;
         serve.setProcessChannelMode(QProcess::MergedChannels);
         serve.start(QString::fromStdString(program_path()),
@@ -60,10 +61,15 @@ class IgtlCommands : public ::testing::Test {
         while (!said.contains(" as soon as") && serve.waitForReadyRead(20000)) said += serve.readAll();
         const int at = said.indexOf("127.0.0.1:");
         const std::string address = said.mid(at, said.indexOf(' ', at) - at).toStdString();
-        nlohmann::json recorded = run_json({"igtl", "record", address, "-o", trace, "--seconds", "20"});
+        nlohmann::json recorded =
+            run_json({"igtl", "record", address, "-o", trace, "--events", events, "--seconds", "20"});
         EXPECT_TRUE(serve.waitForFinished(20000));
         EXPECT_EQ(serve.exitCode(), 0) << said.toStdString();
         return recorded;
+    }
+    std::size_t count_of_events(const std::string& attempt) const {
+        const database::Store store = database::Store::open(path("store.db"));
+        return database::Attempts(store).read_trace(store.station_session(), attempt).events.size();
     }
     /// Practice that was taken over from a stored attempt after this tick: a second of its movements.
     std::string taken_over(const std::string& source, std::uint32_t origin) const {
@@ -101,67 +107,63 @@ class IgtlCommands : public ::testing::Test {
     test::OwnFolder folder_;
 };
 
-/// Metrics that a trace without events has, of an attempt that has them: their relative difference.
-double largest_difference(const nlohmann::json& stored, const nlohmann::json& read,
-                          const std::vector<std::string>& without, int& compared, int& not_scored) {
-    double largest = 0;
-    compared = not_scored = 0;
-    for (const nlohmann::json& one : stored) {
-        if (one["value"].is_null()) continue;
-        const auto same = std::find_if(read.begin(), read.end(), [&](const nlohmann::json& other) {
-            return other["id"] == one["id"] && other["hand"] == one["hand"] &&
-                   other["tissue"] == one["tissue"];
-        });
-        const bool left_out = std::find(without.begin(), without.end(), one["id"]) != without.end();
-        if (same == read.end() || (*same)["value"].is_null()) {
-            ++not_scored;
-            if (same != read.end()) {
-                EXPECT_FALSE((*same)["absent_because"].is_null()) << one["id"];
-            }
-            continue;
-        }
-        if (left_out) continue;
-        ++compared;
-        const double a = one["value"].get<double>(), b = (*same)["value"].get<double>();
-        const double difference = std::abs(a - b) / std::max(std::abs(a), 1e-9);
-        largest = std::max(largest, difference);
-        EXPECT_LT(difference, 0.1) << one["id"] << one["hand"];
-    }
-    return largest;
-}
-
 TEST_F(IgtlCommands, AnAttemptThatIsSentAndRecordedGivesTheMetricsOfTheAttempt) {
     const nlohmann::json attempt = run_json({"perform", "A2", "--seed", "7", "--db", path("store.db")});
-    const std::string id = attempt["attempt"];
+    const std::string id = attempt["attempt"], trace = path("trace.csv"), events = path("events.csv");
+    const auto values =
+        static_cast<int>(std::count_if(attempt["metrics"].begin(), attempt["metrics"].end(),
+                                       [](const nlohmann::json& row) { return !row["value"].is_null(); }));
+    EXPECT_GE(values, 100);
     struct Case {
         int rate;
-        double tolerance;
-        int least_compared;
+        double share, precisions;
+        std::set<std::string> absent;
     };
     // docs/FORMATS.md, OpenIGTLink, says these.
-    for (const Case& one : {Case{1000, 1e-6, 71}, Case{60, 0.06, 66}}) {
-        const std::string trace = path("trace.csv");
-        const nlohmann::json recorded = sent_and_recorded(id, one.rate, trace);
+    for (const Case& one : {Case{1000, 1e-6, 1e-3, {}}, Case{60, 0.06, 2, {"dfdt_max", "tremor"}}}) {
+        SCOPED_TRACE(one.rate);
+        const nlohmann::json recorded = sent_and_recorded(id, one.rate, trace, 1000, events);
         EXPECT_EQ(recorded["ended_because"], "attempt ended");
         EXPECT_EQ(recorded["left_out"], 0);
         EXPECT_EQ(recorded["wrong_checksums"], 0);
-        const nlohmann::json metrics = run_json({"metrics", trace, "--task", "A2"})["metrics"];
-        int compared = 0, not_scored = 0;
-        // These are measured from the first movement on, which is an event.
-        EXPECT_LT(largest_difference(attempt["metrics"], metrics, {"horizon_err", "idle", "off_screen"},
-                                     compared, not_scored),
-                  one.tolerance)
-            << one.rate;
-        EXPECT_GE(compared, one.least_compared);
-        EXPECT_GT(not_scored, 0) << "what needs events";
+        EXPECT_EQ(recorded["events"], count_of_events(id));
+        test::Recorded expected;
+        expected.events = true;
+        expected.rate = one.rate;
+        expected.share = one.share;
+        expected.precisions = one.precisions;
+        const nlohmann::json read = run_json({"metrics", trace, "--events", events, "--task", "A2"});
+        const test::Compared whole = test::compare_metrics(attempt["metrics"], read["metrics"], expected);
+        EXPECT_EQ(whole.absent, one.absent);
+        if (one.rate == 1000) {
+            EXPECT_EQ(whole.values, values) << "every one";
+            EXPECT_EQ(read["passed"], attempt["passed"]);
+            ASSERT_EQ(read["gates"].size(), attempt["gates"].size());
+            for (std::size_t i = 0; i < read["gates"].size(); ++i)
+                EXPECT_EQ(read["gates"][i]["passed"], attempt["gates"][i]["passed"]) << i;
+        }
+        // Without the events: what needs them is absent and says so. These are measured from the first
+        // movement on, which is an event.
+        const std::set<std::string> from_first_movement = {"horizon_err", "idle", "off_screen"};
+        expected.events = false;
+        expected.comparable = [&](const MetricDescriptor& metric) {
+            return from_first_movement.count(metric.id) == 0;
+        };
+        const nlohmann::json alone = run_json({"metrics", trace, "--task", "A2"})["metrics"];
+        const test::Compared motion = test::compare_metrics(attempt["metrics"], alone, expected);
+        for (const std::string& metric : motion.absent)
+            EXPECT_TRUE(find_metric(metric)->needs_events || one.absent.count(metric) != 0) << metric;
+        EXPECT_GE(motion.values, 60);
     }
 }
 
 TEST_F(IgtlCommands, PracticeFromALateMomentIsSentAtOnce) {
     const nlohmann::json attempt = run_json({"perform", "A2", "--seed", "7", "--db", path("store.db")});
     const std::string taken = taken_over(attempt["attempt"].get<std::string>(), 600000);
-    const nlohmann::json recorded = sent_and_recorded(taken, 60, path("taken.csv"), 1);
+    const nlohmann::json recorded = sent_and_recorded(taken, 60, path("taken.csv"), 1, path("none.csv"));
     EXPECT_EQ(recorded["ended_because"], "attempt ended");
+    EXPECT_TRUE(recorded["events"].is_null()) << "this record has none";
+    EXPECT_FALSE(std::ifstream(path("none.csv")).good());
     EXPECT_GE(recorded["samples"], 50);
     EXPECT_NEAR(recorded["duration_s"].get<double>(), 1, 0.1);
     // What is imported lasts as long as it was recorded, whatever its first time.
@@ -188,6 +190,9 @@ TEST_F(IgtlCommands, WhatCannotBeRecordedSaysWhyAndWritesNothing) {
         std::string::npos)
         << names;
     EXPECT_NE(error_of({"igtl", "record", others.address()}).find("-o TRACE.csv"), std::string::npos);
+    EXPECT_NE(error_of({"igtl", "record", others.address(), "-o", file, "--events", file})
+                  .find("--events: is the file of the trace; name another file"),
+              std::string::npos);
     EXPECT_NE(error_of({"igtl", "record", "a b", "-o", file}).find("is not HOST:PORT"), std::string::npos);
     EXPECT_NE(error_of({"igtl", "record", "127.0.0.1:1", "-o", file}).find("no OpenIGTLink server answers"),
               std::string::npos);
@@ -204,10 +209,13 @@ TEST_F(IgtlCommands, AServerThatGoesAwayLeavesWhatItSent) {
         while (tracker->frames < 60) std::this_thread::yield();
         tracker.reset();
     });
-    const nlohmann::json recorded = run_json({"igtl", "record", address, "-o", file, "--right", "Probe"});
+    const nlohmann::json recorded =
+        run_json({"igtl", "record", address, "-o", file, "--events", path("events.csv"), "--right", "Probe"});
     ends.join();
     EXPECT_EQ(recorded["ended_because"], "the server closed the connection");
     EXPECT_GT(recorded["wrong_checksums"], 0);
+    EXPECT_TRUE(recorded["events"].is_null());
+    EXPECT_FALSE(std::ifstream(path("events.csv")).good());
     std::ifstream in(file);
     std::string header;
     std::getline(in, header);

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <sstream>
 
 #include "app/igtl/live_sender.h"
 #include "assessment/assets/assets.h"
+#include "assessment/trace/events_csv.h"
 #include "database/scoring/loaded_task.h"
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/device.h"
+#include "sim_core/telemetry/event_names.h"
 
 namespace fulcrum::app {
 namespace {
@@ -136,6 +139,78 @@ TEST(IgtlWireFrame, ASampleComesBackAsTheRecordHasIt) {
     }
 }
 
+/// One of each kind, in the order of a record, in which an event can follow a later one.
+std::vector<Event> event_of_each_kind() {
+    std::vector<Event> events;
+    for (const auto& row : event_kinds) {
+        const auto i = static_cast<std::int32_t>(events.size());
+        Event event;
+        event.tick = static_cast<std::uint32_t>(7 * i + (i % 5 == 0 ? 30 : 0));
+        event.kind = row.kind;
+        event.hand = static_cast<std::uint8_t>(i % 3 == 2 ? 255 : i % 3);
+        event.tissue = static_cast<std::int8_t>(i % 2 - 1);
+        event.detail = -1000 * i;
+        event.value = 0.1F * static_cast<float>(i);
+        events.push_back(event);
+    }
+    return events;
+}
+
+TEST(IgtlWireFrame, EventsComeBackAsTheFileOfTheirAttemptAndOnlyWhole) {
+    const WireScene scene = wire_scene(scene_of_a2());
+    const std::vector<Event> events = event_of_each_kind();
+    EXPECT_GT(events.size(), 50U);
+    std::ostringstream file;
+    write_events_csv(events, scene.tissues, 1e-3, file);
+    constexpr std::int64_t start = 1'764'115'200'000'000'000;
+    enum class Sent { all, begun_before, cut_off, no_begin, no_end, no_events };
+    const auto recorded = [&](Sent sent) {
+        TraceRecording recording;
+        if (sent == Sent::no_begin)
+            give(recording, greeting_of(scene, start));
+        else
+            give(recording, begin_of(scene, start, sent == Sent::begun_before));
+        if (sent != Sent::no_events)
+            for (const Event& event : events)
+                give(recording, event_message(event, scene, 1e-3, start + 1'000'000LL * event.tick));
+        give(recording, messages_of(WireFrame(), scene, start + 1'000'000));
+        if (sent != Sent::no_end) {
+            EXPECT_EQ(give(recording, state_message(WireState::end, start + 9, sent == Sent::cut_off)),
+                      Took::end);
+        }
+        EXPECT_EQ(recording.left_out(), 0U);
+        EXPECT_EQ(recording.events(), sent == Sent::no_events ? 0U : events.size());
+        EXPECT_EQ(recording.finish().t.size(), 1U) << "an event is no row of the trace";
+        return recording.events_csv();
+    };
+    EXPECT_EQ(recorded(Sent::all), file.str());
+    for (const Sent part : {Sent::begun_before, Sent::cut_off, Sent::no_begin, Sent::no_end, Sent::no_events})
+        EXPECT_FALSE(recorded(part)) << static_cast<int>(part);
+
+    // What is none is left out and counted, and the file would lack it.
+    for (const char* row : {"", "0.1,grasp", "0.1,no_such_event,,,0,0", "0.1,grasp,left,no_such_tissue,0,0",
+                            "-1,grasp,,,0,0", "0.1,grasp,,,inf,0", "0.1,grasp,,,0,0\n0.2,grasp,,,0,0"}) {
+        TraceRecording recording;
+        give(recording, begin_of(scene, start, false));
+        give(recording, event_message(events[0], scene, 1e-3, start));
+        igtl::Bytes wrong;
+        igtl::append_string(wrong, "Event", igtl::timestamp_of(start), row);
+        give(recording, wrong);
+        give(recording, state_message(WireState::end, start));
+        EXPECT_EQ(recording.left_out(), 1U) << row;
+        EXPECT_EQ(recording.events(), 1U) << row;
+        EXPECT_FALSE(recording.events_csv()) << row;
+    }
+    // The scene has no such tissue: it is sent without one.
+    Event foreign = events[0];
+    foreign.tissue = 100;
+    TraceRecording recording;
+    give(recording, begin_of(scene, start, false));
+    give(recording, event_message(foreign, scene, 1e-3, start));
+    give(recording, state_message(WireState::end, start));
+    EXPECT_TRUE(recording.events_csv());
+}
+
 TEST(IgtlWireFrame, WhatIsSentIsInMillimetresAndTheAxesOfSlicer) {
     WireScene scene = wire_scene(scene_of_a2());
     scene.trocar[1].reset();
@@ -239,7 +314,7 @@ TEST(IgtlSender, AnAttemptIsSentWithItsPausesAndItsEndToEveryClient) {
     LiveSender sender({"127.0.0.1", 0});
     Listener early(sender.port());
     const Scene scene = scene_of_a2();
-    const auto tap = sender.begin(scene);
+    const auto tap = sender.begin(scene, 1234);
     std::mt19937 random(5);
     std::uint32_t tick = 0;
     const auto leave = [&](std::uint32_t flags) {
@@ -247,9 +322,19 @@ TEST(IgtlSender, AnAttemptIsSentWithItsPausesAndItsEndToEveryClient) {
         sample.rig_flags = flags;
         tap->newest.write({sample});
     };
+    std::vector<Event> events;
+    const auto leave_event = [&](EventKind kind) {
+        Event event;
+        event.tick = tick;
+        event.kind = kind;
+        events.push_back(event);
+        tap->events.add(event);
+    };
+    leave_event(EventKind::attempt_begin);  // before the first sample
+    leave_event(EventKind::phase_begin);
     ASSERT_TRUE(early.until([&] {
         leave(0);
-        return early.frames >= 3;
+        return early.frames >= 3 && early.recording.events() == 1;
     }));
     Listener late(sender.port());  // gets the beginning as well
     ASSERT_TRUE(late.until([&] {
@@ -273,28 +358,67 @@ TEST(IgtlSender, AnAttemptIsSentWithItsPausesAndItsEndToEveryClient) {
         leave(0);
         return has(early, "resume") && early.frames > frames;
     }));
+    const std::size_t sent = events.size();
+    leave_event(EventKind::completed);
+    ASSERT_TRUE(early.until([&] { return early.recording.events() == sent; }))
+        << "the event that begins the attempt carries its seed, and is sent last";
+    EXPECT_FALSE(early.recording.events_csv());
     tap->ended.store(true);
     EXPECT_TRUE(early.until([&] { return early.ended; }));
     EXPECT_TRUE(late.until([&] { return late.ended; }));
     EXPECT_EQ(early.states, (std::vector<std::string>{"begin", "pause", "resume", "end"}));
     EXPECT_EQ(late.states, early.states);
+    // The events as the record exports them; not to a client that has not the first of them.
+    put_seed(events[0], 1234);
+    std::ostringstream file;
+    write_events_csv(events, wire_scene(scene).tissues, scene.tick_period(), file);
+    EXPECT_EQ(early.recording.events_csv(), file.str());
+    EXPECT_GT(late.recording.events(), 0U);
+    EXPECT_FALSE(late.recording.events_csv());
     // Times are those of the ticks, whenever a frame was sent.
     const Trace trace = late.recording.finish();
     ASSERT_GT(trace.t.size(), 1U);
     for (const double t : trace.t) EXPECT_NEAR(t * 1e3, std::round(t * 1e3), 1e-5);
     EXPECT_LE(trace.t.back(), 1e-3 * tick);
     // The next attempt begins with its own tissues.
-    const auto next = sender.begin(scene);
+    const auto next = sender.begin(scene, 1);
     next->newest.write({any_sample(random, 1)});
     EXPECT_TRUE(early.until([&] { return early.states.size() == 5; }));
     EXPECT_EQ(early.states.back(), "begin");
     EXPECT_EQ(sender.dropped(), 0U);
 }
 
+TEST(IgtlSender, AnAttemptWhoseEventsAreNotAllSentEndsAsAPart) {
+    for (const bool stored : {false, true}) {
+        auto sender = std::make_unique<LiveSender>(igtl::Address{"127.0.0.1", 0});
+        Listener listener(sender->port());
+        const auto tap = sender->begin(scene_of_a2(), 1);
+        std::mt19937 random(7);
+        Event event;
+        tap->events.add(event);
+        event.kind = EventKind::phase_begin;
+        tap->events.add(event);
+        std::uint32_t tick = 0;
+        ASSERT_TRUE(listener.until([&] {
+            tap->newest.write({any_sample(random, ++tick)});
+            return listener.frames >= 2 && listener.recording.events() == 1;
+        }));
+        if (stored) {  // it could not be, and what came after that is missing
+            tap->part.store(true);
+            tap->ended.store(true);
+        } else {  // sending is switched off
+            sender.reset();
+        }
+        EXPECT_TRUE(listener.until([&] { return listener.ended; }));
+        EXPECT_EQ(listener.recording.events(), 1U) << "the seed is of a whole attempt";
+        EXPECT_FALSE(listener.recording.events_csv());
+    }
+}
+
 TEST(IgtlSender, NobodyWaitsForAClientThatDoesNotRead) {
     LiveSender sender({"127.0.0.1", 0});
     const igtl::Connection silent({"127.0.0.1", sender.port()}, 2000);
-    const auto tap = sender.begin(scene_of_a2());
+    const auto tap = sender.begin(scene_of_a2(), 1);
     std::mt19937 random(6);
     std::int64_t longest = 0;
     for (std::uint32_t tick = 1; tick <= 2000; ++tick) {

@@ -282,6 +282,10 @@
         <translation>Listet die installierten Beurteilungsbögen mit ihren Punkten auf; fulcrum check DATEI prüft einen.</translation>
     </message>
     <message>
+        <source>note: %1 was not written: the recording has not all events of an attempt, from its begin to its end</source>
+        <translation>Hinweis: %1 wurde nicht geschrieben: Die Aufnahme hat nicht alle Ereignisse eines Versuchs von seinem Anfang bis zu seinem Ende</translation>
+    </message>
+    <message>
         <source>Sends a stored attempt over OpenIGTLink, for example to 3D Slicer, as soon as a program connects.</source>
         <translation>Sendet einen gespeicherten Versuch über OpenIGTLink, zum Beispiel an 3D Slicer, sobald sich ein Programm verbindet.</translation>
     </message>
@@ -298,8 +302,8 @@
         <translation>Wievielfach so schnell wie bei der Durchführung, 1 bis 1000.</translation>
     </message>
     <message>
-        <source>Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, CameraToPatient; mm, axes of 3D Slicer), the force of each instrument on tissue (SENSOR LeftForce, RightForce; N) and its state (LeftState, RightState). docs/FORMATS.md has the details.</source>
-        <translation>Jedes Bild hat ein TRANSFORM für jedes Werkzeug (LeftTipToPatient, RightTipToPatient, CameraToPatient; mm, Achsen von 3D Slicer), die Kraft jedes Instruments auf Gewebe (SENSOR LeftForce, RightForce; N) und seinen Zustand (LeftState, RightState). Die Einzelheiten sind in docs/FORMATS.md.</translation>
+        <source>Each frame has a TRANSFORM for each tool (LeftTipToPatient, RightTipToPatient, CameraToPatient; mm, axes of 3D Slicer), the force of each instrument on tissue (SENSOR LeftForce, RightForce; N) and its state (LeftState, RightState). Events are STRINGs. docs/FORMATS.md has the details.</source>
+        <translation>Jedes Bild hat ein TRANSFORM für jedes Werkzeug (LeftTipToPatient, RightTipToPatient, CameraToPatient; mm, Achsen von 3D Slicer), die Kraft jedes Instruments auf Gewebe (SENSOR LeftForce, RightForce; N) und seinen Zustand (LeftState, RightState). Ereignisse sind STRINGs. Die Einzelheiten sind in docs/FORMATS.md.</translation>
     </message>
     <message>
         <source>Records what an OpenIGTLink server sends as a trace in the CSV format of docs/FORMATS.md.</source>
@@ -308,6 +312,10 @@
     <message>
         <source>The file to write.</source>
         <translation>Die Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Also write the events, where Fulcrum sends a whole attempt.</source>
+        <translation>Auch die Ereignisse schreiben, wo Fulcrum einen ganzen Versuch sendet.</translation>
     </message>
     <message>
         <source>The tool of the left hand.</source>
@@ -6691,6 +6699,14 @@
     <message>
         <source>name the file of the trace: -o TRACE.csv</source>
         <translation>nennen Sie die Datei der Aufzeichnung: -o AUFZEICHNUNG.csv</translation>
+    </message>
+    <message>
+        <source>is the file of the trace</source>
+        <translation>ist die Datei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>name another file</source>
+        <translation>nennen Sie eine andere Datei</translation>
     </message>
     <message>
         <source>The tracker sends poses that cannot be used. Bring the instrument into its view, and calibrate it where that does not help.</source>
