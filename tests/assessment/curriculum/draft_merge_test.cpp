@@ -149,7 +149,8 @@ TEST(DraftMerging, TasksOfBothAreAddedAndTheOrderOfOneIsKept) {
     EXPECT_NE(merged.draft.find("A3"), nullptr);
     EXPECT_NE(merged.draft.find("B1"), nullptr);
     std::swap(draft.tasks[0], draft.tasks[1]);
-    EXPECT_EQ(order_of(merge_draft(&base, draft, in_force).draft).substr(0, 5), "A2 A1");
+    EXPECT_EQ(order_of(merge_draft(&base, draft, in_force).draft).substr(0, 8), "A2 B1 A1")
+        << "the draft's order, and B1 behind the task that it was added behind";
     Curriculum turned = in_force;
     std::reverse(turned.tasks.begin(), turned.tasks.end());
     merged = merge_draft(&base, draft, turned);
