@@ -87,7 +87,13 @@ void Provenance::add_basis(const AttemptSummary& attempt) {
     if (meta.limits.empty()) return;
     sets_.insert(meta.limits);
     if (kinds_ == Kinds::benchmark_sets && meta.mode == AttemptMode::assessed)
-        set_files_.add({attempt.station_id, meta.program_version, meta.task_id, meta.limits}, attempt);
+        set_files_.add({attempt.station_id,
+                        meta.program_version,
+                        meta.task_id,
+                        meta.limits,
+                        {},
+                        is_copy(meta.id) ? std::string_view(meta.id) : std::string_view()},
+                       attempt);
 }
 
 void Provenance::add(const AttemptSummary& attempt) {

@@ -387,26 +387,24 @@ void PersonalDataPage::erase_due() {
     std::vector<std::string> ids;
     for (const database::DuePerson& one : due_) ids.push_back(one.id);
     auto erased = std::make_shared<std::vector<std::string>>();
-    const auto over = [this] {
+    BackgroundJob* const job = BackgroundJob::run(
+        this,
+        [erased, ids, session = context().session(),
+         path = context().store().path()](const Progress& progress) {
+            *erased = database::erase_due(open_for_worker(path, false), session, ids, progress);
+        },
+        [this, erased] {
+            context().say(tr("%n people were erased.", nullptr, static_cast<int>(erased->size())));
+        },
+        [this](const QString& why) { context().complain(why); });
+    start(job, tr("Erasing …"));
+    // Also after *Cancel*: some are erased then, and the list has the others.
+    connect(job, &BackgroundJob::ended, this, [this] {
         ended();
+        if (!entered_) return;
         fill_people();
         show_retention();
-    };
-    start(BackgroundJob::run(
-              this,
-              [erased, ids, session = context().session(),
-               path = context().store().path()](const Progress& progress) {
-                  *erased = database::erase_due(open_for_worker(path, false), session, ids, progress);
-              },
-              [this, erased, over] {
-                  over();
-                  context().say(tr("%n people were erased.", nullptr, static_cast<int>(erased->size())));
-              },
-              [this, over](const QString& why) {
-                  over();
-                  context().complain(why);
-              }),
-          tr("Erasing …"));
+    });
 }
 
 }  // namespace fulcrum::ui

@@ -287,6 +287,7 @@ void AttemptChart::keyPressEvent(QKeyEvent* event) {
             points[index >= points.size() ? points.size() - 1 : index - std::min<std::size_t>(index, 1)]
                 ->attempt_id;
     } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && index < points.size()) {
+        if (event->isAutoRepeat()) return;  // held since the page before
         emit attempt_chosen(text(selected_));
         return;  // what it leads to may replace the chart
     } else {

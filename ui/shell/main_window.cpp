@@ -454,10 +454,14 @@ void MainWindow::lock() {
 void MainWindow::unlock() {
     idle_.unlocked();
     layers_->setCurrentIndex(0);
-    if (!message_area_->isHidden()) announce(message_area_, message_text_->text());  // came behind the lock
+    if (!message_area_->isHidden()) {  // came behind the lock
+        announce(message_area_, message_text_->text());
+        if (message_->property("role").toString() == QLatin1String("message")) message_timer_.start();
+    }
     QWidget* const used = used_before_lock_;
-    if (running_theatre() == nullptr && used != nullptr && used->isVisible() &&
-        current_page()->isAncestorOf(used))
+    // The theatre asks what is to happen next, also where the lock closed its attempt.
+    const bool in_theatre = qobject_cast<TheatrePage*>(current_page()) != nullptr;
+    if (!in_theatre && used != nullptr && used->isVisible() && current_page()->isAncestorOf(used))
         used->setFocus();
     else if (current_page() != nullptr)
         current_page()->setFocus();

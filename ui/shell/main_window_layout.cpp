@@ -190,7 +190,7 @@ void MainWindow::show_message(const QString& line, bool is_error) {
     if (layers_->currentWidget() != lock_page_) announce(message_area_, line);
     // Good news disappears after a while; a problem stays until the user closes it.
     message_timer_.stop();
-    if (!is_error) message_timer_.start();
+    if (!is_error && layers_->currentWidget() != lock_page_) message_timer_.start();
 }
 
 }  // namespace fulcrum::ui

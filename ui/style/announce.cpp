@@ -38,7 +38,8 @@ void send_accessible_event(QWidget* widget, QAccessible::Event what) {
 // reads where it appears, wherever the focus is. On Linux Qt hands on that it appears, not the alert itself.
 void announce(const QWidget* from, const QString& words) {
     const QString line = words.simplified();
-    if (from == nullptr || line.isEmpty()) return;
+    // What is behind the lock is hidden, and not for whoever is there.
+    if (from == nullptr || line.isEmpty() || !from->isVisibleTo(from->window())) return;
     QWidget* const window = from->window();
     auto* announcer = window->findChild<QWidget*>(QLatin1String(announcer_name), Qt::FindDirectChildrenOnly);
     const bool is_new = announcer == nullptr;
