@@ -99,7 +99,14 @@ class FeedbackLatency : public PadAndSound, public Window {
     static int times(int few) { return std::getenv(feedback_page_variable) != nullptr ? 20 : few; }
     void hear(HeardSound kind) {
         sound = kind;
-        services.heard = [kind](const SoundState& all) { return only(kind, all); };
+        // A count of contacts that changed would be heard as one more.
+        services.heard = [kind, begun = std::optional<SoundState>()](const SoundState& all) mutable {
+            if (!begun) begun = all;
+            SoundState one = only(kind, all);
+            if (kind != HeardSound::contact)
+                std::copy(std::begin(begun->contacts), std::end(begun->contacts), std::begin(one.contacts));
+            return one;
+        };
     }
     void begin(const char* task) {
         start(task, false);
