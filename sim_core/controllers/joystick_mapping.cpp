@@ -86,7 +86,11 @@ class MappingReader {
         JoystickPart made;
         for (int m = 0; m < joystick_motions; ++m) {
             const char* const name = joystick_motion_names[m];
-            if (!from.contains(name)) continue;
+            if (!from.contains(name)) {
+                // Without an axis of their own jaws are open, until their button is pressed.
+                if (static_cast<JoystickMotion>(m) == JoystickMotion::jaw) made.motion[m].at_rest = 1;
+                continue;
+            }
             const std::string at = place + "/" + name;
             const json& object = from.at(name);
             JoystickAxis& axis = made.motion[m];

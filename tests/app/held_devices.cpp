@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <initializer_list>
 
 #include "app/services/calibration.h"
@@ -188,6 +189,7 @@ class HeldJoystick : public HeldDevice {
         std::snprintf(stick().name, sizeof stick().name, "%s", stick_name);
         for (int hand = 0; hand < hand_count; ++hand) HeldJoystick::put(hand, HeldJoystick::begin());
         stick().plugged = 1;
+        std::filesystem::create_directories(std::filesystem::path(file_).parent_path());
         write_whole_file(file_, joystick_mapping_text(mapping()));
     }
     ~HeldJoystick() override { std::remove(file_.c_str()); }

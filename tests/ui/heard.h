@@ -16,7 +16,10 @@ inline QString spoken_name(QWidget* widget) {
 /// While it is there: all that is announced, in order.
 class Heard {
   public:
-    Heard() : before_(QAccessible::installUpdateHandler(note)) { lines().clear(); }
+    Heard() : before_(QAccessible::installUpdateHandler(note)) {
+        QAccessible::setActive(true);  // as a screen reader that runs does
+        lines().clear();
+    }
     ~Heard() { QAccessible::installUpdateHandler(before_); }
     Heard(const Heard&) = delete;
     Heard& operator=(const Heard&) = delete;

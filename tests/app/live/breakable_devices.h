@@ -212,6 +212,7 @@ class BreakableSpaceMouse : public Breakable {
     BreakableSpaceMouse() {
         lines = "Cap to the side";
         title = "SpaceMouse";
+        device_class = DeviceClass::controller;
     }
     void put(int, const Vector3&) override { push(full); }
     /// The nearer, the slower: a window that looks seldom must not let it run past its instrument and away.

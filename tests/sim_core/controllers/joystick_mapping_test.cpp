@@ -137,6 +137,20 @@ TEST_F(JoystickFile, IsReadBackAsItWasWritten) {
     EXPECT_EQ(again.part[1].clutch, 2);
 }
 
+TEST_F(JoystickFile, WithoutAnAxisForJawsTheyAreOpen) {
+    Person person;
+    JoystickMapping mapping;
+    mapping.name = "stick";
+    mapping.part[0] = person.work();
+    mapping.part[0].motion[static_cast<int>(JoystickMotion::jaw)] = {};
+    mapping.part[0].jaws = 2;
+    EXPECT_EQ(refusal(joystick_mapping_text(mapping)), "");
+    const JoystickMapping read = read_joystick_mapping(path);
+    EXPECT_EQ(value(read.part[0], JoystickMotion::jaw, 0), 1)
+        << "of their opening, until the button closes them";
+    EXPECT_EQ(read.part[0].jaws, 2);
+}
+
 TEST_F(JoystickFile, ADamagedOneIsRefusedWithPlaceAndWhatToDo) {
     Person person;
     JoystickMapping mapping;

@@ -164,6 +164,8 @@ TEST(TimeChart, DrawsNoLineAcrossAGap) {
 TEST(TimeChart, ABandEndsWhereItHasNoValues) {
     TimeChart chart("force (N)");
     chart.resize(600, 300);
+    chart.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&chart));
     chart.add_band("cohort", &Palette::limit,
                    {{0.5, 1, 2, 3}, {1.5, 1, 2, 3}, {2.5, 1, 2, 3}, {6.5, 5, 6, 7}, {7.5, 5, 6, 7}});
     chart.show_all();

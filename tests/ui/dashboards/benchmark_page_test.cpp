@@ -220,7 +220,7 @@ TEST_F(BuildingLimits, NameTheLimitsOfTheTaskThatTheSetTakesOver) {
     bring(*note);
     note->setFocus();
     QTest::keyClicks(note, "Limits of ours");
-    QTest::keyClick(note, Qt::Key_Return);
+    click(*window, "benchmark_put");
     ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
     BenchmarkSet made = load_benchmark(file().string());
     EXPECT_EQ(provisional_words(made.taken_over), provisional_words(limits));
