@@ -144,7 +144,8 @@ HandAtRest press_tissue(PressedTissue tissue, double mass, bool arm) {
         moving.rail = (handle_for_tip(at.pivot, at.tip + 1e-3 * direction) - begun).normalized();
         moving.push = (soft ? 0.1 : 0.3) * moving.rail;
     }
-    // Without an arm only the device's damping stops a heavy hand: on a band, the softest, by a tenth a second.
+    // Without an arm only the device's damping stops a heavy hand: on a band, the softest, by a tenth a
+    // second.
     const int heavy = tissue == PressedTissue::band ? 60000 : 12000;
     const int ticks = !arm && mass > 0.1 ? heavy : 3000;
     std::vector<Vector3> path;

@@ -178,7 +178,8 @@ TEST_F(DevicesOnThePage, OneThatIsTriedInVainSaysWhyAndWhatToDoInBothLanguages) 
                     {QT_TRANSLATE_NOOP("errors", "the device does not open: %1"),
                      reported("firmware version is not supported")},
                     update),
-         "Force Dimension, Novint Falcon:device 0: the device does not open: the maker's driver reports firmware version is "
+         "Force Dimension, Novint Falcon:device 0: the device does not open: the maker's driver reports "
+         "firmware version is "
          "not supported; update the firmware of the device",
          "das Gerät lässt sich nicht öffnen: der Treiber des Herstellers meldet firmware version is not "
          "supported; aktualisieren Sie die Firmware des Geräts"},
