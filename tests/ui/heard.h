@@ -3,8 +3,12 @@
 #pragma once
 
 #include <QAccessible>
+#include <QApplication>
+#include <QDynamicPropertyChangeEvent>
 #include <QStringList>
 #include <QWidget>
+
+#include "ui/style/announce.h"
 
 namespace fulcrum::ui::window_test {
 
@@ -13,29 +17,27 @@ inline QString spoken_name(QWidget* widget) {
     return spoken == nullptr ? QString() : spoken->text(QAccessible::Name);
 }
 
-/// While it is there: all that is announced, in order.
-class Heard {
+/// While it is there: all that is announced, in order. Qt hands accessible events on only while a screen
+/// reader runs, so the count that each announcement raises is looked at.
+class Heard : public QObject {
   public:
-    Heard() : before_(QAccessible::installUpdateHandler(note)) {
-        QAccessible::setActive(true);  // as a screen reader that runs does
+    Heard() {
         lines().clear();
+        qApp->installEventFilter(this);
     }
-    ~Heard() { QAccessible::installUpdateHandler(before_); }
-    Heard(const Heard&) = delete;
-    Heard& operator=(const Heard&) = delete;
     static QStringList& lines() {
         static QStringList all;
         return all;
     }
-
-  private:
-    static void note(QAccessibleEvent* event) {
-        if (event->type() != QAccessible::Alert) return;
-        const QAccessibleInterface* const said = event->accessibleInterface();
-        if (said != nullptr && said->role() == QAccessible::AlertMessage)
-            lines() << said->text(QAccessible::Name);
+    bool eventFilter(QObject* from, QEvent* event) override {
+        if (event->type() == QEvent::DynamicPropertyChange &&
+            static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == announced_property) {
+            const QAccessibleInterface* const said = QAccessible::queryAccessibleInterface(from);
+            if (said != nullptr && said->role() == QAccessible::AlertMessage)
+                lines() << said->text(QAccessible::Name);
+        }
+        return false;
     }
-    QAccessible::UpdateHandler before_;
 };
 
 }  // namespace fulcrum::ui::window_test

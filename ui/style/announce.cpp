@@ -39,7 +39,8 @@ void send_accessible_event(QWidget* widget, QAccessible::Event what) {
 void announce(const QWidget* from, const QString& words) {
     const QString line = words.simplified();
     // What is behind the lock is hidden, and not for whoever is there.
-    if (from == nullptr || line.isEmpty() || !from->isVisibleTo(from->window())) return;
+    if (from == nullptr || line.isEmpty()) return;
+    if (!from->isWindow() && !from->isVisibleTo(from->window())) return;
     QWidget* const window = from->window();
     auto* announcer = window->findChild<QWidget*>(QLatin1String(announcer_name), Qt::FindDirectChildrenOnly);
     const bool is_new = announcer == nullptr;
@@ -53,6 +54,7 @@ void announce(const QWidget* from, const QString& words) {
         announcer->lower();
     }
     announcer->setAccessibleName(line);
+    announcer->setProperty(announced_property, announcer->property(announced_property).toInt() + 1);
     if (is_new)
         announcer->show();  // which reports that it appears
     else

@@ -9,6 +9,9 @@ class QWidget;
 
 namespace fulcrum::ui {
 
+/// Property of the widget that announces: how often it has.
+inline constexpr char announced_property[] = "fulcrum_announced";
+
 /// Has these words read out, once for each call. `from`: a widget of the window in which they are shown.
 void announce(const QWidget* from, const QString& words);
 /// Writes a problem into the label that is there for it, and announces it.
