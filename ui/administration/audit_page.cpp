@@ -91,6 +91,7 @@ QWidget* AuditPage::build_filters() {
     person_ = make_choice(tr("Person"), "audit_person");
     kind_ = make_choice(tr("Kind"), "audit_kind");
     kind_->addItem(tr("Everything"), QString());  // until the log was read
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     period_ = make_choice(tr("Period"), "audit_period");
     period_->addItem(tr("All time"), all_time);
     period_->addItem(tr("Today"), 0);

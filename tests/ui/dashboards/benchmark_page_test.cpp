@@ -266,7 +266,7 @@ TEST_F(BuildingLimits, OfSimulatedPeopleAreProvisionalAndTakeOverNothing) {
     bring(*note);
     note->setFocus();
     QTest::keyClicks(note, "To try it out");
-    QTest::keyClick(note, Qt::Key_Return);
+    click(*window, "benchmark_put");
     ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
     const BenchmarkSet made = load_benchmark(file().string());
     EXPECT_EQ(made.version, set.version + 1);
