@@ -91,6 +91,9 @@ class FaultWindow : public WithBreakable, public Window {
                (*refusal != '\0' && panel().contains(QLatin1String(refusal)));
     }
     void break_and_pause(DeviceFault fault) {
+        // The hand has come to rest, also on a machine that is busy: it is lost where it is put again.
+        const std::uint32_t at_rest = theatre().session()->health().ticks + 400;
+        ASSERT_TRUE(wait_for([&] { return theatre().session()->health().ticks >= at_rest; }));
         const std::int64_t broken = monotonic_ns();
         device->break_it(fault);
         while (device->force() != 0 && monotonic_ns() - broken < 1'000'000'000) usleep(200);
