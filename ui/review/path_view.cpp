@@ -149,10 +149,11 @@ void PathView::paint_words(QPainter& painter) const {
     painter.setPen(p.right_hand);
     painter.drawText(QPointF(12 + 1.5 * line + fontMetrics().horizontalAdvance(left), 6 + line),
                      tr("- - right hand"));
-    const int beside = 92 + fontMetrics().horizontalAdvance(tr("front"));
+    const int after_directions = 92 + fontMetrics().horizontalAdvance(tr("front"));
     painter.setPen(p.muted);
-    painter.drawText(QRect(beside, height() - 4 * line, width() - beside - 12, 4 * line - 6),
-                     Qt::AlignRight | Qt::AlignBottom | Qt::TextWordWrap, toolTip());
+    painter.drawText(
+        QRect(after_directions, height() - 4 * line, width() - after_directions - 12, 4 * line - 6),
+        Qt::AlignRight | Qt::AlignBottom | Qt::TextWordWrap, toolTip());
 }
 
 const PathView::Mark* PathView::mark_near(const QPointF& place) const {
