@@ -6,6 +6,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::igtl {
@@ -141,6 +143,51 @@ TEST(IgtlServer, AClientThatSendsSomethingElseIsDroppedAndOneThatLeavesIsForgott
     }
     EXPECT_EQ(server.clients(), 0U);
     EXPECT_EQ(server.dropped(), 1U) << "it left by itself";
+}
+
+TEST(IgtlServer, AClientThatSendsMessagesOfAnyOtherKindStaysConnected) {
+    Server server(own_address(0));
+    Peer talks(server);
+    Bytes sent;
+    const Bytes small(40, 1), large(largest_body + 1000, 1);
+    for (const auto version : {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3}}) {
+        for (const char* const type :
+             {"GET_CAPABIL", "GET_STATUS", "GET_TRANS", "STP_TDATA", "NOT_IN_BOOK"}) {
+            Envelope envelope;
+            envelope.type = type;
+            envelope.version = version;
+            append_message(sent, envelope, {});
+            append_message(sent, envelope, {small.data(), small.size()});
+        }
+        append_status(sent, "Other", 1, {1, 0, "OK", "connected"}, version);
+        append_transform(sent, "Probe", 1, Transform(), version);
+        append_string(sent, "Note", 1, "hello", 3, version);
+        Envelope image;
+        image.type = "IMAGE";
+        image.version = version;
+        append_message(sent, image, {large.data(), large.size()});
+        append_string(sent, "Note", 1, "with a wrong checksum", 3, version);
+        sent.back() = static_cast<std::uint8_t>(sent.back() ^ 1U);
+    }
+    append_start_tracking(sent, "", 0, {0, "Patient"});  // the answer shows that all before it was read
+    for (std::size_t at = 0; at < sent.size(); at += 10000) {
+        const auto from = sent.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto count = static_cast<std::ptrdiff_t>(std::min<std::size_t>(10000, sent.size() - at));
+        ASSERT_TRUE(talks.connection.send(Bytes(from, from + count)));
+        server.step(10);
+    }
+    std::vector<std::string> types;
+    for (std::int64_t now = 1; now < 100 && types.empty(); ++now) {
+        server.step(5);
+        ServedFrame frame = small_frame(1);
+        frame.transforms.clear();
+        server.send(frame, now);
+        types = talks.receive(server);
+    }
+    ASSERT_FALSE(types.empty());
+    EXPECT_EQ(types[0], "TDATA");
+    EXPECT_EQ(server.clients(), 1U);
+    EXPECT_EQ(server.dropped(), 0U);
 }
 
 TEST(IgtlServer, NoMoreThanSixteenClients) {
