@@ -24,4 +24,8 @@ std::string fake_library(const std::string& file) {
     return (tests_folder() / "fakes" / file).string();
 }
 
+std::string fake_program(const std::string& name) {
+    return fake_library(name);
+}
+
 }  // namespace fulcrum::test

@@ -13,5 +13,7 @@ std::string built_program(const std::string& name);
 std::string hapticd_program();
 /// A library of tests/fakes, by the name of its file: "libHD.so".
 std::string fake_library(const std::string& file);
+/// A program of tests/fakes, with its path.
+std::string fake_program(const std::string& name);
 
 }  // namespace fulcrum::test

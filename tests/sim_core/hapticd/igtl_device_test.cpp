@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "sim_core/devices/daemon_client.h"
 #include "sim_core/numerics/input_error.h"
@@ -12,6 +14,7 @@
 #include "tests/support/allocation_count.h"
 #include "tests/support/built.h"
 #include "tests/support/fake_tracker.h"
+#include "tests/support/openigtlink_peer.h"
 #include "tests/support/process_rights.h"
 
 namespace fulcrum {
@@ -126,6 +129,76 @@ TEST(IgtlTracker, PosesJawsAndButtonsArriveFromEachKindOfMessage) {
         client.poll();
         return client.message().empty();
     }));
+}
+
+/// Adds the words with which the peer sends a tool at this pose.
+void add_tool(std::vector<std::string>& words, const std::string& name, const igtl::Pose& pose) {
+    const Quaternion q(pose.rotation);
+    words.insert(words.end(), {"tool", name});
+    for (const double value :
+         {1e3 * pose.place.x(), 1e3 * pose.place.y(), 1e3 * pose.place.z(), q.x(), q.y(), q.z(), q.w()}) {
+        std::ostringstream text;
+        text.precision(12);
+        text << value;
+        words.push_back(text.str());
+    }
+}
+/// The next line of this type that the peer prints; null after 8 s without one.
+nlohmann::json printed_by(test::OpenIgtlinkPeer& peer, const std::string& type) {
+    nlohmann::json found;
+    until([&] {
+        for (const std::string& line : peer.lines(50)) {
+            const nlohmann::json fields = nlohmann::json::parse(line, nullptr, false);
+            EXPECT_NE(fields.value("type", ""), "error") << line;
+            if (found.is_null() && fields.value("type", "") == type) found = fields;
+        }
+        return !found.is_null();
+    });
+    return found;
+}
+
+TEST(IgtlTracker, WhatTheProtocolsOwnLibrarySendsMovesTheHandsAsItWasSent) {
+    if (!test::OpenIgtlinkPeer::built()) GTEST_SKIP() << test::OpenIgtlinkPeer::not_built;
+    constexpr double whole_turn = 2 * 3.14159265358979323846;
+    // Lean and turn of each are such that rows and columns, or the order of a quaternion, cannot be mistaken.
+    igtl::Pose poses[2];
+    for (int slot = 0; slot < 2; ++slot) {
+        const Vector3 axis = Vector3(0.2 - 0.5 * slot, -0.5, -0.8).normalized();
+        const Quaternion lean = Quaternion::FromTwoVectors(Vector3::UnitZ(), axis);
+        const Quaternion turn(Eigen::AngleAxisd(0.7 - 1.5 * slot, Vector3::UnitZ()));
+        poses[slot].rotation = (lean * turn).toRotationMatrix();
+        poses[slot].place = Vector3(0.0125, -0.034 - 0.01 * slot, 0.0615);
+    }
+    const auto wanted = igtl_specification("openigtlink:a,length=300");
+    for (const char* const version : {"1", "2"})
+        for (const char* const kind : {"transform", "position", "tdata", "asked"}) {
+            SCOPED_TRACE(std::string(kind) + ", header version " + version);
+            std::vector<std::string> words = {"serve", kind, version, "30"};
+            for (std::size_t slot = 0; slot < 2; ++slot) add_tool(words, two_tools[slot], poses[slot]);
+            words.insert(words.end(), {"sensor", "RightJaw", "0.25", "4"});
+            test::OpenIgtlinkPeer peer(words);
+            const nlohmann::json listening = printed_by(peer, "port");
+            ASSERT_FALSE(listening.is_null());
+            const DaemonClient client(
+                test::hapticd_program(),
+                "openigtlink:127.0.0.1:" + std::to_string(listening["port"].get<int>()) +
+                    ",left=" + two_tools[0] + ",right=" + two_tools[1] + ",length=300");
+            for (int slot = 0; slot < 2; ++slot) {
+                const hapticd::TrackedHandle handle = handle_of(poses[slot], wanted);
+                EXPECT_TRUE(until([&] { return tracked_present(client, slot); })) << slot;
+                const DevicePose now = tracked_pose(client, slot);
+                for (int axis = 0; axis < 3; ++axis)
+                    EXPECT_NEAR(now.position[axis], handle.position[axis], 1e-6) << slot << ' ' << axis;
+                EXPECT_NEAR(std::remainder(now.roll - handle.roll, whole_turn), 0, 1e-5) << slot;
+            }
+            EXPECT_TRUE(until([&] { return tracked_pose(client, 1).jaw == 0.25; }));
+            EXPECT_EQ(tracked_pose(client, 1).buttons, std::uint32_t{button_energy});
+            EXPECT_EQ(tracked_pose(client, 0).jaw, 1);
+            if (std::string(kind) != "asked") continue;
+            const nlohmann::json request = printed_by(peer, "STT_TDATA");
+            ASSERT_FALSE(request.is_null()) << "the library read what the device process asks";
+            EXPECT_EQ(request["resolution"], 10);
+        }
 }
 
 TEST(IgtlTracker, AFaultThatPassesMakesTheHandAbsentAndSaysWhatToDo) {
