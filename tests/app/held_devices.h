@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Devices that fulcrum-hapticd reads, each the fake of a kind that the program opens as it opens the real
-// one, moved by a test. They set the variables that lead the program to them: make them before the services.
+// one (a maker's library, a service, a server, a port), moved, broken and repaired by a test. They set the
+// variables that lead the program to them: make them before the services.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "sim_core/devices/device_table.h"
+#include "sim_core/instrument/device_class.h"
 #include "sim_core/numerics/types.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/built.h"
@@ -28,12 +32,27 @@ class HeldDevice {
     virtual void hold(int hand, const HeldParts& parts) = 0;
     /// Where it is before it is moved.
     virtual Vector3 begin() const { return Vector3::Zero(); }
-    /// N, the largest component that the motors got last.
+    /// N, the largest at the motors now.
     virtual double force() const { return 0; }
+    /// N, the largest of the newest command, also where the motors have let go of it since.
+    virtual double commanded() const { return force(); }
 
-    const char* title = "";  ///< in results
-    const char* strip = "";  ///< in the first line of its first steps
+    /// Has this fault until it is repaired; one of those of its kind.
+    virtual void break_it(DeviceFault fault) = 0;
+    virtual void repair() = 0;
+    /// What is said where it is opened again in vain while it has this fault; empty: it opens.
+    virtual const char* refusal(DeviceFault /*fault*/) const { return ""; }
+    /// Begins at 0 when it is opened again: moves it on towards its instrument, which is so far away (m).
+    virtual void go_back(double /*distance*/) {}
+
+    const char* title = "";    ///< in results
+    const char* model = "";    ///< in what an attempt keeps of its device
+    const char* strip = "";    ///< in the first line of its first steps
+    const char* library = "";  ///< of its maker
+    DeviceClass device_class = DeviceClass::tracked;
+    bool is_pushed = false;  ///< a deflection is a speed: a place is reached where it is let go
     ui::HandDeeds own;       ///< what the fake can do apart from moving its handles
+    bool feels() const { return device_class == DeviceClass::haptic; }
 
   protected:
     /// The rest of FULCRUM_DEVICE.
@@ -46,9 +65,16 @@ class HeldDevice {
     std::unique_ptr<fulcrum::test::Variable> device_;
 };
 
-/// The kinds for two hands: "Touch", "Haply", "ForceDimension", "Tracker", "Trainer", "Joystick"; and
-/// "SpaceMouse" for the left one. Without `named` a joystick is to be chosen on the page *Settings*: its
-/// calibration is where the program keeps it.
+struct HeldKind {
+    const char* name;
+    /// Without `named` a joystick is to be chosen on the page *Settings*: its calibration is where the
+    /// program keeps it.
+    std::unique_ptr<HeldDevice> (*make)(bool named);
+    std::vector<DeviceFault> faults;  ///< that it can have; together all of them
+};
+/// Each for two hands, the SpaceMouse for the left one.
+const std::vector<HeldKind>& held_kinds();
+const HeldKind& held_kind(const std::string& name);
 std::unique_ptr<HeldDevice> make_held(const std::string& kind, bool named = true);
 
 }  // namespace fulcrum::app::program_test

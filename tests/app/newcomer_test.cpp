@@ -225,7 +225,7 @@ TEST_P(NewcomerWithDevice, TouchesTheFirstTarget) {
             theatre(), mind, [this](int hand, const Vector3& position) { held->put(hand, position); },
             held->begin());
     });
-    EXPECT_EQ(held->force(), 0) << "after the attempt";
+    EXPECT_EQ(held->commanded(), 0) << "after the attempt";
 }
 INSTANTIATE_TEST_SUITE_P(Newcomer, NewcomerWithDevice,
                          ::testing::Values("Touch", "Haply", "ForceDimension", "Tracker", "Trainer",

@@ -10,11 +10,11 @@
 #include <cmath>
 
 #include "tests/app/daemon_processes.h"
-#include "tests/app/live/breakable_devices.h"
+#include "tests/app/held_devices.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
-#include "tests/app/program_path.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/fake_trainer.h"
 #include "tests/support/process_rights.h"
 
 namespace fulcrum::app::program_test {
@@ -23,44 +23,36 @@ namespace {
 using ui::window_test::find;
 using ui::window_test::wait_for;
 
-const BreakableKind& kind_named(const std::string& name) {
-    return *std::find_if(std::begin(breakable_kinds), std::end(breakable_kinds),
-                         [&](const BreakableKind& kind) { return name == kind.name; });
-}
-
 // A fault that is added to the table has to be made by one of them.
 TEST(DeviceFaultKinds, EachIsMadeByADeviceOfTheWindowsTests) {
     for (const FaultRow& row : device_faults) {
         if (row.kind == DeviceFault::none) continue;
-        const bool made = std::any_of(
-            std::begin(breakable_kinds), std::end(breakable_kinds), [&](const BreakableKind& kind) {
-                const std::vector<DeviceFault> faults = kind.faults();
-                return std::find(faults.begin(), faults.end(), row.kind) != faults.end();
-            });
+        const bool made = std::any_of(held_kinds().begin(), held_kinds().end(), [&](const HeldKind& kind) {
+            return std::find(kind.faults.begin(), kind.faults.end(), row.kind) != kind.faults.end();
+        });
         EXPECT_TRUE(made) << static_cast<int>(row.kind) << ": " << row.words;
     }
 }
 
 /// Before the services are made.
-struct WithBreakable : ::testing::WithParamInterface<std::string> {
-    static std::string daemon() {
-        const std::string program = program_path();
-        return program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd";
-    }
-    fulcrum::test::Variable program{"FULCRUM_HAPTICD", daemon()};
-    std::unique_ptr<Breakable> device = kind_named(GetParam()).make();
+struct WithHeldDevice : ::testing::WithParamInterface<std::string> {
+    std::unique_ptr<HeldDevice> device = make_held(GetParam());
 };
 
-class FaultWindow : public WithBreakable, public Window {
+class FaultWindow : public WithHeldDevice, public Window {
   protected:
     QString panel() { return find<QLabel>(window, "panel_text")->text(); }
     ui::AttemptPhase phase() { return theatre().session()->phase(); }
     double elapsed() { return theatre().session()->display().elapsed_s; }
-    /// The left hand presses on the first sphere; without poses of its own it moves.
+    /// The left hand presses on the first sphere; one that is pushed moves to the side, from where go_back()
+    /// brings it back.
     bool works(int milliseconds) {
         const auto mind = make_pointing_mind(theatre().session()->scene(), 1e-3);
         PosedHand hand(
-            theatre(), *mind, [this](int h, const Vector3& position) { device->put(h, position); },
+            theatre(), *mind,
+            [this](int h, const Vector3& position) {
+                device->put(h, device->is_pushed ? Vector3(Vector3::UnitX()) : position);
+            },
             device->begin());
         return hand.work_until(
             [&] {
@@ -74,7 +66,7 @@ class FaultWindow : public WithBreakable, public Window {
         ASSERT_TRUE(wait_for([&] { return ui::window_test::sees(window, "theatre_keys"); }));
         const QString strip =
             find<QFrame>(window, "theatre_keys")->findChild<QLabel*>()->text().replace("&nbsp;", " ");
-        EXPECT_TRUE(strip.contains(device->lines)) << strip.toStdString();
+        EXPECT_TRUE(strip.contains(device->strip)) << strip.toStdString();
     }
     /// Its maker's library is in the device process and never in the program.
     void expect_library_elsewhere() {
@@ -128,7 +120,7 @@ class FaultWindow : public WithBreakable, public Window {
     }
     void expect_stored(std::size_t losses) {
         const database::AttemptSummary attempt = newest_attempt();
-        EXPECT_NE(attempt.meta.device.find(device->title), std::string::npos) << attempt.meta.device;
+        EXPECT_NE(attempt.meta.device.find(device->model), std::string::npos) << attempt.meta.device;
         EXPECT_EQ(attempt.meta.device_class, device->device_class);
         const database::Trace trace =
             database::Attempts(*services.store()).read_trace(window.context().session(), attempt.meta.id);
@@ -150,7 +142,7 @@ TEST_P(FaultWindow, EachFaultPausesTheAttemptWithForceZeroSaysWhatToDoAndLosesNo
     expect_library_elsewhere();
     EXPECT_EQ(theatre().session()->health().force_felt[0], device->feels());
     ASSERT_TRUE(works(20000)) << "force at the device: " << device->force();
-    const std::vector<DeviceFault> faults = kind_named(GetParam()).faults();
+    const std::vector<DeviceFault>& faults = held_kind(GetParam()).faults;
     for (const DeviceFault fault : faults) {
         SCOPED_TRACE(words_of(fault));
         ASSERT_NO_FATAL_FAILURE(break_and_pause(fault));
@@ -162,7 +154,7 @@ TEST_P(FaultWindow, EachFaultPausesTheAttemptWithForceZeroSaysWhatToDoAndLosesNo
 
 std::vector<std::string> kind_names() {
     std::vector<std::string> names;
-    for (const BreakableKind& kind : breakable_kinds) names.emplace_back(kind.name);
+    for (const HeldKind& kind : held_kinds()) names.emplace_back(kind.name);
     return names;
 }
 INSTANTIATE_TEST_SUITE_P(Devices, FaultWindow, ::testing::ValuesIn(kind_names()),
