@@ -10,6 +10,11 @@ Vector3 handle_of(const DeviceSample& sample) {
     return device_length_unit * Vector3(sample.handle[0], sample.handle[1], sample.handle[2]);
 }
 
+bool begins_exchange(const RigSample& before, const RigSample& now, int hand) {
+    return (now.hand[hand].buttons & button_exchange) != 0 &&
+           (before.hand[hand].buttons & button_exchange) == 0;
+}
+
 bool holds_blade(const ui::AttemptSession& session, int hand) {
     const InstrumentSpec* const spec = session.scene().instrument(static_cast<Hand>(hand));
     const auto& field = session.snapshot().field;

@@ -23,6 +23,9 @@ enum class Look { none, left, right, up, down };
 Look wanted_look(const ui::AttemptSession& session, const ui::HandTargets& now, const RigSample& wish,
                  bool turning);
 
+/// The button for another instrument goes down.
+bool begins_exchange(const RigSample& before, const RigSample& now, int hand);
+
 Vector3 handle_of(const DeviceSample& sample);
 
 }  // namespace fulcrum::app::program_test

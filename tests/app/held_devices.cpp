@@ -11,6 +11,7 @@
 
 #include "app/services/calibration.h"
 #include "sim_core/controllers/joystick_mapping.h"
+#include "sim_core/hapticd/space_mouse_device.h"
 #include "sim_core/igtl/content.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/numerics/files.h"
@@ -99,7 +100,7 @@ class HeldForceDimension : public HeldDevice {
     }
     void hold(int hand, const HeldParts& parts) override {
         page_->device[hand].turn = parts.roll;
-        page_->device[hand].gripper = parts.closed ? 0 : 0.5;
+        page_->device[hand].gripper = 0.5 * parts.open;
         page_->device[hand].buttons = (parts.energy ? 1U : 0U) | (parts.clutch ? 2U : 0U);
     }
     double force() const override { return largest_component(page_->device); }
@@ -183,7 +184,7 @@ class HeldTracker : public HeldDevice {
         constexpr const char* names[hand_count] = {"LeftJaw", "RightJaw"};
         jaws_.clear();
         for (std::size_t h = 0; h < hand_count; ++h) {
-            const double values[] = {parts_[h].closed ? 0.0 : 1.0, 1.0 * button_mask(parts_[h])};
+            const double values[] = {parts_[h].open, 1.0 * button_mask(parts_[h])};
             igtl::append_sensor(jaws_, names[h], 0, values, 2, igtl::unit_none);
         }
         send();
@@ -236,7 +237,7 @@ class HeldTrainer : public HeldDevice {
     void put(int hand, const Vector3& position) override { trainer_.move(letter(hand), position); }
     void hold(int hand, const HeldParts& parts) override {
         trainer_.turn(letter(hand), parts.roll);
-        trainer_.hold(letter(hand), parts.closed ? 0 : 1000, button_mask(parts));
+        trainer_.hold(letter(hand), static_cast<int>(std::lround(1000 * parts.open)), button_mask(parts));
     }
     Vector3 begin() const override { return {0, 0, 0.24}; }
     void break_it(DeviceFault fault) override {
@@ -288,7 +289,7 @@ class HeldJoystick : public HeldDevice {
                                         std::atan2(to_the_tip.x(), -to_the_tip.z()),
                                         fulcrum::test::trainer_length - handle.norm()};
         for (int i = 0; i < axes_of_hand; ++i) {
-            const double share = (of_instrument[i] - least[i]) / (most[i] - least[i]);
+            const double share = std::clamp((of_instrument[i] - least[i]) / (most[i] - least[i]), 0.0, 1.0);
             stick().axis[axes_of_hand * hand + i] =
                 static_cast<std::int32_t>(std::lround(65535 * share)) - 32768;
         }
@@ -354,14 +355,12 @@ class HeldCap : public HeldDevice {
         strip = "Cap to the side";
         device_class = DeviceClass::controller;
         is_pushed = true;
+        moves[1] = false;
         own = these_deeds({HandDeed::rolled, HandDeed::jaws_closed});
     }
     void put(int hand, const Vector3& position) override {
         if (hand != 0) return;
-        const auto pushed = [](double along) {
-            return std::abs(along) < 1e-3 ? 0 : along > 0 ? full : -full;
-        };
-        push_ = {pushed(position.x()), pushed(position.y()), pushed(-position.z())};
+        push_ = {counts_for(position.x()), counts_for(position.y()), counts_for(-position.z())};
         send();
     }
     void hold(int hand, const HeldParts& parts) override {
@@ -389,6 +388,14 @@ class HeldCap : public HeldDevice {
 
   private:
     static constexpr int full = 350;
+    /// The nearer, the slower: the screen shows late where the instrument is.
+    static int counts_for(double distance) {
+        constexpr double arrives_in_s = 0.2;
+        const double share = std::abs(distance) / (arrives_in_s * hapticd::space_mouse_speed);
+        int counts = 0;
+        while (counts < full && hapticd::space_mouse_response(counts) < share) ++counts;
+        return distance < 0 ? -counts : counts;
+    }
     void send() const { cap_->send_event(0, {push_[0], push_[1], push_[2], 0, turn_, 0, 16}); }
     fulcrum::test::OwnFolder folder_;
     std::string path_ = (folder_.path() / "spnav.sock").string();

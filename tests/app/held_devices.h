@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim_core/devices/device_table.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/device_class.h"
 #include "sim_core/numerics/types.h"
 #include "tests/fakes/fake_page.h"
@@ -20,13 +21,15 @@ namespace fulcrum::app::program_test {
 /// What a hand does with its device apart from moving it.
 struct HeldParts {
     double roll = 0;
+    double open = 1;  ///< of jaws whose handle says how far, where a button closes those of other devices
     bool closed = false, energy = false, exchange = false, clutch = false;
 };
 
 class HeldDevice {
   public:
     virtual ~HeldDevice() = default;
-    /// Device frame of docs/DEVICES.md, m. Of a cap: it is pushed from its middle, begin(), towards there.
+    /// Device frame of docs/DEVICES.md, m. Of a cap: it is pushed from its middle, begin(), so that its
+    /// instrument goes so far.
     virtual void put(int hand, const Vector3& position) = 0;
     /// As far as the device has it, see `own`.
     virtual void hold(int hand, const HeldParts& parts) = 0;
@@ -50,6 +53,7 @@ class HeldDevice {
     const char* strip = "";    ///< in the first line of its first steps
     const char* library = "";  ///< of its maker
     DeviceClass device_class = DeviceClass::tracked;
+    bool moves[hand_count] = {true, true};  ///< a hand that it does not move is the mouse's
     bool is_pushed = false;  ///< a deflection is a speed: a place is reached where it is let go
     ui::HandDeeds own;       ///< what the fake can do apart from moving its handles
     bool feels() const { return device_class == DeviceClass::haptic; }

@@ -77,10 +77,7 @@ bool MouseHand::work_until(const std::function<bool()>& done, int milliseconds) 
     while (timer.elapsed() < milliseconds) {
         QTest::qWait(8);
         if (theatre_.session() == nullptr || done()) return true;
-        // Tests of other programs share the screen and its pointer. Outside the view it would move nothing.
-        ui::TheatreView* const view = theatre_.view();
-        if (!view->rect().contains(view->mapFromGlobal(QCursor::pos())))
-            QTest::mouseMove(view, view->rect().center());
+        keep_pointer_in(*theatre_.view());
         if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
         think();
         jaws();
@@ -98,12 +95,8 @@ void MouseHand::think() {
     while (tick_ < now) {
         const RigSample before = wish_;
         mind_.read(++tick_, wish_);
-        for (int h = 0; h < hand_count; ++h) {  // a press is short, and the screen slow
-            const auto pressed = [h](const RigSample& sample) {
-                return (sample.hand[h].buttons & button_exchange) != 0;
-            };
-            asks_exchange_[h] = asks_exchange_[h] || (pressed(wish_) && !pressed(before));
-        }
+        for (int h = 0; h < hand_count; ++h)  // a press is short, and the screen slow
+            asks_exchange_[h] = asks_exchange_[h] || begins_exchange(before, wish_, h);
     }
 }
 
@@ -213,7 +206,8 @@ void MouseHand::steer() {
     ui::TheatreView* view = theatre_.view();
     if (session.scene().instruments.empty()) {
         if (wish_.camera.handle[2] != 0)
-            bring(input.targets().camera, handle_of(wish_.camera), session.scene().camera->trocar);
+            events_ += bring_by_mouse(theatre_, input.targets().camera.handle, handle_of(wish_.camera),
+                                      session.scene().camera->trocar);
         return;
     }
     double error[hand_count] = {0, 0};
@@ -227,26 +221,32 @@ void MouseHand::steer() {
         h = static_cast<int>(input.active_hand());
         ++events_;
     }
-    bring(input.targets().hand[h], handle_of(wish_.hand[h]),
-          session.scene().instrument(static_cast<Hand>(h))->trocar);
+    events_ += bring_by_mouse(theatre_, input.targets().hand[h].handle, handle_of(wish_.hand[h]),
+                              session.scene().instrument(static_cast<Hand>(h))->trocar);
 }
 
-void MouseHand::bring(const DeviceReading& handle, const Vector3& wish, const TrocarSpec& trocar) {
-    const Vector3 is = handle.handle;
-    if ((wish - is).norm() < near_enough) return;
-    ui::TheatreView* view = theatre_.view();
+void keep_pointer_in(ui::TheatreView& view) {
+    if (!view.rect().contains(view.mapFromGlobal(QCursor::pos())))
+        QTest::mouseMove(&view, view.rect().center());
+}
+
+int bring_by_mouse(ui::TheatrePage& theatre, const Vector3& is, const Vector3& wish,
+                   const TrocarSpec& trocar) {
+    if ((wish - is).norm() < near_enough) return 0;
+    int events = 0;
+    ui::TheatreView* const view = theatre.view();
     const auto units = static_cast<int>(std::lround((is.norm() - wish.norm()) / metres_per_wheel_unit));
     if (std::abs(units) >= 4) {
         turn_wheel(*view, units);
-        ++events_;
+        ++events;
     }
-    const Eigen::Vector2d across = movement_on_screen(*theatre_.session(), trocar, is, wish);
+    const Eigen::Vector2d across = movement_on_screen(*theatre.session(), trocar, is, wish);
     const QPoint pixels(static_cast<int>(std::lround(across.x() / metres_per_pixel)),
                         -static_cast<int>(std::lround(across.y() / metres_per_pixel)));
-    if (pixels.isNull()) return;
+    if (pixels.isNull()) return events;
     const QPoint limited(std::clamp(pixels.x(), -220, 220), std::clamp(pixels.y(), -180, 180));
     QTest::mouseMove(view, view->mapFromGlobal(QCursor::pos()) + limited);
-    ++events_;
+    return events + 1;
 }
 
 }  // namespace fulcrum::app::program_test

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "assessment/operators/operator.h"
+#include "tests/app/working_hand.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
@@ -24,13 +25,17 @@ void turn_wheel(ui::TheatreView& view, int units);
 /// Returns their number.
 int slide_mouse(ui::TheatreView& view, const QPoint& by, Qt::KeyboardModifiers with = Qt::NoModifier);
 
-class MouseHand {
+/// Tests of other programs share the screen and its pointer: outside the view it would move nothing.
+void keep_pointer_in(ui::TheatreView& view);
+/// A step by mouse and wheel of the handle that the mouse moves towards a place. Returns the events.
+int bring_by_mouse(ui::TheatrePage& theatre, const Vector3& handle, const Vector3& wish,
+                   const TrocarSpec& trocar);
+
+class MouseHand : public Worker {
   public:
     /// `mind`: reads the screen and returns the wanted poses of the handles, tick by tick.
     MouseHand(ui::TheatrePage& theatre, ObservingRig& mind) : theatre_(theatre), mind_(mind) {}
-    /// Runs until `done`, the end of the attempt, or the timeout; true if done or ended.
-    bool work_until(const std::function<bool()>& done, int milliseconds);
-    int events() const { return events_; }
+    bool work_until(const std::function<bool()>& done, int milliseconds) override;
 
   private:
     void think();
@@ -40,8 +45,6 @@ class MouseHand {
     void buttons();
     void take(int hand);
     void scope();
-    /// Mouse and wheel bring a handle to a place.
-    void bring(const DeviceReading& handle, const Vector3& wish, const TrocarSpec& trocar);
     /// Keys turn light post and camera head, where the scope is the only instrument.
     void turn_scope();
     void hold_key(int& held, int key);
@@ -50,7 +53,7 @@ class MouseHand {
     RigSample wish_;
     std::uint32_t tick_ = 0;
     QElapsedTimer since_press_;
-    int scope_key_ = 0, post_key_ = 0, head_key_ = 0, events_ = 0;
+    int scope_key_ = 0, post_key_ = 0, head_key_ = 0;
     bool pedal_ = false, asks_exchange_[hand_count] = {false, false};
 };
 

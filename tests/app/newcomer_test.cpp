@@ -5,13 +5,12 @@
 // table; without it two mice do, and a joystick that is chosen on the way.
 #include <gtest/gtest.h>
 
-#include <QElapsedTimer>
 #include <QPushButton>
 
-#include "app/live/device_rig.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/controller_hand.h"
 #include "tests/app/held_devices.h"
+#include "tests/app/held_hand.h"
 #include "tests/app/input_watch.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
@@ -19,9 +18,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/fakes/fake_page.h"
 #include "tests/support/built.h"
-#include "tests/support/fake_spacenavd.h"
 #include "tests/support/fake_trainer.h"
-#include "tests/support/own_folder.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::app::program_test {
@@ -232,69 +229,15 @@ INSTANTIATE_TEST_SUITE_P(Newcomer, NewcomerWithDevice,
                                            "Joystick"),
                          [](const auto& of) { return of.param; });
 
-/// Follows a wanted place with the deflection of the cap, as a person does who looks at the screen. The other
-/// hand rests.
-class CapHand {
-  public:
-    CapHand(ui::TheatrePage& theatre, ObservingRig& mind, const fulcrum::test::FakeSpacenavd& cap, int hand)
-        : theatre_(theatre), mind_(mind), cap_(cap), hand_(hand) {}
-    bool work_until(const std::function<bool()>& done, int milliseconds) {
-        QElapsedTimer timer;
-        timer.start();
-        while (timer.elapsed() < milliseconds) {
-            QTest::qWait(10);
-            const ui::AttemptSession* const session = theatre_.session();
-            if (session == nullptr || done()) return true;
-            if (session->phase() == ui::AttemptPhase::running) push(*session);
-        }
-        return false;
-    }
-    int events() const { return events_; }
-
-  private:
-    void push(const ui::AttemptSession& session) {
-        mind_.observe(session.snapshot(), session.display());
-        while (tick_ < session.health().ticks) mind_.read(++tick_, wish_);
-        if (tick_ == 0) return;
-        const InstrumentSpec& spec = *session.scene().instrument(static_cast<Hand>(hand_));
-        const Trocar trocar = make_trocar(spec.trocar);
-        const ToolPose& now = session.snapshot().tools[hand_];
-        // The handle is on the shaft's line, outside.
-        const Vector3 handle =
-            trocar.rotation.transpose() * (now.tip - spec.trocar.shaft_length * now.axis - now.trocar);
-        const Vector3 way = DeviceRig::turned(handle_of(wish_.hand[hand_]) - handle);
-        std::array<std::int32_t, 7> counts{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            constexpr double counts_a_metre = 15000;
-            const double wanted = (axis == 2 ? -1 : 1) * counts_a_metre * way[static_cast<int>(axis)];
-            counts[axis] = static_cast<std::int32_t>(std::clamp(wanted, -350.0, 350.0));
-        }
-        counts[6] = 16;
-        cap_.send_event(0, counts);
-        ++events_;
-    }
-    ui::TheatrePage& theatre_;
-    ObservingRig& mind_;
-    const fulcrum::test::FakeSpacenavd& cap_;
-    RigSample wish_;
-    std::uint32_t tick_ = 0;
-    int hand_ = 0, events_ = 0;
-};
-
 /// A2 asks for the left hand first.
 struct NewcomersCap {
-    Variable daemon{"FULCRUM_HAPTICD", fulcrum::test::hapticd_program()};
-    fulcrum::test::OwnFolder cap_folder;
-    std::string path = (cap_folder.path() / "spnav.sock").string();
-    Variable socket{"SPNAV_SOCKET", path};
-    fulcrum::test::FakeSpacenavd cap{path, 1};
-    Variable device{"FULCRUM_DEVICE", "space-mouse:left"};
+    std::unique_ptr<HeldDevice> cap = make_held("SpaceMouse");
 };
 class NewcomerWithSpaceMouse : public NewcomersCap, public Newcomer {};
 TEST_F(NewcomerWithSpaceMouse, TouchesTheFirstTarget) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    touch_first("SpaceMouse for the left hand (fake of spacenavd)", "deflections of the cap",
-                [this](ObservingRig& mind) { return CapHand(theatre(), mind, cap, 0); });
+    touch_first(cap->title, "deflections of the cap",
+                [this](ObservingRig& mind) { return HeldHand(theatre(), mind, *cap); });
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/two_mice_hand.h"
 
-#include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 #include "sim_core/instrument/mouse_mapping.h"
-#include "ui/theatre/theatre_view.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -13,8 +12,6 @@ namespace {
 constexpr int jaws_button = 1, pedal_button = 2, turning_button = 3, exchange_button = 8;
 constexpr int taken_within_ms = 250;  // a movement that had no effect by then is not waited for
 constexpr int furthest_counts = 220;  // in one go
-
-constexpr int arrow_keys[] = {0, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};
 
 }  // namespace
 
@@ -67,18 +64,6 @@ void TwoMiceHand::push(int h) {
     mice_.move(h, right, down);
     ++events_;
     sent_[h].start();
-}
-
-void TwoMiceHand::scope() {
-    const Look look =
-        wanted_look(*theatre_.session(), theatre_.input()->targets(), wish_, look_ != Look::none);
-    if (look == look_) return;
-    ui::TheatreView* const view = theatre_.view();
-    if (look_ != Look::none)
-        QTest::keyRelease(view, static_cast<Qt::Key>(arrow_keys[static_cast<int>(look_)]));
-    if (look != Look::none) QTest::keyPress(view, static_cast<Qt::Key>(arrow_keys[static_cast<int>(look)]));
-    look_ = look;
-    ++events_;
 }
 
 }  // namespace fulcrum::app::program_test

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves the instruments to given targets by two mice of the X server, one for each hand; the arrow keys turn
-// the scope.
+// Moves the instruments to given targets by two mice of the X server, one for each hand.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,13 +17,11 @@ class TwoMiceHand : public WorkingHand {
 
   private:
     void push(int hand) override;
-    void scope() override;
     void hold(int hand, int button, bool held);
     VirtualMice& mice_;
     QElapsedTimer sent_[hand_count];  // the window takes movements once a picture
     Vector3 was_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     bool held_[hand_count][10] = {};
-    Look look_ = Look::none;
 };
 
 }  // namespace fulcrum::app::program_test
