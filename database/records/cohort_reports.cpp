@@ -196,7 +196,7 @@ void require_people(const Store& store, const Session& session, const std::strin
     store.require(session, Operation::export_person);
     if (scope_of(session.role(), Operation::export_person) != Scope::programme)
         throw AccessDenied(operation_name(Operation::export_person), role_name(session.role()),
-                           QT_TRANSLATE_NOOP("errors", "outside this role's people"));
+                           DenialReason::outside_people);
 }
 
 }  // namespace

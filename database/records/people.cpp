@@ -244,8 +244,7 @@ void require_own_account(const Person& person) {
 
 void require_open_demo(const Store& store, const Session& station) {
     if (!store.is_demo() || !station.is_station()) {
-        throw AccessDenied("build_demo", role_name(station.role()),
-                           QT_TRANSLATE_NOOP("errors", "by the program, in a demo store"));
+        throw AccessDenied("build_demo", role_name(station.role()), DenialReason::program_only);
     }
     if (read_setting(store.connection(), "demo_sealed") == "1") {
         throw StoreError(StoreErrorKind::sealed_demo,

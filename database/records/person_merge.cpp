@@ -87,8 +87,7 @@ void require_mergeable(const Session& administrator, const Person& from, const P
                          QT_TRANSLATE_NOOP("errors", "only real people are merged"),
                          QT_TRANSLATE_NOOP("errors", "simulated people are never part of the results"));
     if (administrator.person_id() == from.id || administrator.person_id() == into.id)
-        throw AccessDenied("merge_people", role_name(administrator.role()),
-                           QT_TRANSLATE_NOOP("errors", "nobody merges an account of their own"));
+        throw AccessDenied("merge_people", role_name(administrator.role()), DenialReason::own_account);
     // Repeated, it moves what a station has brought since.
     if (!from.merged_into.empty() && from.merged_into != into.id)
         conflict({QT_TRANSLATE_NOOP("errors", "%1 is merged into another account already"), from.login},
@@ -231,8 +230,7 @@ void PersonMerge::undo(const Session& administrator, const std::string& from,
                          {QT_TRANSLATE_NOOP("errors", "%1 is not merged into another account"), person.login},
                          QT_TRANSLATE_NOOP("errors", "name an account that was merged"));
     if (administrator.person_id() == person.merged_into)
-        throw AccessDenied("merge_people", role_name(administrator.role()),
-                           QT_TRANSLATE_NOOP("errors", "nobody merges an account of their own"));
+        throw AccessDenied("merge_people", role_name(administrator.role()), DenialReason::own_account);
     set_merged_into(store_.connection(), from, {});
     Audit(store_).append(administrator, from, "person.unmerge",
                          json_object({{"from", person.merged_into}, {"reason", reason}}),

@@ -121,8 +121,7 @@ RatingRow require_own_draft(const Store& store, const Session& rater, const std:
                          QT_TRANSLATE_NOOP("errors", "open the attempt again"));
     require_attempt(store, rater, Operation::rate, found[0].attempt_id);
     if (found[0].rater_id != rater.person_id())
-        throw AccessDenied("rate", role_name(rater.role()),
-                           QT_TRANSLATE_NOOP("errors", "someone else's form"));
+        throw AccessDenied("rate", role_name(rater.role()), DenialReason::other_form);
     if (found[0].handed_in > 0)
         throw StoreError(StoreErrorKind::conflict,
                          QT_TRANSLATE_NOOP("errors", "the form was handed in already"),

@@ -61,8 +61,7 @@ Place require_own_draft(const Store& store, const Session& educator, const std::
     Place place = place_of(store, comment_id);
     store.require(educator, Operation::comment, Subject::person(place.person_id));
     if (place.author_id != educator.person_id())
-        throw AccessDenied("comment", role_name(educator.role()),
-                           QT_TRANSLATE_NOOP("errors", "someone else's comment"));
+        throw AccessDenied("comment", role_name(educator.role()), DenialReason::other_comment);
     if (place.sent)
         throw StoreError(StoreErrorKind::conflict,
                          QT_TRANSLATE_NOOP("errors", "the comment was sent already"),

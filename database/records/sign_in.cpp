@@ -306,8 +306,7 @@ Session People::act_as(const Session& session, Role role) const {
     const std::vector<Role> roles =
         session.is_station() ? std::vector<Role>{} : roles_of(store_.connection(), session.person_id());
     if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
-        throw AccessDenied("act_as", role_name(session.role()),
-                           {QT_TRANSLATE_NOOP("errors", "the role %1 is not held"), role_name(role)});
+        throw AccessDenied("act_as", role_name(session.role()), DenialReason::role_not_held, role_name(role));
     }
     return SessionMaker::person(session.person_id(), session.login(), session.display_name(), roles, role,
                                 session.station_id(), session.must_change_password(), session.is_demo());
@@ -319,12 +318,10 @@ Session People::demo_session(const std::string& login, Role role) const {
         "SELECT id, login, display_name FROM person WHERE login_key = ? AND kind <> 'real' AND active = 1");
     row.bind(login_key(login));
     if (!store_.is_demo() || !row.next())
-        throw AccessDenied("demo_session", role_name(role),
-                           QT_TRANSLATE_NOOP("errors", "demo people exist in the demo store only"));
+        throw AccessDenied("demo_session", role_name(role), DenialReason::demo_people_elsewhere);
     const std::vector<Role> roles = roles_of(store_.connection(), row.text(0));
     if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
-        throw AccessDenied("demo_session", role_name(role),
-                           QT_TRANSLATE_NOOP("errors", "the role is not held"));
+        throw AccessDenied("demo_session", role_name(role), DenialReason::role_not_held, role_name(role));
     }
     return SessionMaker::person(row.text(0), row.text(1), row.text(2), roles, role, store_.station_id(),
                                 false, true);
@@ -366,8 +363,7 @@ Session People::change_password(const Session& session, const std::string& old_p
     require_password(new_password);
     const Account account = require_right_password(store_, login_now(session), old_password);
     if (account.id != session.person_id()) {
-        throw AccessDenied("change_password", role_name(session.role()),
-                           QT_TRANSLATE_NOOP("errors", "someone else's login"));
+        throw AccessDenied("change_password", role_name(session.role()), DenialReason::other_login);
     }
     require_valid(store_, account);
     if (old_password == new_password) {

@@ -290,7 +290,7 @@ ResearchExport research_export(const Store& store, const Session& director) {
     if (scope_of(director.role(), Operation::export_cohort) != Scope::programme ||
         scope_of(director.role(), Operation::read_attempt) != Scope::programme)
         throw AccessDenied(operation_name(Operation::export_cohort), role_name(director.role()),
-                           QT_TRANSLATE_NOOP("errors", "outside this role's people"));
+                           DenialReason::outside_people);
     require_whole_programme(store);
     AttemptFilter filter;
     filter.include_voided = filter.include_synthetic = false;

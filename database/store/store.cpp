@@ -359,8 +359,7 @@ bool Store::backup(const Session& session, const std::string& to_path, const Sto
 
 void Store::seal_demo(const Session& station) {
     if (!is_demo() || !station.is_station())
-        throw AccessDenied("seal_demo", role_name(station.role()),
-                           QT_TRANSLATE_NOOP("errors", "demo stores only"));
+        throw AccessDenied("seal_demo", role_name(station.role()), DenialReason::demo_only);
     Transaction transaction(connection());
     write_setting(connection(), "demo_sealed", "1");
     // Times of a demonstration may be simulated; this one is the machine's.

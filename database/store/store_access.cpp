@@ -63,25 +63,21 @@ bool is_for_servers(Operation operation) {
     }
 }
 
-/// Empty if the session is still valid; else why not.
-Sentence why_session_ended(const Store& store, const Session& session, Operation operation) {
-    if (session.station_id() != store.station_id())
-        return QT_TRANSLATE_NOOP("errors", "signed in to another store");
-    if (session.is_station()) return {};
-    if (session.is_demo() && !store.is_demo())
-        return QT_TRANSLATE_NOOP("errors", "demo people exist in the demo store only");
+/// None if the session is still valid; else why not.
+DenialReason why_session_ended(const Store& store, const Session& session, Operation operation) {
+    if (session.station_id() != store.station_id()) return DenialReason::other_store;
+    if (session.is_station()) return DenialReason::none;
+    if (session.is_demo() && !store.is_demo()) return DenialReason::demo_people_elsewhere;
     Query person(
         store.connection(),
         "SELECT p.active, EXISTS (SELECT 1 FROM person_role r WHERE r.person_id = p.id AND r.role = ?), "
         "COALESCE((SELECT c.one_time FROM credential c WHERE c.person_id = p.id), 0) FROM person p WHERE "
         "p.id = ?");
     person.bind(role_name(session.role())).bind(session.person_id());
-    if (!person.next() || !person.flag(0))
-        return QT_TRANSLATE_NOOP("errors", "the account is no longer active");
-    if (!person.flag(1)) return QT_TRANSLATE_NOOP("errors", "the role was withdrawn");
-    if (person.flag(2) && operation != Operation::change_password)
-        return QT_TRANSLATE_NOOP("errors", "the one-time password must be changed first");
-    return {};
+    if (!person.next() || !person.flag(0)) return DenialReason::account_inactive;
+    if (!person.flag(1)) return DenialReason::role_withdrawn;
+    if (person.flag(2) && operation != Operation::change_password) return DenialReason::one_time_password;
+    return DenialReason::none;
 }
 
 bool relation_of(const Store& store, const Session& session, const Subject& subject, Relation& relation) {
@@ -109,38 +105,32 @@ bool relation_of(const Store& store, const Session& session, const Subject& subj
     return true;
 }
 
-/// Empty if allowed; else why not.
-Sentence refusal(const Store& store, const Session& session, Operation operation, const Subject& subject) {
-    Sentence ended = why_session_ended(store, session, operation);
-    if (!ended.empty()) return ended;
-    if (scope_of(session.role(), operation) == Scope::none)
-        return QT_TRANSLATE_NOOP("errors", "not in this role");
-    if (store.is_server() && !is_for_servers(operation))
-        return QT_TRANSLATE_NOOP("errors",
-                                 "the programme server is only read here; do it at a station, with its own "
-                                 "store");
-    if (writes(operation) && store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1") {
-        return QT_TRANSLATE_NOOP("errors", "the demo takes practice attempts only");
-    }
-    if (subject.kind == Subject::Kind::none) return {};
+/// None if allowed; else why not.
+DenialReason refusal(const Store& store, const Session& session, Operation operation,
+                     const Subject& subject) {
+    const DenialReason ended = why_session_ended(store, session, operation);
+    if (ended != DenialReason::none) return ended;
+    if (scope_of(session.role(), operation) == Scope::none) return DenialReason::not_in_role;
+    if (store.is_server() && !is_for_servers(operation)) return DenialReason::server_only_read;
+    if (writes(operation) && store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1")
+        return DenialReason::demo_practice_only;
+    if (subject.kind == Subject::Kind::none) return DenialReason::none;
     Relation relation;
-    if (!relation_of(store, session, subject, relation))
-        return QT_TRANSLATE_NOOP("errors", "outside this role's people");
-    if (permits(session.role(), operation, relation)) return {};
-    if (never_own(operation) && relation.own)
-        return QT_TRANSLATE_NOOP("errors", "not allowed on one's own attempt");
-    return QT_TRANSLATE_NOOP("errors", "outside this role's people");
+    if (!relation_of(store, session, subject, relation)) return DenialReason::outside_people;
+    if (permits(session.role(), operation, relation)) return DenialReason::none;
+    return never_own(operation) && relation.own ? DenialReason::own_attempt : DenialReason::outside_people;
 }
 
 }  // namespace
 
 bool Store::allowed(const Session& session, Operation operation, const Subject& subject) const {
-    return refusal(*this, session, operation, subject).empty();
+    return refusal(*this, session, operation, subject) == DenialReason::none;
 }
 
 void Store::require(const Session& session, Operation operation, const Subject& subject) const {
-    const Sentence why = refusal(*this, session, operation, subject);
-    if (!why.empty()) throw AccessDenied(operation_name(operation), role_name(session.role()), why);
+    const DenialReason why = refusal(*this, session, operation, subject);
+    if (why != DenialReason::none)
+        throw AccessDenied(operation_name(operation), role_name(session.role()), why);
 }
 
 }  // namespace fulcrum::database

@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <set>
 
 #include "database/records/people.h"
 #include "database/rows/errors.h"
@@ -123,11 +124,29 @@ TEST_F(Screens, MarksOfMarkdownAreFoundInEveryKindOfText) {
 TEST_F(Screens, NameNoOperationOfTheStoreInARefusal) {
     for (int i = 0; i < static_cast<int>(database::operation_count); ++i) {
         const std::string name = database::operation_name(static_cast<database::Operation>(i));
-        const QString line = error_text(database::AccessDenied(name, "trainee", "not in this role"));
+        const QString line =
+            error_text(database::AccessDenied(name, "trainee", database::DenialReason::not_in_role));
         EXPECT_TRUE(line.startsWith("You may not ")) << line.toStdString();
         EXPECT_FALSE(line.startsWith("You may not do this")) << name << " has no sentence of its own";
         EXPECT_FALSE(line.contains('_')) << line.toStdString();
     }
+}
+
+TEST_F(Screens, SayWhyARefusalCameForEveryReason) {
+    using database::AccessDenied;
+    using database::DenialReason;
+    std::set<QString> shown;
+    for (const NameRow<DenialReason>& row : database::denial_reasons) {
+        const QString line = error_text(AccessDenied("act_as", "trainee", row.kind, "director"));
+        EXPECT_TRUE(shown.insert(line).second)
+            << row.name << " has the words of another: " << line.toStdString();
+        EXPECT_FALSE(line.contains('%')) << line.toStdString();
+    }
+    EXPECT_EQ(error_text(AccessDenied("act_as", "trainee", DenialReason::role_not_held, "director")),
+              "You may not act in this role as trainee. You do not hold the role director.");
+    EXPECT_EQ(error_text(AccessDenied("merge_people", "administrator", DenialReason::own_account)),
+              "You may not merge these accounts as administrator. You may not do this to an account of your "
+              "own.");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "ui/language/error_text.h"
 
 #include <QCoreApplication>
+#include <iterator>
 
 #include "database/rows/errors.h"
 #include "ui/language/words.h"
@@ -55,31 +56,48 @@ constexpr WordsOf operations[] = {
     {"erase_person", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "erase this person")},
     {"export_all", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "export all that is stored about this person")},
     {"review_error", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "confirm or strike this error")},
+    {"merge_people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "merge these accounts")},
     {"act_as", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "act in this role")},
     {"demo_session", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "use this demonstration account")},
     {"seal_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "close the demonstration programme")},
     {"build_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "build the demonstration")},
 };
-/// Why it was refused.
-constexpr WordsOf reasons[] = {
-    {"not in this role", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This role does not include it.")},
-    {"the demo takes practice attempts only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The demonstration accepts practice attempts only.")},
-    {"the programme server is only read here; do it at a station, with its own store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The programme server is only read here. Do it at a station.")},
-    {"outside this role's people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The person is not in your care.")},
-    {"not allowed on one's own attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You may not do this to your own attempt.")},
-    {"signed in to another store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You are signed in to another programme. Sign in again.")},
-    {"demo people exist in the demo store only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Demonstration accounts exist in the demonstration only.")},
-    {"demo stores only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This is possible in the demonstration only.")},
-    {"the account is no longer active", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The account is no longer active.")},
-    {"the role was withdrawn", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The role was withdrawn. Sign in again.")},
-    {"the one-time password must be changed first", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Change the one-time password first.")},
-    {"the role is not held", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You do not hold this role.")},
-    {"someone else's login", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "It belongs to another account.")},
-    {"someone else's form", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The form belongs to another person.")},
-    {"by the program, in a demo store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Only the program does this, in the demonstration.")},
-    {"someone else's comment", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The comment belongs to another person.")},
+/// Why it was refused; %1: what the reason is about.
+struct ReasonRow {
+    database::DenialReason kind;
+    const char* shown;
+};
+constexpr ReasonRow reasons[] = {
+    {database::DenialReason::none, ""},
+    {database::DenialReason::not_in_role, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This role does not include it.")},
+    {database::DenialReason::demo_practice_only, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The demonstration accepts practice attempts only.")},
+    {database::DenialReason::server_only_read, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The programme server is only read here. Do it at a station.")},
+    {database::DenialReason::outside_people, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The person is not in your care.")},
+    {database::DenialReason::own_attempt, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You may not do this to your own attempt.")},
+    {database::DenialReason::own_account, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You may not do this to an account of your own.")},
+    {database::DenialReason::other_store, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You are signed in to another programme. Sign in again.")},
+    {database::DenialReason::demo_people_elsewhere, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Demonstration accounts exist in the demonstration only.")},
+    {database::DenialReason::demo_only, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This is possible in the demonstration only.")},
+    {database::DenialReason::account_inactive, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The account is no longer active.")},
+    {database::DenialReason::role_withdrawn, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The role was withdrawn. Sign in again.")},
+    {database::DenialReason::one_time_password, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Change the one-time password first.")},
+    {database::DenialReason::role_not_held, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You do not hold the role %1.")},
+    {database::DenialReason::other_login, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "It belongs to another account.")},
+    {database::DenialReason::other_form, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The form belongs to another person.")},
+    {database::DenialReason::other_comment, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The comment belongs to another person.")},
+    {database::DenialReason::program_only, QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Only the program does this, in the demonstration.")},
 };
 // clang-format on
+static_assert(in_order(reasons) && std::size(reasons) == std::size(database::denial_reasons),
+              "a row for every reason, in the enum's order");
+
+/// Empty without a reason.
+QString reason_text(const database::AccessDenied& denied) {
+    if (denied.why() == database::DenialReason::none) return {};
+    const QString shown =
+        QCoreApplication::translate("fulcrum::ui::errors", row_of(reasons, denied.why()).shown);
+    return denied.why() == database::DenialReason::role_not_held ? shown.arg(role_text(denied.of())) : shown;
+}
 
 }  // namespace
 
@@ -92,7 +110,7 @@ QString error_text(const std::exception& error) {
                              .arg(role_text(denied->role()))
                        : QCoreApplication::translate("fulcrum::ui::errors", "You may not %1 as %2.")
                              .arg(operation, role_text(denied->role()));
-    const QString reason = words_in(reasons, denied->why(), "fulcrum::ui::errors");
+    const QString reason = reason_text(*denied);
     if (!reason.isEmpty()) line += QLatin1Char(' ') + reason;
     return line;
 }

@@ -165,7 +165,7 @@ class EveryCell : public ::testing::Test {
             case Operation::list_cohorts:
                 return target.cohort.empty() ? F() : [=] {
                     if (!people.find_cohort(session, target.cohort))
-                        throw AccessDenied("list_cohorts", "", "not listed");
+                        throw AccessDenied("list_cohorts", "", DenialReason::outside_people);
                 };
             case Operation::manage_cohorts:
                 return target.cohort.empty() ? F() : [=] {

@@ -3637,10 +3637,6 @@
         <translation>Vorführkonten gibt es nur in der Vorführung</translation>
     </message>
     <message>
-        <source>the role is not held</source>
-        <translation>das Konto hat diese Rolle nicht</translation>
-    </message>
-    <message>
         <source>someone else&apos;s login</source>
         <translation>der Anmeldename gehört einer anderen Person</translation>
     </message>
@@ -19850,8 +19846,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Ändern Sie zuerst das Einmalpasswort.</translation>
     </message>
     <message>
-        <source>You do not hold this role.</source>
-        <translation>Sie haben diese Rolle nicht.</translation>
+        <source>You do not hold the role %1.</source>
+        <translation>Sie haben die Rolle %1 nicht.</translation>
+    </message>
+    <message>
+        <source>merge these accounts</source>
+        <translation>diese Konten zusammenführen</translation>
+    </message>
+    <message>
+        <source>You may not do this to an account of your own.</source>
+        <translation>Beim eigenen Konto dürfen Sie das nicht.</translation>
     </message>
     <message>
         <source>It belongs to another account.</source>
