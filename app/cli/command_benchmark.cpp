@@ -14,6 +14,7 @@
 #include "assessment/scoring/benchmark_builder.h"
 #include "assessment/scoring/judged_limits.h"
 #include "assessment/scoring/taken_over.h"
+#include "assessment/task/limit_source.h"
 #include "database/records/people.h"
 #include "database/scoring/expert_attempts.h"
 #include "sim_core/numerics/files.h"
@@ -98,10 +99,10 @@ Setting setting_of(const Arguments& arguments) {
 
 /// The experts, as screens name them.
 std::string source_of(DeviceClass device_class) {
-    const std::string seeds = ", seeds 1000-1999";
-    return device_class == DeviceClass::haptic ? "synthetic operators" + seeds
-                                               : std::string("synthetic operators through a model of ") +
-                                                     row_of(device_classes, device_class).title + seeds;
+    std::string source = simulated_experts;
+    if (device_class != DeviceClass::haptic)
+        source += std::string(" through a model of ") + row_of(device_classes, device_class).title;
+    return source + ", seeds 1000-1999";
 }
 
 /// The file that --attempts names; absent without it.

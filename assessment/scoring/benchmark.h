@@ -58,7 +58,7 @@ struct BenchmarkSet {
     std::string variant_family;
     DeviceClass device_class = DeviceClass::haptic;
     std::string fidelity;
-    std::string source;  ///< for screens: "synthetic operators", "experts of …"
+    std::string source;  ///< for screens: "synthetic operators" (limit_source.h), "experts of …"
     std::string note;    ///< why it was made, by whoever put it in force; may be empty
     bool provisional = true;
     double k = 2;  ///< benchmark gates pass at z <= k, apart from levels with a k of their own

@@ -7,6 +7,7 @@
 #include "assessment/metrics/statement_words.h"
 #include "assessment/scoring/gate_rules.h"
 #include "assessment/scoring/taken_over.h"
+#include "assessment/task/limit_source.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -28,8 +29,13 @@ void judge_absolute(GateResult& gate, const MetricDescriptor& descriptor, double
 }
 
 std::string source_of(const BenchmarkLevel& level, const BenchmarkSet& set) {
-    return set.source + ", set " + std::to_string(set.version) + ", " + std::to_string(level.experts) +
-           " experts";
+    LimitSource source;
+    source.kind = LimitSource::Kind::range;
+    source.of = set.source;
+    source.set = set.version;
+    source.experts = level.experts;
+    source.worst_counted = level.absolute_limit.has_value();
+    return limit_source_line(source);
 }
 
 void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const BenchmarkLevel& level,
@@ -37,7 +43,6 @@ void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const
     gate.provisional = set.provisional;
     gate.limit_source = source_of(level, set);
     if (level.absolute_limit) {
-        gate.limit_source += ", worst counted value";
         judge_absolute(gate, descriptor, *level.absolute_limit);
         return;
     }
@@ -147,8 +152,7 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
     const BenchmarkLevel* level = nullptr;
     if (spec.kind == GateKind::absolute) {
         const bool is_of_site = benchmark != nullptr && takes_over(*benchmark, spec);
-        gate.limit_source = spec.limit_source;
-        if (is_of_site) gate.limit_source += taken_over_source(*benchmark);
+        gate.limit_source = is_of_site ? taken_over_source(spec.limit_source, *benchmark) : spec.limit_source;
         gate.provisional = spec.provisional && !is_of_site;
         judge_absolute(gate, *descriptor, spec.limit);
         level = benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);

@@ -7,6 +7,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/gate_rules.h"
+#include "assessment/task/limit_source.h"
 #include "sim_core/scene/json_document.h"
 
 namespace fulcrum {
@@ -79,8 +80,13 @@ TakenOver taken_over(const TaskDefinition& task, const BenchmarkSet& set) {
     return result;
 }
 
-std::string taken_over_source(const BenchmarkSet& set) {
-    return ", taken over by " + set.source + ", set " + std::to_string(set.version);
+std::string taken_over_source(const std::string& words, const BenchmarkSet& set) {
+    LimitSource source;
+    source.kind = LimitSource::Kind::taken_over;
+    source.of = words;
+    source.site = set.source;
+    source.set = set.version;
+    return limit_source_line(source);
 }
 
 std::string provisional_words(const ProvisionalLimit& limit) {

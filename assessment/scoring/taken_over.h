@@ -43,8 +43,8 @@ struct TakenOver {
 };
 TakenOver taken_over(const TaskDefinition& task, const BenchmarkSet& set);
 
-/// What follows the source of a limit that the set took over: ", taken over by experts of this site, set 4".
-std::string taken_over_source(const BenchmarkSet& set);
+/// The source of a limit that the set took over: "…, taken over by experts of this site, set 4".
+std::string taken_over_source(const std::string& words, const BenchmarkSet& set);
 /// "f_max left at most 4.0 N".
 std::string provisional_words(const ProvisionalLimit& limit);
 /// The same of several, for the audit log and the command line; empty: of none.

@@ -11,6 +11,7 @@
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/taken_over.h"
+#include "assessment/task/limit_source.h"
 #include "database/records/people.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/benchmark_files.h"
@@ -140,7 +141,8 @@ BenchmarkRequest expert_request(const LoadedTask& loaded, DeviceClass device_cla
     request.version = version;
     request.provisional = std::any_of(attempts.begin(), attempts.end(),
                                       [](const BenchmarkAttempt& one) { return one.simulated; });
-    request.source = request.provisional ? "synthetic operators, stored attempts" : "experts of this site";
+    request.source = request.provisional ? std::string(simulated_experts) + ", stored attempts"
+                                         : std::string("experts of this site");
     request.familiarisation = familiarisation_attempts;
     request.experts = std::move(attempts);
     return request;

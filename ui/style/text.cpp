@@ -11,6 +11,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
+#include "assessment/task/limit_source.h"
 #include "sim_core/telemetry/event_names.h"
 #include "ui/language/language.h"
 
@@ -79,24 +80,25 @@ QString points_figure(const std::optional<double>& points) {
     return points ? decimal(*points, 1) : QStringLiteral("–");
 }
 
-QString limit_source_text(const std::string& source) {
-    static const QRegularExpression of_a_set(
-        QStringLiteral("^(.*), set ([0-9]+), ([0-9]+) experts(, worst counted value)?$"));
-    static const QRegularExpression of_a_site(QStringLiteral("^(.*), taken over by (.*), set ([0-9]+)$"));
-    const QRegularExpressionMatch taken_over = of_a_site.match(text(source));
-    if (taken_over.hasMatch())
-        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1; taken over with benchmark set %2 (%3)"))
-            .arg(asset_text(plain(taken_over.captured(1))), taken_over.captured(3),
-                 asset_text(plain(taken_over.captured(2))));
-    const QRegularExpressionMatch found = of_a_set.match(text(source));
-    if (!found.hasMatch()) return asset_text(source);
-    const bool simulated = found.captured(1).startsWith(QLatin1String("synthetic operators"));
+QString limit_source_text(const std::string& line) {
+    const LimitSource source = read_limit_source(line);
+    const QString set = QString::number(source.set);
+    switch (source.kind) {
+        case LimitSource::Kind::words:
+            return asset_text(source.of);
+        case LimitSource::Kind::taken_over:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1; taken over with benchmark set %2 (%3)"))
+                .arg(asset_text(source.of), set, asset_text(source.site));
+        case LimitSource::Kind::range:
+            break;
+    }
     QString shown =
-        simulated ? words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 simulated experts, benchmark set %2"))
-                  : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 experts, benchmark set %2"));
-    shown = shown.arg(found.captured(3), found.captured(2));
-    if (!simulated) shown += QStringLiteral(" (%1)").arg(asset_text(plain(found.captured(1))));
-    if (found.capturedLength(4) > 0)
+        source.is_simulated()
+            ? words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 simulated experts, benchmark set %2"))
+            : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 experts, benchmark set %2"));
+    shown = shown.arg(QString::number(source.experts), set);
+    if (!source.is_simulated()) shown += QStringLiteral(" (%1)").arg(asset_text(source.of));
+    if (source.worst_counted)
         shown += words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "; the worst value that counts"));
     return shown;
 }

@@ -52,7 +52,7 @@ QString figure(const std::optional<double>& value);
 QString points_figure(const std::optional<double>& points);
 /// Where a limit comes from, as a score stores it: "synthetic operators, seeds 1000-1999, set 4, 32 experts"
 /// is shown as "32 simulated experts, benchmark set 4"; a limit that a set took over names the set too.
-QString limit_source_text(const std::string& source);
+QString limit_source_text(const std::string& line);
 /// With a capital letter, where words that are a part of sentences elsewhere are alone.
 QString capital(QString words);
 /// With its unit, "12.3 mm"; counts and dimensionless figures stand alone.
