@@ -2,10 +2,26 @@
 #include "sim_core/devices/run_time_library.h"
 
 #include <dlfcn.h>
+#include <locale.h>
 
 #include <cstdlib>
 
 namespace fulcrum {
+namespace {
+
+/// The last error of the dynamic linker, in English: its words alone say what is missing, and a window has
+/// put the process into the person's language.
+std::string linker_error() {
+    const locale_t english = newlocale(LC_ALL_MASK, "C", nullptr);
+    const locale_t before = uselocale(english);
+    const char* const error = dlerror();
+    std::string said = error != nullptr ? error : "unknown";
+    uselocale(before);
+    freelocale(english);
+    return said;
+}
+
+}  // namespace
 
 LibraryLook load_run_time_library(const char* variable, const std::vector<std::string>& names,
                                   const std::vector<Symbol>& symbols) {
@@ -16,8 +32,7 @@ LibraryLook load_run_time_library(const char* variable, const std::vector<std::s
     for (const std::string& name : tried) {
         library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (library != nullptr) break;
-        const char* const error = dlerror();
-        const std::string said = error != nullptr ? error : "unknown";
+        const std::string said = linker_error();
         // "NAME: cannot open shared object file: …" names the file that was not found.
         const bool absent = said.find("cannot open shared object file") != std::string::npos;
         const LibraryState state = !absent                    ? LibraryState::unusable

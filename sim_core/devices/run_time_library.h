@@ -21,7 +21,7 @@ Symbol symbol(const char* name, Function*& function) {
 }
 
 /// Loads the library that the environment `variable` names, else the first of `names` that exists, and finds
-/// every symbol. It stays loaded.
+/// every symbol. It stays loaded. `detail` is in English.
 LibraryLook load_run_time_library(const char* variable, const std::vector<std::string>& names,
                                   const std::vector<Symbol>& symbols);
 

@@ -166,9 +166,9 @@ bool TheatrePage::demonstrate(const std::string& task_id, const std::string& var
                session_ = context().services().start_demonstration(context().session(), task_id, variant);
                input_ = std::make_unique<MouseKeyboardInput>(scene);
                input_->set_keys(KeyMap::of_person(context().session().person_id()));
-               // What moves nothing here has the title of mouse and keyboard, as in an attempt.
+               // What moves nothing here has the class of mouse and keyboard, as in an attempt.
                const DeviceInUse device = device_in_scene(context().services().device_in_use(), scene);
-               help_fits_ = device.title == DeviceInUse().title;
+               help_fits_ = device.device_class == window_device && !device.two_mice;
                demonstrated_ = text(task_id);
            });
 }
