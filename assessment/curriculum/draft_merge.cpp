@@ -11,14 +11,12 @@
 #include <type_traits>
 #include <utility>
 
+#include "sim_core/numerics/name_table.h"
+
 namespace fulcrum {
 namespace {
 
 using Ids = std::vector<std::string>;
-
-constexpr DraftPart fields_of_task[] = {DraftPart::task_stage, DraftPart::after,   DraftPart::rule,
-                                        DraftPart::variants,   DraftPart::devices, DraftPart::ratings,
-                                        DraftPart::remedies};
 
 const std::string& id_of(const CurriculumStage& stage) {
     return stage.id;
@@ -68,72 +66,84 @@ bool same_ratings(const std::optional<RatingRule>& a, const std::optional<Rating
            same_set(a->items, b->items) && a->every_item == b->every_item && a->blind == b->blind;
 }
 
-bool same_field(DraftPart field, const CurriculumTask& a, const CurriculumTask& b) {
-    switch (field) {
-        case DraftPart::task_stage:
-            return a.stage == b.stage;
-        case DraftPart::after:
-            return same_set(a.after, b.after);
-        case DraftPart::rule:
-            return pass_rule_text(a.rule) == pass_rule_text(b.rule);
-        case DraftPart::variants:
-            return a.variants == b.variants;
-        case DraftPart::devices:
-            return same_set(a.device_classes, b.device_classes);
-        case DraftPart::ratings:
-            return same_ratings(a.ratings, b.ratings);
-        case DraftPart::remedies:
-            return a.remedies == b.remedies;
-        case DraftPart::title:
-        case DraftPart::stage_order:
-        case DraftPart::stage:
-        case DraftPart::stage_title:
-        case DraftPart::task_order:
-        case DraftPart::task:
-            break;
-    }
-    return true;
+template <auto member>
+bool same_value(const CurriculumTask& a, const CurriculumTask& b) {
+    return a.*member == b.*member;
+}
+template <auto member>
+bool same_values(const CurriculumTask& a, const CurriculumTask& b) {
+    return same_set(a.*member, b.*member);
+}
+bool same_rule(const CurriculumTask& a, const CurriculumTask& b) {
+    return pass_rule_text(a.rule) == pass_rule_text(b.rule);
+}
+bool same_ratings_of(const CurriculumTask& a, const CurriculumTask& b) {
+    return same_ratings(a.ratings, b.ratings);
+}
+template <auto member>
+void copy_value(CurriculumTask& to, const CurriculumTask& from) {
+    to.*member = from.*member;
 }
 
-void copy_field(DraftPart field, CurriculumTask& to, const CurriculumTask& from) {
-    switch (field) {
-        case DraftPart::task_stage:
-            to.stage = from.stage;
-            break;
-        case DraftPart::after:
-            to.after = from.after;
-            break;
-        case DraftPart::rule:
-            to.rule = from.rule;
-            break;
-        case DraftPart::variants:
-            to.variants = from.variants;
-            break;
-        case DraftPart::devices:
-            to.device_classes = from.device_classes;
-            break;
-        case DraftPart::ratings:
-            to.ratings = from.ratings;
-            break;
-        case DraftPart::remedies:
-            to.remedies = from.remedies;
-            break;
-        case DraftPart::title:
-        case DraftPart::stage_order:
-        case DraftPart::stage:
-        case DraftPart::stage_title:
-        case DraftPart::task_order:
-        case DraftPart::task:
-            break;
-    }
-}
+using Left = std::vector<DraftDifference>;
+
+// Of the whole curriculum, of its stages (`list`) and tasks; defined below.
+void take_title(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one);
+template <auto list>
+void take_order_of(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one);
+template <auto list>
+void take_item_of(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one);
+void take_field(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one);
+void look_at_title(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                   Left& left);
+template <auto list>
+void look_at_order(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                   Left& left);
+void look_at_stage(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                   Left& left);
+void look_at_task(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                  Left& left);
+
+struct PartRow {
+    DraftPart kind;
+    /// Puts the value of the version in force in the place of the draft's own.
+    void (*take)(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one);
+    /// What of a collision is left, any number of them.
+    void (*look)(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one, Left& left);
+    /// Of a field of a task; null for the others.
+    bool (*same)(const CurriculumTask& a, const CurriculumTask& b) = nullptr;
+    void (*copy)(CurriculumTask& to, const CurriculumTask& from) = nullptr;
+};
+constexpr PartRow draft_parts[] = {
+    {DraftPart::title, take_title, look_at_title},
+    {DraftPart::stage_order, take_order_of<&Curriculum::stages>, look_at_order<&Curriculum::stages>},
+    {DraftPart::stage, take_item_of<&Curriculum::stages>, look_at_stage},
+    {DraftPart::stage_title, take_item_of<&Curriculum::stages>, look_at_stage},
+    {DraftPart::task_order, take_order_of<&Curriculum::tasks>, look_at_order<&Curriculum::tasks>},
+    {DraftPart::task, take_item_of<&Curriculum::tasks>, look_at_task},
+    {DraftPart::task_stage, take_field, look_at_task, same_value<&CurriculumTask::stage>,
+     copy_value<&CurriculumTask::stage>},
+    {DraftPart::after, take_field, look_at_task, same_values<&CurriculumTask::after>,
+     copy_value<&CurriculumTask::after>},
+    {DraftPart::rule, take_field, look_at_task, same_rule, copy_value<&CurriculumTask::rule>},
+    {DraftPart::variants, take_field, look_at_task, same_value<&CurriculumTask::variants>,
+     copy_value<&CurriculumTask::variants>},
+    {DraftPart::devices, take_field, look_at_task, same_values<&CurriculumTask::device_classes>,
+     copy_value<&CurriculumTask::device_classes>},
+    {DraftPart::ratings, take_field, look_at_task, same_ratings_of, copy_value<&CurriculumTask::ratings>},
+    {DraftPart::remedies, take_field, look_at_task, same_value<&CurriculumTask::remedies>,
+     copy_value<&CurriculumTask::remedies>},
+};
+static_assert(in_order(draft_parts) &&
+                  std::size(draft_parts) == static_cast<std::size_t>(DraftPart::remedies) + 1,
+              "a row for every part, in the enum's order");
 
 bool same_item(const CurriculumStage& a, const CurriculumStage& b) {
     return a.title == b.title;
 }
 bool same_item(const CurriculumTask& a, const CurriculumTask& b) {
-    return std::all_of(std::begin(fields_of_task), std::end(fields_of_task),
-                       [&](DraftPart field) { return same_field(field, a, b); });
+    return std::all_of(std::begin(draft_parts), std::end(draft_parts),
+                       [&](const PartRow& row) { return row.same == nullptr || row.same(a, b); });
 }
 
 /// The ids of `first` in their order, and those of `second` alone each behind the one that is before it
@@ -227,13 +237,9 @@ class Merging {
     CurriculumTask in_both(const CurriculumTask* before, const CurriculumTask& own,
                            const CurriculumTask& other) {
         CurriculumTask merged = own;
-        for (const DraftPart field : fields_of_task) {
-            const auto same = [field](const CurriculumTask& a, const CurriculumTask& b) {
-                return same_field(field, a, b);
-            };
-            if (is_taken(field, own.task, winner_of(before, own, other, same)))
-                copy_field(field, merged, other);
-        }
+        for (const PartRow& row : draft_parts)
+            if (row.same != nullptr && is_taken(row.kind, own.task, winner_of(before, own, other, row.same)))
+                row.copy(merged, other);
         return merged;
     }
 
@@ -340,10 +346,46 @@ void look_again(const std::vector<Item>& draft, const std::vector<Item>& in_forc
     if constexpr (std::is_same_v<Item, CurriculumStage>) {
         if (own->title != other->title) left.push_back({DraftPart::stage_title, one.of});
     } else {
-        for (const DraftPart field : fields_of_task)
-            if ((one.part == presence || one.part == field) && !same_field(field, *own, *other))
-                left.push_back({field, one.of});
+        for (const PartRow& row : draft_parts)
+            if (row.same != nullptr && (one.part == presence || one.part == row.kind) &&
+                !row.same(*own, *other))
+                left.push_back({row.kind, one.of});
     }
+}
+
+void take_title(Curriculum& draft, const Curriculum& in_force, const DraftDifference& /*one*/) {
+    draft.title = in_force.title;
+}
+template <auto list>
+void take_order_of(Curriculum& draft, const Curriculum& in_force, const DraftDifference& /*one*/) {
+    take_order(draft.*list, in_force.*list);
+}
+template <auto list>
+void take_item_of(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one) {
+    take_item(draft.*list, in_force.*list, one.of);
+}
+void take_field(Curriculum& draft, const Curriculum& in_force, const DraftDifference& one) {
+    CurriculumTask* own = find_item(draft.tasks, one.of);
+    const CurriculumTask* other = in_force.find(one.of);
+    if (own != nullptr && other != nullptr) row_of(draft_parts, one.part).copy(*own, *other);
+}
+
+void look_at_title(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                   Left& left) {
+    if (draft.title != in_force.title) left.push_back(one);
+}
+template <auto list>
+void look_at_order(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                   Left& left) {
+    if (!same_order(draft.*list, in_force.*list)) left.push_back(one);
+}
+void look_at_stage(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                   Left& left) {
+    look_again(draft.stages, in_force.stages, one, DraftPart::stage, left);
+}
+void look_at_task(const Curriculum& draft, const Curriculum& in_force, const DraftDifference& one,
+                  Left& left) {
+    look_again(draft.tasks, in_force.tasks, one, DraftPart::task, left);
 }
 
 }  // namespace
@@ -353,67 +395,14 @@ DraftMerge merge_draft(const Curriculum* base, const Curriculum& draft, const Cu
 }
 
 void take_part(Curriculum& draft, const Curriculum& in_force, const DraftDifference& part) {
-    switch (part.part) {
-        case DraftPart::title:
-            draft.title = in_force.title;
-            return;
-        case DraftPart::stage_order:
-            take_order(draft.stages, in_force.stages);
-            return;
-        case DraftPart::stage:
-        case DraftPart::stage_title:
-            take_item(draft.stages, in_force.stages, part.of);
-            return;
-        case DraftPart::task_order:
-            take_order(draft.tasks, in_force.tasks);
-            return;
-        case DraftPart::task:
-            take_item(draft.tasks, in_force.tasks, part.of);
-            return;
-        case DraftPart::task_stage:
-        case DraftPart::after:
-        case DraftPart::rule:
-        case DraftPart::variants:
-        case DraftPart::devices:
-        case DraftPart::ratings:
-        case DraftPart::remedies:
-            break;
-    }
-    CurriculumTask* own = find_item(draft.tasks, part.of);
-    const CurriculumTask* other = in_force.find(part.of);
-    if (own != nullptr && other != nullptr) copy_field(part.part, *own, *other);
+    row_of(draft_parts, part.part).take(draft, in_force, part);
 }
 
 std::vector<DraftDifference> collisions_left(const std::vector<DraftDifference>& collisions,
                                              const Curriculum& draft, const Curriculum& in_force) {
-    std::vector<DraftDifference> left;
-    for (const DraftDifference& one : collisions) {
-        switch (one.part) {
-            case DraftPart::title:
-                if (draft.title != in_force.title) left.push_back(one);
-                break;
-            case DraftPart::stage_order:
-                if (!same_order(draft.stages, in_force.stages)) left.push_back(one);
-                break;
-            case DraftPart::task_order:
-                if (!same_order(draft.tasks, in_force.tasks)) left.push_back(one);
-                break;
-            case DraftPart::stage:
-            case DraftPart::stage_title:
-                look_again(draft.stages, in_force.stages, one, DraftPart::stage, left);
-                break;
-            case DraftPart::task:
-            case DraftPart::task_stage:
-            case DraftPart::after:
-            case DraftPart::rule:
-            case DraftPart::variants:
-            case DraftPart::devices:
-            case DraftPart::ratings:
-            case DraftPart::remedies:
-                look_again(draft.tasks, in_force.tasks, one, DraftPart::task, left);
-                break;
-        }
-    }
+    Left left;
+    for (const DraftDifference& one : collisions)
+        row_of(draft_parts, one.part).look(draft, in_force, one, left);
     std::vector<DraftDifference> once;
     for (const DraftDifference& one : left)
         if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);

@@ -3,9 +3,12 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 
+#include "sim_core/numerics/name_table.h"
 #include "ui/dashboards/curriculum_forms.h"
 #include "ui/dashboards/pass_rule_designer.h"
 #include "ui/style/flow_row.h"
@@ -54,79 +57,73 @@ QString remedies_in_words(const CurriculumTask& task, const std::vector<TaskDefi
     return list_or_none(words, QStringLiteral("; "));
 }
 
-/// `exact`: with every digit, where the usual words are the same on both sides.
-QString field_in_words(DraftPart part, const CurriculumTask& task, const std::vector<TaskDefinition>& tasks,
-                       bool exact) {
+QString devices_in_words(const CurriculumTask& task) {
     QStringList classes;
-    switch (part) {
-        case DraftPart::task_stage:
-            return text(task.stage);
-        case DraftPart::after:
-            return ids_in_words(task.after);
-        case DraftPart::rule:
-            return exact ? text(pass_rule_text(task.rule)) : pass_rule_words(task.rule);
-        case DraftPart::variants:
-            return QString::number(task.variants);
-        case DraftPart::devices:
-            for (const DeviceClass one : task.device_classes) classes << device_class_text(one);
-            return list_or_none(classes);
-        case DraftPart::ratings:
-            return ratings_in_words(task.ratings, exact);
-        case DraftPart::remedies:
-            return remedies_in_words(task, tasks, exact);
-        case DraftPart::title:
-        case DraftPart::stage_order:
-        case DraftPart::stage:
-        case DraftPart::stage_title:
-        case DraftPart::task_order:
-        case DraftPart::task:
-            break;
-    }
-    return {};
+    for (const DeviceClass one : task.device_classes) classes << device_class_text(one);
+    return list_or_none(classes);
 }
 
-QString value_in_words(const DraftDifference& one, const Curriculum& of,
-                       const std::vector<TaskDefinition>& tasks, bool exact) {
-    const CurriculumStage* stage = of.find_stage(one.of);
-    switch (one.part) {
-        case DraftPart::title:
-            return text(of.title);
-        case DraftPart::stage_order:
-            return order_in_words(of.stages, &CurriculumStage::id);
-        case DraftPart::task_order:
-            return order_in_words(of.tasks, &CurriculumTask::task);
-        case DraftPart::stage:
-        case DraftPart::stage_title:
-            return stage == nullptr ? DraftMergeCard::tr("not in it") : text(stage->title);
-        default:
-            break;
-    }
+QString stage_in_words(const Curriculum& of, const std::string& id) {
+    const CurriculumStage* stage = of.find_stage(id);
+    return stage == nullptr ? DraftMergeCard::tr("not in it") : text(stage->title);
+}
+
+using Tasks = std::vector<TaskDefinition>;
+
+struct PartWords {
+    DraftPart kind;
+    CurriculumField field;  ///< where it is shown
+    const char* name;       ///< with %1 for its stage; null: of a task, by the name of the field
+    /// Its value: of the curriculum and its stages, or of a task; the other is null. `exact`: with every
+    /// digit, where the usual words are the same on both sides.
+    QString (*of_curriculum)(const Curriculum& of, const std::string& id);
+    QString (*of_task)(const CurriculumTask& task, const Tasks& tasks, bool exact);
+};
+constexpr PartWords part_rows[] = {
+    {DraftPart::title, CurriculumField::title,
+     QT_TRANSLATE_NOOP("fulcrum::ui::DraftMergeCard", "Title of the curriculum"),
+     [](const Curriculum& of, const std::string&) { return text(of.title); }, nullptr},
+    {DraftPart::stage_order, CurriculumField::stages,
+     QT_TRANSLATE_NOOP("fulcrum::ui::DraftMergeCard", "Order of the stages"),
+     [](const Curriculum& of, const std::string&) { return order_in_words(of.stages, &CurriculumStage::id); },
+     nullptr},
+    {DraftPart::stage, CurriculumField::stages, QT_TRANSLATE_NOOP("fulcrum::ui::DraftMergeCard", "Stage %1"),
+     stage_in_words, nullptr},
+    {DraftPart::stage_title, CurriculumField::stages,
+     QT_TRANSLATE_NOOP("fulcrum::ui::DraftMergeCard", "Title of stage %1"), stage_in_words, nullptr},
+    {DraftPart::task_order, CurriculumField::title,
+     QT_TRANSLATE_NOOP("fulcrum::ui::DraftMergeCard", "Order of the tasks"),
+     [](const Curriculum& of, const std::string&) { return order_in_words(of.tasks, &CurriculumTask::task); },
+     nullptr},
+    {DraftPart::task, CurriculumField::task, nullptr, nullptr,
+     [](const CurriculumTask&, const Tasks&, bool) { return DraftMergeCard::tr("in it"); }},
+    {DraftPart::task_stage, CurriculumField::stage, nullptr, nullptr,
+     [](const CurriculumTask& task, const Tasks&, bool) { return text(task.stage); }},
+    {DraftPart::after, CurriculumField::after, nullptr, nullptr,
+     [](const CurriculumTask& task, const Tasks&, bool) { return ids_in_words(task.after); }},
+    {DraftPart::rule, CurriculumField::rule, nullptr, nullptr,
+     [](const CurriculumTask& task, const Tasks&, bool exact) {
+         return exact ? text(pass_rule_text(task.rule)) : pass_rule_words(task.rule);
+     }},
+    {DraftPart::variants, CurriculumField::variants, nullptr, nullptr,
+     [](const CurriculumTask& task, const Tasks&, bool) { return QString::number(task.variants); }},
+    {DraftPart::devices, CurriculumField::devices, nullptr, nullptr,
+     [](const CurriculumTask& task, const Tasks&, bool) { return devices_in_words(task); }},
+    {DraftPart::ratings, CurriculumField::ratings, nullptr, nullptr,
+     [](const CurriculumTask& task, const Tasks&, bool exact) {
+         return ratings_in_words(task.ratings, exact);
+     }},
+    {DraftPart::remedies, CurriculumField::remedies, nullptr, nullptr, remedies_in_words},
+};
+static_assert(in_order(part_rows) &&
+                  std::size(part_rows) == static_cast<std::size_t>(DraftPart::remedies) + 1,
+              "a row for every part, in the enum's order");
+
+QString value_in_words(const DraftDifference& one, const Curriculum& of, const Tasks& tasks, bool exact) {
+    const PartWords& row = row_of(part_rows, one.part);
+    if (row.of_curriculum != nullptr) return row.of_curriculum(of, one.of);
     const CurriculumTask* task = of.find(one.of);
-    if (task == nullptr) return DraftMergeCard::tr("not in it");
-    return one.part == DraftPart::task ? DraftMergeCard::tr("in it")
-                                       : field_in_words(one.part, *task, tasks, exact);
-}
-
-/// Of a field of a task; the task itself for the others.
-CurriculumField field_of_part(DraftPart part) {
-    switch (part) {
-        case DraftPart::task_stage:
-            return CurriculumField::stage;
-        case DraftPart::after:
-            return CurriculumField::after;
-        case DraftPart::rule:
-            return CurriculumField::rule;
-        case DraftPart::variants:
-            return CurriculumField::variants;
-        case DraftPart::devices:
-            return CurriculumField::devices;
-        case DraftPart::ratings:
-            return CurriculumField::ratings;
-        case DraftPart::remedies:
-            return CurriculumField::remedies;
-        default:
-            return CurriculumField::task;
-    }
+    return task == nullptr ? DraftMergeCard::tr("not in it") : row.of_task(*task, tasks, exact);
 }
 
 QString note_words(const DraftMeeting& meeting, int in_force) {
@@ -159,34 +156,15 @@ QString note_words(const DraftMeeting& meeting, int in_force) {
 }  // namespace
 
 QString part_words(const DraftDifference& one) {
-    switch (one.part) {
-        case DraftPart::title:
-            return DraftMergeCard::tr("Title of the curriculum");
-        case DraftPart::stage_order:
-            return DraftMergeCard::tr("Order of the stages");
-        case DraftPart::stage:
-            return DraftMergeCard::tr("Stage %1").arg(text(one.of));
-        case DraftPart::stage_title:
-            return DraftMergeCard::tr("Title of stage %1").arg(text(one.of));
-        case DraftPart::task_order:
-            return DraftMergeCard::tr("Order of the tasks");
-        default:
-            return text(one.of) + QStringLiteral(", ") + field_words(field_of_part(one.part));
-    }
+    const PartWords& row = row_of(part_rows, one.part);
+    if (row.name == nullptr) return text(one.of) + QStringLiteral(", ") + field_words(row.field);
+    return DraftMergeCard::tr(row.name).replace(QLatin1String("%1"), text(one.of));
 }
 
 CurriculumField field_of(const DraftDifference& one, const Curriculum& draft) {
-    switch (one.part) {
-        case DraftPart::title:
-        case DraftPart::task_order:
-            return CurriculumField::title;
-        case DraftPart::stage_order:
-        case DraftPart::stage:
-        case DraftPart::stage_title:
-            return CurriculumField::stages;
-        default:
-            return draft.find(one.of) == nullptr ? CurriculumField::title : field_of_part(one.part);
-    }
+    const PartWords& row = row_of(part_rows, one.part);
+    const bool is_away = row.of_task != nullptr && draft.find(one.of) == nullptr;
+    return is_away ? CurriculumField::title : row.field;
 }
 
 BothValues both_values(const DraftDifference& one, const Curriculum& draft, const Curriculum& in_force,
