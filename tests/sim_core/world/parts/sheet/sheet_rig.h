@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two hands at the scene of a sheet, ticked and stepped in one thread.
+// Two hands at the scene of a sheet, or of other tissue, ticked and stepped in one thread; a scope alone
+// where the scene has no instruments.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "sim_core/haptics/loop.h"
@@ -34,7 +36,8 @@ struct SheetRig {
     Trocar trocar[hand_count];
     DeviceSample last[hand_count];
     Wish wish[hand_count];
-    Vector3 asked[hand_count];  ///< requested tip positions at the last step
+    std::optional<Vector3> lens;  ///< of the camera, m, patient frame; none: where it begins
+    Vector3 asked[hand_count];    ///< requested tip positions at the last step
     double squeeze[hand_count] = {0, 0};
     std::uint32_t tick = 0;
     std::uint64_t hash = 0;
@@ -47,6 +50,7 @@ struct SheetRig {
     explicit SheetRig(const Scene& chosen = sheet_scene())
         : scene(chosen), world(scene, 1), loop(scene, world), outputs(5) {
         for (int h = 0; h < hand_count; ++h) {
+            if (!has(h)) continue;
             trocar[h] = make_trocar(scene.instruments[static_cast<std::size_t>(h)].trocar);
             last[h] = start_sample(scene.instruments[static_cast<std::size_t>(h)].trocar, 0.10);
             const Vector3 middle = scene.sheet ? scene.sheet->centre : Vector3(0, 0.04, -0.01);
@@ -57,11 +61,20 @@ struct SheetRig {
     const SheetPart& sheet() const { return *world.find<SheetPart>(); }
     const SheetHand& hand(int h) const { return sheet().state().hands[static_cast<std::size_t>(h)]; }
 
+    bool has(int h) const { return scene.instrument(static_cast<Hand>(h)) != nullptr; }
+    DeviceSample camera_sample() const {
+        if (!lens) return start_sample(scene.camera->trocar, scene.camera->start_insertion);
+        DeviceReading reading;
+        reading.handle = handle_for_tip(make_scope(*scene.camera).trocar, *lens);
+        return quantise(reading, {});
+    }
+
     void step() {
         for (int i = 0; i < 5; ++i) {
             RigSample input;
             input.tick = ++tick;
             for (int h = 0; h < hand_count; ++h) {
+                if (!has(h)) continue;
                 DeviceReading reading;
                 const Vector3 tip = asked[h] + 0.2 * (i + 1) * (wish[h].tip - asked[h]);
                 reading.handle = handle_for_tip(trocar[h], tip);
@@ -76,8 +89,7 @@ struct SheetRig {
                 reading.present = !wish[h].silent;
                 input.hand[h] = last[h] = quantise(reading, last[h]);
             }
-            if (scene.camera)
-                input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
+            if (scene.camera) input.camera = camera_sample();
             outputs[static_cast<std::size_t>(i)] = loop.tick(input);
             for (int h = 0; h < hand_count; ++h) {
                 const Vector3& force = outputs[static_cast<std::size_t>(i)].device_force[h];
