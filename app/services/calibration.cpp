@@ -25,18 +25,22 @@ std::string kind_in(const std::string& named) {
     return named.substr(0, named.find(':'));
 }
 
-/// What stays true after it: shown with the result.
-const char* validity_of(const std::string& kind) {
-    if (kind == "joystick")
-        return QT_TRANSLATE_NOOP("errors",
-                                 "Stored. It is valid for this joystick until its sensors are moved.");
-    if (kind == "trainer")
-        return QT_TRANSLATE_NOOP("errors", "Stored. It is valid until a sensor of the trainer is moved.");
-    if (kind == "controller")
-        return QT_TRANSLATE_NOOP("errors", "Stored. It is valid for this controller, from now on.");
-    return QT_TRANSLATE_NOOP("errors",
-                             "Calibrated. It is valid until the device is switched off or unplugged.");
+std::string rest_of(const std::string& named) {
+    const std::size_t colon = named.find(':');
+    return colon == std::string::npos ? std::string() : named.substr(colon + 1);
 }
+
+/// How devices of a kind are calibrated. A new kind is a row of the table at the end of the classes.
+struct CalibrationRow {
+    const char* kind;
+    bool of_each_hand;     ///< each hand is calibrated by itself
+    const char* validity;  ///< what stays true after it: shown with the result
+    const char* dock;      ///< where the handle is put, of a device that calibrates itself there; else null
+    std::unique_ptr<GuidedCalibration> (*begin)(const std::string& named, int hand,
+                                                std::shared_ptr<GameController> pad);
+};
+/// Null where there is nothing to calibrate.
+const CalibrationRow* calibration_of(const std::string& kind);
 
 void note_calibration(const std::string& kind) {
     QSettings().setValue(QStringLiteral("calibration/") + QString::fromStdString(kind),
@@ -106,7 +110,7 @@ class Stepwise : public GuidedCalibration {
         try {
             store();
             note_calibration(kind_);
-            result_ = validity_of(kind_);
+            result_ = calibration_of(kind_)->validity;
             good_ = true;
         } catch (const InputError& error) {
             result_ = {QT_TRANSLATE_NOOP("errors", "It could not be stored: %1"), error.problem()};
@@ -140,7 +144,7 @@ class DockCalibration : public Stepwise {
         if (step_ == 0) {
             if (needed) good_since_ = now;
             if (good_since_ < 0) good_since_ = now;
-            state.what_to_do = dock_words(kind_);
+            state.what_to_do = calibration_of(kind_)->dock;
             state.seen = needed ? QT_TRANSLATE_NOOP("errors", "The device reports that it is not calibrated.")
                                 : QT_TRANSLATE_NOOP("errors", "The device reports that it is calibrated.");
             state.ready = !needed && fault.fault == 0 && now - good_since_ >= held_still_s;
@@ -156,18 +160,6 @@ class DockCalibration : public Stepwise {
         state.ready = still_.still() && !needed;
     }
     void take() override { advance(); }
-    static const char* dock_words(const std::string& kind) {
-        if (kind == "touch")
-            return QT_TRANSLATE_NOOP("errors",
-                                     "Put the stylus into the inkwell and leave it there for two seconds.");
-        if (kind == "haply")
-            return QT_TRANSLATE_NOOP("errors",
-                                     "Put the handle into its rest, and leave it there until the Inverse "
-                                     "service reports that it is calibrated.");
-        return QT_TRANSLATE_NOOP("errors",
-                                 "Put the handle on its calibration pole or push it to its stops, as the "
-                                 "maker's manual says, until its light stops blinking.");
-    }
     DaemonClient client_;
     Stillness still_;
     double good_since_ = -1;
@@ -335,29 +327,72 @@ class RangeCalibration : public Stepwise {
     ControllerRanges ranges_;
 };
 
+std::unique_ptr<GuidedCalibration> begin_dock(const std::string& named, int /*hand*/,
+                                              std::shared_ptr<GameController> /*pad*/) {
+    return std::make_unique<DockCalibration>(named);
+}
+std::unique_ptr<GuidedCalibration> begin_zero(const std::string& named, int hand,
+                                              std::shared_ptr<GameController> /*pad*/) {
+    return std::make_unique<ZeroCalibration>(named, hand);
+}
+std::unique_ptr<GuidedCalibration> begin_axes(const std::string& named, int hand,
+                                              std::shared_ptr<GameController> /*pad*/) {
+    return std::make_unique<AxesCalibration>(rest_of(named), hand);
+}
+std::unique_ptr<GuidedCalibration> begin_ranges(const std::string& named, int /*hand*/,
+                                                std::shared_ptr<GameController> pad) {
+    if (pad == nullptr) pad = GameController::open(rest_of(named));
+    return std::make_unique<RangeCalibration>(std::move(pad));
+}
+
+constexpr const char* until_switched_off =
+    QT_TRANSLATE_NOOP("errors", "Calibrated. It is valid until the device is switched off or unplugged.");
+constexpr CalibrationRow calibrations[] = {
+    {"touch", false, until_switched_off,
+     QT_TRANSLATE_NOOP("errors", "Put the stylus into the inkwell and leave it there for two seconds."),
+     begin_dock},
+    {"haply", false, until_switched_off,
+     QT_TRANSLATE_NOOP("errors",
+                       "Put the handle into its rest, and leave it there until the Inverse "
+                       "service reports that it is calibrated."),
+     begin_dock},
+    {"force-dimension", false, until_switched_off,
+     QT_TRANSLATE_NOOP("errors",
+                       "Put the handle on its calibration pole or push it to its stops, as the "
+                       "maker's manual says, until its light stops blinking."),
+     begin_dock},
+    {"trainer", true,
+     QT_TRANSLATE_NOOP("errors", "Stored. It is valid until a sensor of the trainer is moved."), nullptr,
+     begin_zero},
+    {"joystick", true,
+     QT_TRANSLATE_NOOP("errors", "Stored. It is valid for this joystick until its sensors are moved."),
+     nullptr, begin_axes},
+    {"controller", false,
+     QT_TRANSLATE_NOOP("errors", "Stored. It is valid for this controller, from now on."), nullptr,
+     begin_ranges},
+};
+
+const CalibrationRow* calibration_of(const std::string& kind) {
+    for (const CalibrationRow& row : calibrations)
+        if (kind == row.kind) return &row;
+    return nullptr;
+}
+
 }  // namespace
 
 bool can_calibrate(const std::string& kind) {
-    for (const char* one : {"touch", "haply", "force-dimension", "trainer", "joystick", "controller"})
-        if (kind == one) return true;
-    return false;
+    return calibration_of(kind) != nullptr;
 }
 
 bool calibrates_hands(const std::string& kind) {
-    return kind == "trainer" || kind == "joystick";
+    const CalibrationRow* const row = calibration_of(kind);
+    return row != nullptr && row->of_each_hand;
 }
 
 std::unique_ptr<GuidedCalibration> begin_calibration(const std::string& named, int hand,
                                                      std::shared_ptr<GameController> pad) {
-    const std::string kind = kind_in(named);
-    const std::string rest = kind.size() < named.size() ? named.substr(kind.size() + 1) : "";
-    if (kind == "joystick") return std::make_unique<AxesCalibration>(rest, hand);
-    if (kind == "trainer") return std::make_unique<ZeroCalibration>(named, hand);
-    if (kind == "controller") {
-        if (pad == nullptr) pad = GameController::open(rest);
-        return std::make_unique<RangeCalibration>(std::move(pad));
-    }
-    if (can_calibrate(kind)) return std::make_unique<DockCalibration>(named);
+    if (const CalibrationRow* const row = calibration_of(kind_in(named)))
+        return row->begin(named, hand, std::move(pad));
     throw InputError(named, "", QT_TRANSLATE_NOOP("errors", "needs no calibration"),
                      QT_TRANSLATE_NOOP("errors", "use it as it is"));
 }

@@ -11,6 +11,7 @@
 
 #include "app/services/devices.h"
 #include "sim_core/controllers/joystick_mapping.h"
+#include "sim_core/devices/device_table.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/program_path.h"
 #include "tests/fakes/fake_page.h"
@@ -43,6 +44,19 @@ class Calibrated : public ::testing::Test {
     }
     Variable daemon{"FULCRUM_HAPTICD", daemon_of_the_build()};
 };
+
+TEST_F(Calibrated, WhatCanBeIsADeviceOfTheTableAndTheOthersNeedNone) {
+    int kinds = 0;
+    for (const DeviceRow& row : device_table) {
+        if (can_calibrate(row.name)) {
+            ++kinds;
+        } else {
+            EXPECT_FALSE(calibrates_hands(row.name)) << row.name;
+            EXPECT_THROW(begin_calibration(row.name, 0, nullptr), InputError) << row.name;
+        }
+    }
+    EXPECT_EQ(kinds, 6) << "a kind of calibration.cpp is none of the table";
+}
 
 TEST_F(Calibrated, AJoystickBecomesAnInstrumentOfTheHandThatWasCalibrated) {
     FakePage<fulcrum::test::FakeSdlPage> page("FAKE_SDL_PAGE");
