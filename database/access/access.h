@@ -86,6 +86,11 @@ struct Relation {
 Scope scope_of(Role role, Operation operation);
 /// True for operations that nobody may do to their own attempt, whatever the scope.
 bool never_own(Operation operation);
+/// What a sealed demo store still takes is practice (the recorder checks the mode): it refuses these.
+bool writes_store(Operation operation);
+/// What a programme server is asked through a Store. Whoever wants to write does it at a station, and what
+/// concerns the server itself is the business of `fulcrum server`.
+bool is_for_servers(Operation operation);
 /// The rule: the scope covers the relation and never_own is respected. Pure.
 bool permits(Role role, Operation operation, const Relation& relation);
 

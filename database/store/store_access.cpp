@@ -6,63 +6,6 @@
 namespace fulcrum::database {
 namespace {
 
-/// What a sealed demo store still takes is practice (the recorder checks the mode).
-bool writes(Operation operation) {
-    switch (operation) {
-        case Operation::manage_people:
-        case Operation::manage_roles:
-        case Operation::issue_one_time_password:
-        case Operation::change_password:
-        case Operation::create_synthetic:
-        case Operation::manage_cohorts:
-        case Operation::score_interrupted:
-        case Operation::recompute_score:
-        case Operation::comment:
-        case Operation::mark_comment_read:
-        case Operation::void_attempt:
-        case Operation::reassign_attempt:
-        case Operation::decide_standing:
-        case Operation::request_correction:
-        case Operation::manage_settings:
-        case Operation::set_tissues:
-        case Operation::accept_assets:
-        case Operation::set_goal:
-        case Operation::rate:
-        case Operation::release_ratings:
-        case Operation::import_attempt:
-        case Operation::rotate_key:
-        case Operation::erase_person:
-        case Operation::review_error:
-        case Operation::export_all:
-            return true;
-        default:
-            return false;
-    }
-}
-
-/// What a programme server is asked through a Store. Whoever wants to write does it at a station, and what
-/// concerns the server itself is the business of `fulcrum server`.
-bool is_for_servers(Operation operation) {
-    switch (operation) {
-        case Operation::list_people:
-        case Operation::list_cohorts:
-        case Operation::read_attempt:
-        case Operation::read_trace:
-        case Operation::read_progress:
-        case Operation::read_cohort_table:
-        case Operation::read_comment:
-        case Operation::read_requests:
-        case Operation::export_person:
-        case Operation::export_cohort:
-        case Operation::read_tissues:
-        case Operation::read_ratings:
-        case Operation::read_goals:
-            return true;
-        default:
-            return false;
-    }
-}
-
 /// None if the session is still valid; else why not.
 DenialReason why_session_ended(const Store& store, const Session& session, Operation operation) {
     if (session.station_id() != store.station_id()) return DenialReason::other_store;
@@ -112,7 +55,7 @@ DenialReason refusal(const Store& store, const Session& session, Operation opera
     if (ended != DenialReason::none) return ended;
     if (scope_of(session.role(), operation) == Scope::none) return DenialReason::not_in_role;
     if (store.is_server() && !is_for_servers(operation)) return DenialReason::server_only_read;
-    if (writes(operation) && store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1")
+    if (writes_store(operation) && store.is_demo() && read_setting(store.connection(), "demo_sealed") == "1")
         return DenialReason::demo_practice_only;
     if (subject.kind == Subject::Kind::none) return DenialReason::none;
     Relation relation;
