@@ -90,11 +90,11 @@ json read_operators_page(const std::string& text, const std::string& path) {
                            {"hand", text_or_null(row[1])},
                            {"auc", number_or_null(row[3])},
                            {"retest", number_or_null(row[6])},
-                           {"separates", row[5] == "context" ? json() : json(row[5] == "yes")}});
+                           {"separates", row[5] == cell_context ? json() : json(row[5] == cell_yes)}});
     }
     for (const Cells& row : table_of(text, {"gate", "hand", "experts failed"}, path)) {
         require_cells(row, 6, path);
-        const bool reason = row[5] != "yes" && row[5] != "no, and no reason is given";
+        const bool reason = row[5] != cell_yes && row[5] != cell_no_reason;
         const json failed = {number_or_null(row[2]), number_or_null(row[3]), number_or_null(row[4])};
         gates.push_back({{"metric", row[0]},
                          {"hand", text_or_null(row[1])},

@@ -7,6 +7,12 @@
 
 namespace fulcrum::app {
 
+/// Cells of the page of `lab operators` that are read again: whether a metric separates experts from novices
+/// (or is no quality at all), whether a gate fails novices. Another text in the last column of a gate is the
+/// reason why it is kept.
+inline constexpr const char *cell_yes = "yes", *cell_context = "context",
+                            *cell_no_reason = "no, and no reason is given";
+
 /// The page that `lab operators` wrote, in the form of its JSON: metrics (metric, hand, auc, retest,
 /// separates), gates (metric, hand, failed, safety), seeds, passed. Values are as exact as the page prints
 /// them. `path` is for messages. Throws InputError for a page of another form.

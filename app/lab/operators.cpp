@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/lab/kept_pages.h"
 #include "app/live/performance.h"
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/metric_names.h"
@@ -184,8 +185,8 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool
     const std::string direction = metric_directions[static_cast<std::size_t>(descriptor.direction)].name;
     table.rows.push_back({name.first, name.second, direction, area ? short_number(area->area, 3) : "absent",
                           area ? short_number(area->low, 3) + " to " + short_number(area->high, 3) : "",
-                          !quality    ? "context"
-                          : separates ? "yes"
+                          !quality    ? cell_context
+                          : separates ? cell_yes
                                       : "**no**",
                           retest ? short_number(*retest, 2) : "", interval_text(summary.of(expert, name)),
                           interval_text(summary.of(1, name)), interval_text(summary.of(novice, name))});
@@ -245,8 +246,8 @@ lab::ResultTable gate_table(const TaskDefinition& task, const Summary& summary, 
         const std::string safety = safety_of(task, name);
         table.rows.push_back({name.first, name.second, std::to_string(failed[0]), std::to_string(failed[1]),
                               std::to_string(failed[2]),
-                              used             ? "yes"
-                              : safety.empty() ? "no, and no reason is given"
+                              used             ? cell_yes
+                              : safety.empty() ? cell_no_reason
                                                : safety});
         document.push_back({{"metric", name.first},
                             {"hand", name.second.empty() ? nlohmann::json() : nlohmann::json(name.second)},
