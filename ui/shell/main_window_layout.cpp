@@ -10,6 +10,7 @@
 #include "ui/shell/main_window.h"
 #include "ui/style/announce.h"
 #include "ui/style/appearance.h"
+#include "ui/style/reading_order.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_page.h"
@@ -113,6 +114,10 @@ QWidget* MainWindow::build_top_bar() {
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
     return top_bar_;
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+    return focus_in_reading_order(*centralWidget(), next);
 }
 
 void MainWindow::fit_rail() {
