@@ -23,8 +23,8 @@ namespace fulcrum::app {
 namespace {
 
 std::string words_of(const UsbDevice& device) {
-    return (device.title.empty() ? std::string("USB device") : device.title) + " (" + device.vendor + ":" +
-           device.product + ")";
+    const std::string number = device.vendor + ":" + device.product;
+    return device.title.empty() ? "USB " + number : device.title + " (" + number + ")";
 }
 
 void not_found(const DeviceRow& row, ListedDevice& listed) {

@@ -2,6 +2,7 @@
 // Messages of errors in a German window: from the store, from readers, from attempts.
 #include <sqlite3.h>
 
+#include <QDateEdit>
 #include <QFile>
 
 #include "database/records/people.h"
@@ -114,6 +115,14 @@ TEST_F(GermanMessages, ListWithAWrongLine) {
         error_shown().toStdString(),
         {"list.csv:3: hat 2 Zellen, die erste Zeile hat 3; geben Sie jeder Zeile gleich viele Zellen"});
     keep("german-import");
+}
+
+TEST_F(GermanMessages, DaysOfTheAuditLogAreChosenAsTheLanguageWritesThem) {
+    open(QSize(1012, 726));
+    sign_in(Role::administrator);
+    go_to("rail_audit");
+    for (const char* name : {"audit_from", "audit_until"})
+        EXPECT_EQ(window->findChild<QDateEdit*>(name)->displayFormat(), "d. MMM yyyy") << name;
 }
 
 /// What a part says is put in as it is, also where it looks like a place; marked parts are translated.

@@ -15,24 +15,11 @@
 #include "database/records/people.h"
 #include "database/rows/errors.h"
 #include "tests/ui/screens.h"
+#include "tests/ui/shown_texts.h"
 #include "ui/language/error_text.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
-
-/// What a label's format makes of its text.
-QString as_shown(const QLabel& label) {
-    QTextDocument document;
-    const Qt::TextFormat format = label.textFormat();
-    if (format == Qt::MarkdownText) {
-        document.setMarkdown(label.text());
-    } else if (format == Qt::RichText || (format == Qt::AutoText && Qt::mightBeRichText(label.text()))) {
-        document.setHtml(label.text());
-    } else {
-        return label.text();
-    }
-    return document.toPlainText();
-}
 
 /// Every text that is visible in the window or can be scrolled to.
 QStringList texts_shown(const QWidget& window) {

@@ -33,7 +33,7 @@ QDateEdit* make_day(const QString& label, const char* name) {
     day->setObjectName(QString::fromLatin1(name));
     day->setAccessibleName(label);
     day->setCalendarPopup(true);
-    day->setDisplayFormat(QStringLiteral("d MMM yyyy"));
+    day->setDisplayFormat(day_format());
     return day;
 }
 

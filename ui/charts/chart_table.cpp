@@ -23,7 +23,7 @@ ChartCell ChartCell::count(long long count) {
 
 ChartCell ChartCell::day(std::int64_t day) {
     const QDate date = QDate(1970, 1, 1).addDays(day);
-    return {QLocale().toString(date, QStringLiteral("d MMM yyyy")), plain(date.toString(Qt::ISODate)), false};
+    return {QLocale().toString(date, day_format()), plain(date.toString(Qt::ISODate)), false};
 }
 
 QString column_title(const ChartColumn& column) {

@@ -46,6 +46,10 @@ QString asset_text(const std::string& english) {
     return english.empty() ? QString() : QCoreApplication::translate("assets", english.c_str());
 }
 
+QString day_format() {
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "d MMM yyyy"));
+}
+
 QString event_text(const std::string& name) {
     const NameRow<EventKind>* row = find_row(event_kinds, name);
     return row == nullptr ? text(name) : QCoreApplication::translate("fulcrum::events", row->title);

@@ -41,6 +41,8 @@ QString metric_words(const std::string& source);
 /// A text of a task, a curriculum or a scene (title, briefing, step, tissue ...) in the reader's language. A
 /// text that the program was not delivered with stays as it is.
 QString asset_text(const std::string& english);
+/// How the reader's language writes a day with its year, as QLocale takes it.
+QString day_format();
 /// An event's name in the reader's language, by its name in files.
 QString event_text(const std::string& name);
 

@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QRadioButton>
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ namespace {
 
 /// What the hands are moved with, where that is not mouse and keyboard.
 QString device_words(const DeviceInUse& device) {
-    const QString title = text(device.title);
+    const QString title = QCoreApplication::translate("fulcrum::device_list", device.title.c_str());
     if (device.two_mice)
         return BriefingPage::tr(
             "One mouse for each hand: practice only. No limits exist for two mice; your score is compared "

@@ -93,6 +93,14 @@ TEST(DeviceList, GameControllersAreUsableWhereSdlKnowsThem) {
     EXPECT_EQ(listed().detail, "no udev");
 }
 
+/// In no language: the page of settings shows it in all of them.
+TEST(DeviceList, ADeviceThatDoesNotNameItselfIsShownByItsNumbers) {
+    const fulcrum::test::OwnFolder usb;
+    plug_in(usb.path(), "1-1", "2988", "0302", "");
+    const auto devices = list_devices(machine_with(usb.path(), "/none/fulcrum-hapticd"));
+    EXPECT_EQ(row(devices, "touch").found, std::vector<std::string>{"USB 2988:0302"});
+}
+
 TEST(DeviceList, ASystemWithoutAListOfUsbDevicesHasNone) {
     const auto devices = list_devices(machine_with("/none", "/bin/sh"));
     EXPECT_EQ(row(devices, "touch").state, DeviceState::absent);

@@ -15,6 +15,7 @@
 #include "tests/ui/heard.h"
 #include "ui/charts/figure_chart.h"
 #include "ui/charts/time_charts.h"
+#include "ui/language/language.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -105,6 +106,16 @@ TEST_F(FramedChart, CopiesItsDataByButtonAndByKeys) {
     EXPECT_EQ(clipboard(), copied);
     for (const char* part : {"stages_as_table", "stages_copy_data", "stages_copy_picture"})
         EXPECT_TRUE(find<QAbstractButton>(window, part)->accessibleName().startsWith("How far people are: "));
+}
+
+TEST(ChartCells, ADayIsShownAsTheLanguageWritesItAndCopiedAsIso) {
+    constexpr int fourth_of_october = 20000;  // days after 1970-01-01
+    EXPECT_EQ(ChartCell::day(fourth_of_october).shown, "4 Oct 2024");
+    use_language(Language::german);
+    const ChartCell german = ChartCell::day(fourth_of_october);
+    use_language(Language::english);
+    EXPECT_TRUE(german.shown.startsWith("4. Okt")) << german.shown.toStdString();
+    EXPECT_EQ(german.copied, "2024-10-04");
 }
 
 TEST_F(FramedChart, CopiesItsPictureAlsoWhileTheTableIsShown) {

@@ -17,6 +17,7 @@
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
 #include "ui/charts/limit_bar.h"
+#include "ui/language/language.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -195,6 +196,17 @@ TEST_F(Briefing, AsksTheDeviceForTheVariantOfThisTask) {
     EXPECT_FALSE(sees(*window, "message_text"));
     const QString note = find<QLabel>(*window, "mode_note")->text();
     EXPECT_TRUE(note.contains("You hold the scope with mouse and keyboard")) << note.toStdString();
+}
+
+TEST_F(Briefing, NamesTheDeviceInTheReadersLanguage) {
+    services.in_use.kind = "controller";
+    services.in_use.title = "game controller";
+    services.in_use.device_class = DeviceClass::controller;
+    use_language(Language::german);
+    open("A2");
+    const QString note = find<QLabel>(*window, "mode_note")->text();
+    use_language(Language::english);
+    EXPECT_TRUE(note.startsWith("Sie arbeiten mit: Gamecontroller.")) << note.toStdString();
 }
 
 TEST_F(Briefing, AVariantWithAcceptedFilesCountsWhereThePreselectedOneDoesNot) {
