@@ -10,6 +10,7 @@
 #include <QStyleOption>
 #include <QTextDocument>
 
+#include "tests/ui/cut_texts.h"
 #include "tests/ui/four_people.h"
 #include "tests/ui/picture_kinds.h"
 #include "ui/page/background_job.h"
@@ -152,7 +153,24 @@ int Screens::expect_whole(const QString& screen, QWidget* within) {
     for (const QRadioButton* button : all.findChildren<QRadioButton*>())
         needs(*button, button->text(), button->sizeHint());
     for (const QCheckBox* box : all.findChildren<QCheckBox*>()) needs(*box, box->text(), box->sizeHint());
+    for (const QString& line : cut_texts(all))
+        ADD_FAILURE() << screen.toStdString() << ", " << line.toStdString();
     return seen;
+}
+
+void Screens::each_tab(const QString& screen, const std::function<void(const QString&)>& look) {
+    for (QTabWidget* tabs : window->current_page()->findChildren<QTabWidget*>()) {
+        if (!tabs->isVisible()) continue;
+        const int first = tabs->currentIndex();
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (i == first) continue;
+            tabs->setCurrentIndex(i);
+            settle();
+            look(screen + '-' + QString::number(i));
+        }
+        tabs->setCurrentIndex(first);
+        settle();
+    }
 }
 
 void Screens::keep(const QString& screen) {

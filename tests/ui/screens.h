@@ -50,6 +50,8 @@ class Screens : public ::testing::Test {
     void expect_fits(const QString& screen);
     /// No visible text has less room than it needs; how many there are. `within`: of this widget alone.
     int expect_whole(const QString& screen, QWidget* within = nullptr);
+    /// Shows each other tab of the page's tabs, calls `look` and comes back to the one that was there.
+    void each_tab(const QString& screen, const std::function<void(const QString&)>& look);
     /// Stores a picture in the folder FULCRUM_PICTURES.
     void keep(const QString& screen);
     /// Opens every screen of every role and calls `look`.

@@ -3,6 +3,7 @@
 // screens are stored there, in both themes and in German.
 #include <gtest/gtest.h>
 
+#include <QPlainTextEdit>
 #include <QPushButton>
 
 #include "tests/ui/screens.h"
@@ -36,6 +37,14 @@ TEST_F(LargeText, CutsNothingOffOnAnyScreen) {
             keep("large-" + screen);
             seen += expect_whole(name + ' ' + screen);
             expect_fits(name + ' ' + screen);
+            if (const auto* notes = window->findChild<QPlainTextEdit*>("rating_remark")) {
+                EXPECT_EQ(notes->maximumHeight(), with_text(84)) << screen.toStdString();
+            }
+            each_tab(screen, [&](const QString& tab) {
+                keep("large-" + tab);
+                seen += expect_whole(name + ' ' + tab);
+                expect_fits(name + ' ' + tab);
+            });
             if (!sees(*window, "show_trace_import")) return;
             click(*window, "show_trace_import");
             read_trace_in(*window, folder.filePath(QStringLiteral("needle.xml")), "perktutor.json");

@@ -4,7 +4,9 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QRadioButton>
+#include <QScrollBar>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "ui/reports/export_row.h"
 #include "ui/reports/pathology_words.h"
@@ -60,7 +62,6 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     }
     table_ = make_table(heads, "pathology_table");
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setAccessibleName(tr("All numbers"));
     table_->setWordWrap(false);
     numbers->addWidget(table_);
@@ -146,13 +147,20 @@ void PathologyCard::fill_numbers() {
                                                                 : Qt::AlignRight | Qt::AlignVCenter));
     }
     size_columns(table_);
-    table_->horizontalHeader()->setStretchLastSection(false);
-    table_->horizontalHeader()->setMinimumSectionSize(40);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    QHeaderView* heads = table_->horizontalHeader();
+    heads->setStretchLastSection(false);
+    // Columns of one width, none narrower than a head or a number: with large text the table scrolls
+    // sideways.
+    int widest = 40;
+    for (int column = 0; column < table_->columnCount(); ++column)
+        widest = std::max({widest, heads->sectionSizeHint(column),
+                           static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(column)});
+    heads->setMinimumSectionSize(widest);
+    heads->setSectionResizeMode(QHeaderView::Stretch);
     table_->clearSelection();
     table_->setCurrentItem(nullptr);
-    table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
-                           table_->verticalHeader()->length() + 2 * table_->frameWidth());
+    table_->setFixedHeight(heads->sizeHint().height() + table_->verticalHeader()->length() +
+                           table_->horizontalScrollBar()->sizeHint().height() + 2 * table_->frameWidth());
     legend_->setText(pathology_legend(*report_));
 }
 

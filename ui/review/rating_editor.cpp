@@ -6,6 +6,7 @@
 
 #include "ui/reports/rating_words.h"
 #include "ui/review/item_choice.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -49,7 +50,7 @@ RatingEditor::RatingEditor(Context& context, QWidget* parent) : QWidget(parent),
     remark_->setAccessibleName(tr("Notes on this rating"));
     remark_->setPlaceholderText(tr("Notes: what you saw, and one thing to try"));
     remark_->setTabChangesFocus(true);
-    remark_->setMaximumHeight(84);
+    remark_->setMaximumHeight(with_text(84));
     layout->addWidget(remark_);
     auto* row = new QHBoxLayout;
     hand_in_ = make_button(tr("Hand in the rating"), "rating_hand_in", "primary");

@@ -4,15 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
 #include <array>
 #include <cmath>
 
 #include "tests/ui/colour_vision.h"
+#include "tests/ui/cut_texts.h"
 #include "tests/ui/hands.h"
 #include "tests/ui/painted_words.h"
 #include "tests/ui/specimens.h"
+#include "ui/language/language.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/specimen_map.h"
 #include "ui/review/pathology_card.h"
@@ -160,6 +163,23 @@ TEST_F(SpecimenMap, AClickOnASectorShowsItsNumbersAndItsDefect) {
     keep("specimen-numbers");
     click(*card, "pathology_numbers");
     EXPECT_FALSE(sees(*card, "pathology_table"));
+}
+
+TEST_F(SpecimenMap, HeadsOfTheNumbersAreWholeWithLargeText) {
+    for (const Language language : {Language::english, Language::german}) {
+        use_language(language);
+        apply_text_size(*qApp, 200);
+        show(varied_specimen());
+        click(*card, "pathology_numbers");
+        QCoreApplication::processEvents();
+        EXPECT_EQ(cut_texts(*card).join('\n').toStdString(), "");
+        const auto* table = find<QTableWidget>(*card, "pathology_table");
+        EXPECT_GT(table->horizontalHeader()->length(), table->viewport()->width()) << "it scrolls sideways";
+        keep(QStringLiteral("specimen-numbers-large-") + row_of(languages, language).name);
+    }
+    card.reset();
+    apply_text_size(*qApp, 100);
+    use_language(Language::english);
 }
 
 TEST_F(SpecimenMap, KeysMoveFromSectorToSectorAndEverySectorHasAName) {
