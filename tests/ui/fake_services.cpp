@@ -399,6 +399,7 @@ Scene FakeServices::scene_for(const TaskDefinition& task, const std::string& var
 }
 
 std::string FakeServices::scene_text(const TaskDefinition& task, const std::string& variant) const {
+    if (broken_scene) throw InputError(*broken_scene);
     return read_text_file(fulcrum::test::source_path("assets/scenes/" + require_variant(task, variant).scene),
                           JsonLimits().bytes);
 }
@@ -449,6 +450,7 @@ Scene FakeServices::scene_of(const database::Session&, const database::AttemptSu
 std::unique_ptr<ReplaySource> FakeServices::open_replay(const database::Session& session,
                                                         const database::AttemptSummary& attempt,
                                                         std::shared_ptr<const database::Trace> trace) {
+    if (broken_scene) throw InputError(*broken_scene);
     return std::make_unique<FakeReplay>(scene_of(session, attempt), trace);
 }
 

@@ -181,7 +181,8 @@ class FakeServices : public ApplicationServices {
     bool at_ring = false;
     CalibrationState calibrating;
     std::optional<DeviceReadings> readings_when_open;
-    std::optional<InputError> refuses;  ///< what open_device() says instead
+    std::optional<InputError> refuses;       ///< what open_device() says instead
+    std::optional<InputError> broken_scene;  ///< what scene_text() and open_replay() say instead
     std::string chosen;
     bool can_choose = false, rumbles = true;
     SlotChoice parts;

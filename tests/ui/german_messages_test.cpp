@@ -12,6 +12,7 @@
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/style/palette.h"
+#include "ui/theatre/scene_picture.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -115,6 +116,26 @@ TEST_F(GermanMessages, ListWithAWrongLine) {
         error_shown().toStdString(),
         {"list.csv:3: hat 2 Zellen, die erste Zeile hat 3; geben Sie jeder Zeile gleich viele Zellen"});
     keep("german-import");
+}
+
+TEST_F(GermanMessages, SceneWhosePictureCannotBeMade) {
+    open(QSize(1012, 726));
+    const std::string attempt = perform();
+    try {
+        parse_scene("{\"id\": ", "cut.json");
+    } catch (const InputError& error) {
+        services.broken_scene = error;
+    }
+    emit window->context().debrief_wanted(text(attempt), -1);
+    wait_for_debrief();
+    QString shown;
+    for (const QLabel* label : window->current_page()->findChildren<QLabel*>())
+        if (label->isVisible()) shown += label->text() + QLatin1Char('\n');
+    expect_words(shown.toStdString(), {"cut.json:1: der Text ist kein gültiges JSON"});
+    emit window->context().briefing_wanted("A2");
+    settle();
+    expect_words(find<ScenePicture>(*window, "scene_picture")->trouble().toStdString(),
+                 {"cut.json:1: der Text ist kein gültiges JSON"});
 }
 
 TEST_F(GermanMessages, DaysOfTheAuditLogAreChosenAsTheLanguageWritesThem) {

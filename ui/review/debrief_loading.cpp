@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the debrief reads in the background: first what its charts need, then the whole record for the replay.
 #include "database/records/ratings.h"
+#include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/part_card.h"
@@ -84,7 +85,7 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
         try {
             source = context().services().open_replay(context().session(), model_->summary, model_->trace);
         } catch (const std::exception& error) {
-            why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
+            why = tr("No picture: %1").arg(error_text(error));
         }
     }
     replay_->offer_practice(source != nullptr &&

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ui/language/error_text.h"
 #include "ui/language/language.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -31,8 +32,7 @@ void PictureCard::showEvent(QShowEvent* event) {
         stage.make_current();
         picture_->setText(picture_text(picture_quality()));
     } catch (const std::runtime_error& why) {
-        picture_->setText(
-            tr("The scene cannot be drawn on this machine: %1").arg(QString::fromUtf8(why.what())));
+        picture_->setText(tr("The scene cannot be drawn on this machine: %1").arg(error_text(why)));
     }
 }
 

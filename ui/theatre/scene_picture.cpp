@@ -9,6 +9,7 @@
 #include <future>
 #include <stdexcept>
 
+#include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -72,7 +73,7 @@ void ScenePicture::show_task(const TaskDefinition& task, const std::string& vari
     try {
         file = file_of(context_.services(), task, variant);
     } catch (const std::exception& error) {
-        take({}, QString::fromUtf8(error.what()));
+        take({}, error_text(error));
         return;
     }
     const QImage kept(file);
@@ -103,7 +104,7 @@ void ScenePicture::draw(const TaskDefinition& task, const std::string& variant, 
                 keep(drawn, file);
                 take(drawn, {});
             } catch (const std::runtime_error& error) {
-                take({}, QString::fromUtf8(error.what()));
+                take({}, error_text(error));
             }
         },
         [this](const QString& why) {

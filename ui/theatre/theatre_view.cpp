@@ -7,6 +7,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
 #include "ui/theatre/realignment.h"
 #include "ui/theatre/renderer/offscreen.h"
@@ -160,7 +161,7 @@ bool TheatreView::paint_scene(QPainter& painter) {
         resolution_ = static_cast<double>(picture.height()) / std::min(pixels.width(), pixels.height());
         scope_.paint(painter, rect(), picture);
     } catch (const std::runtime_error& why) {
-        error_ = QString::fromUtf8(why.what());
+        error_ = error_text(why);
         return false;
     }
     ++pictures_;
