@@ -12,6 +12,7 @@
 #include <QSet>
 #include <QTableWidget>
 #include <QTranslator>
+#include <algorithm>
 #include <map>
 
 #include "tests/ui/heard.h"

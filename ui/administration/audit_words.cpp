@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/administration/audit_words.h"
 
+#include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 
 #include "ui/style/text.h"
 
@@ -96,6 +98,95 @@ constexpr WordsOf groups[] = {
     {"tissue", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values: all")},
 };
 
+/// Names in what is stored with a row.
+constexpr WordsOf members[] = {
+    {"address", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "address")},
+    {"administrator", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "administrator")},
+    {"after", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "after")},
+    {"attempt", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "attempt")},
+    {"attempts", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "attempts")},
+    {"before", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "before")},
+    {"blinding", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "blinding")},
+    {"cause", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "cause")},
+    {"clock_ahead_s", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "clock ahead (s)")},
+    {"cohort", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "cohort")},
+    {"cohorts", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "cohorts")},
+    {"conflicts", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "conflicts")},
+    {"copy", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "copy")},
+    {"count", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "number")},
+    {"demo", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "demonstration")},
+    {"digest", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "digest")},
+    {"erased", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "erased")},
+    {"every", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "how often")},
+    {"file", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "file")},
+    {"folder", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "folder")},
+    {"form", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "form")},
+    {"format", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "format")},
+    {"from", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "from")},
+    {"head", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "head of the chain")},
+    {"into", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "into")},
+    {"key", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "key")},
+    {"kind", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "kind")},
+    {"last", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "last")},
+    {"login", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "login")},
+    {"mode", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "mode")},
+    {"name", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "name")},
+    {"new", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "new")},
+    {"old", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "old")},
+    {"people", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "people")},
+    {"person", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "person")},
+    {"problem", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "problem")},
+    {"programme", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "programme")},
+    {"reason", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "reason")},
+    {"received", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "received")},
+    {"replaced", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "replaced")},
+    {"role", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "role")},
+    {"roles", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "roles")},
+    {"rows", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "rows")},
+    {"said", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "message")},
+    {"sealed", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "closed")},
+    {"sent", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "sent")},
+    {"server", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "server")},
+    {"sha256", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "SHA-256")},
+    {"source", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "source")},
+    {"state", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "state")},
+    {"state_hash", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "hash of the state")},
+    {"takes_over", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "takes over")},
+    {"task", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "task")},
+    {"text", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "text")},
+    {"to", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "to")},
+    {"token", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "token")},
+    {"what", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "what")},
+    {"verifier", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "verifier")},
+};
+
+/// Names separated by commas or spaces.
+QString roles_text(const QString& stored) {
+    QStringList shown;
+    for (const QString& role : stored.split(QRegularExpression(QStringLiteral("[, ]+")), Qt::SkipEmptyParts))
+        shown << role_text(plain(role));
+    return shown.join(QStringLiteral(", "));
+}
+
+/// A word that the program stores in the reader's language; what a person wrote, ids and numbers as they are.
+QString value_text(const std::string& operation, const std::string& name, const QString& stored) {
+    if (operation == "attempt.practice" && name == "reason")
+        return statement_text(statement_of(plain(stored)));
+    if (name == "role" || name == "roles" || operation == "person.set_roles") return roles_text(stored);
+    if (name == "mode" || (operation == "attempt.practice" && name == "from")) {
+        const auto* const mode = find_row(attempt_modes, plain(stored));
+        return mode == nullptr ? stored : mode_text(mode->kind);
+    }
+    if (name == "state") {
+        const auto* const state = find_row(attempt_states, plain(stored));
+        return state == nullptr ? stored : attempt_state(state->kind);
+    }
+    if (operation != "person.set_active" && operation != "store.create") return stored;
+    if (stored == QLatin1String("yes")) return QCoreApplication::translate("fulcrum::ui::audit", "yes");
+    if (stored == QLatin1String("no")) return QCoreApplication::translate("fulcrum::ui::audit", "no");
+    return stored;
+}
+
 }  // namespace
 
 QString audit_group_text(const std::string& group) {
@@ -108,16 +199,20 @@ QString audit_operation_text(const std::string& operation) {
     return words.isEmpty() ? text(operation) : words;
 }
 
+QString audit_member_text(const std::string& name) {
+    const QString words = words_in(members, name, "fulcrum::ui::audit");
+    return words.isEmpty() ? text(name) : words;
+}
+
 QString audit_details_text(const std::string& operation, const std::string& payload) {
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
     if (!document.isObject()) return text(payload);
-    const QJsonObject members = document.object();
+    const QJsonObject stored = document.object();
     QStringList lines;
-    for (auto member = members.begin(); member != members.end(); ++member) {
-        const QString said = member.value().toString();
-        const bool is_statement = operation == "attempt.practice" && member.key() == QLatin1String("reason");
-        lines << member.key() + QStringLiteral(": ") +
-                     (is_statement ? statement_text(statement_of(plain(said))) : said);
+    for (auto member = stored.begin(); member != stored.end(); ++member) {
+        const std::string name = plain(member.key());
+        lines << audit_member_text(name) + QStringLiteral(": ") +
+                     value_text(operation, name, member.value().toString());
     }
     return lines.join(QStringLiteral("; "));
 }

@@ -12,6 +12,8 @@
 
 #include "assessment/metrics/statement.h"
 #include "tests/support/support.h"
+#include "ui/language/language.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -30,6 +32,52 @@ std::set<std::string> audited_operations() {
         }
     }
     return names;
+}
+
+/// Every name that is put into what is stored with an audited operation.
+std::set<std::string> audited_members() {
+    static const std::regex member(R"re(\{"([a-z_0-9]+)",)re");
+    const std::string call = "json_object({";
+    std::set<std::string> names;
+    for (const char* folder : {"records", "store", "sync", "schedules", "research"}) {
+        const std::string place = fulcrum::test::source_path(std::string("database/") + folder);
+        for (const auto& entry : std::filesystem::directory_iterator(place)) {
+            std::stringstream source;
+            source << std::ifstream(entry.path()).rdbuf();
+            const std::string text = source.str();
+            for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+                const std::string members = text.substr(at + call.size() - 1, text.find(';', at) - at);
+                for (std::sregex_iterator found(members.begin(), members.end(), member), end; found != end;
+                     ++found)
+                    names.insert((*found)[1]);
+            }
+        }
+    }
+    return names;
+}
+
+TEST(AuditWords, DetailsAreInTheReadersLanguage) {
+    const std::set<std::string> names = audited_members();
+    EXPECT_GT(names.size(), 40U);
+    for (const std::string& name : names)
+        EXPECT_FALSE(audit_member_text(name).contains('_')) << name << " has no words";
+    use_language(Language::german);
+    const auto details = [](const char* operation, const nlohmann::json& payload) {
+        return audit_details_text(operation, payload.dump()).toStdString();
+    };
+    EXPECT_EQ(details("person.create", {{"login", "tara"}, {"roles", "trainee, educator"}}),
+              "Anmeldename: tara; Rollen: " + role_text("trainee").toStdString() + ", " +
+                  role_text("educator").toStdString());
+    EXPECT_EQ(details("person.set_active", {{"before", "yes"}, {"after", "no"}}),
+              "nachher: nein; vorher: ja");
+    EXPECT_EQ(details("person.rename", {{"before", "yes"}}), "vorher: yes") << "a name stays a name";
+    EXPECT_EQ(details("attempt.begin", {{"mode", "assessed"}, {"task", "A2"}}),
+              "Modus: " + mode_text(AttemptMode::assessed).toStdString() + "; Aufgabe: A2");
+    int untranslated = 0;
+    for (const std::string& name : names) untranslated += audit_member_text(name) == text(name) ? 1 : 0;
+    use_language(Language::english);
+    EXPECT_LT(untranslated, 8) << "Format, Token and the like have capitals at least";
+    EXPECT_EQ(details("attempt.finish", {{"state", "timed_out"}}), "state: timed out");
 }
 
 TEST(AuditWords, EveryAuditedOperationHasWords) {
