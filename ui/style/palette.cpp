@@ -2,9 +2,14 @@
 #include "ui/style/palette.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QFont>
 #include <QPalette>
+#include <QPointer>
+#include <QStyle>
 #include <QStyleFactory>
+#include <QVector>
+#include <QWidget>
 
 #include "ui/style/keyboard_aid.h"
 
@@ -132,6 +137,30 @@ QString style_sheet(const Palette& p) {
     return sheet;
 }
 
+/// The style sheet in force, on a widget and then on what it contains.
+void style_again(QWidget& widget) {
+    widget.style()->polish(&widget);
+    QEvent changed(QEvent::StyleChange);
+    QCoreApplication::sendEvent(&widget, &changed);
+    // A widget that notices may remove what it contains.
+    QVector<QPointer<QWidget>> inside;
+    for (QObject* child : widget.children())
+        if (child->isWidgetType()) inside.push_back(static_cast<QWidget*>(child));
+    for (const QPointer<QWidget>& one : inside)
+        if (!one.isNull()) style_again(*one);
+}
+
+/// Given another style sheet, Qt styles each widget once for itself and once more for each of those around
+/// it, ten times on a usual page. Where its list of styled widgets is empty it leaves that to us.
+void set_style_sheet(QApplication& application, const QString& sheet) {
+    const bool is_first = application.styleSheet().isEmpty();  // Qt styles each widget once
+    if (!is_first) QApplication::style()->unpolish(&application);
+    application.setStyleSheet(sheet);
+    if (is_first) return;
+    for (QWidget* window : QApplication::topLevelWidgets())
+        if (window->parentWidget() == nullptr && window->windowType() != Qt::Desktop) style_again(*window);
+}
+
 }  // namespace
 
 const Palette& palette_of(Theme theme) {
@@ -194,7 +223,7 @@ void apply_theme(QApplication& application, Theme theme) {
     colours.setColor(QPalette::Disabled, QPalette::ButtonText, p.muted);
     if (colours != application.palette()) application.setPalette(colours);
     const QString sheet = style_sheet(p);
-    if (sheet != application.styleSheet()) application.setStyleSheet(sheet);
+    if (sheet != application.styleSheet()) set_style_sheet(application, sheet);
 }
 
 }  // namespace fulcrum::ui

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours that mean different things, and are next to each other, differ for people with a colour vision
-// deficiency in both themes; standings also differ by shape alone.
+// deficiency in both themes; standings also differ by shape alone. A theme that is switched reaches each
+// widget once.
 #include "ui/style/palette.h"
 
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QEvent>
+#include <QFrame>
 #include <QImage>
+#include <QLabel>
 #include <QPainter>
+#include <QtTest>
 #include <vector>
 
 #include "tests/ui/colour_vision.h"
@@ -85,6 +90,42 @@ TEST(Colours, OfStandingsAreNeededByNobodyBecauseTheirShapesDiffer) {
             }
     }
     apply_theme(*qApp, Theme::light);
+}
+
+/// Counts how often it is given its style.
+class StyledLabel : public QLabel {
+  public:
+    using QLabel::QLabel;
+    int times = 0;
+
+  protected:
+    void changeEvent(QEvent* event) override {
+        if (event->type() == QEvent::StyleChange) ++times;
+        QLabel::changeEvent(event);
+    }
+};
+
+TEST(ThemeSwitch, StylesEachWidgetOnceHoweverManyAreAroundIt) {
+    apply_theme(*qApp, Theme::light);
+    QWidget window;
+    QWidget* around = &window;
+    for (int depth = 0; depth < 8; ++depth) {
+        auto* frame = new QFrame(around);
+        frame->setProperty("role", "card");
+        around = frame;
+    }
+    auto* label = new StyledLabel(QStringLiteral("words"), around);
+    label->setProperty("role", "muted");
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_EQ(label->palette().color(QPalette::WindowText), palette_of(Theme::light).muted);
+    label->times = 0;
+    apply_theme(*qApp, Theme::dark);
+    EXPECT_EQ(label->times, 1);
+    EXPECT_EQ(label->palette().color(QPalette::WindowText), palette_of(Theme::dark).muted);
+    apply_theme(*qApp, Theme::light);
+    EXPECT_EQ(label->times, 2);
+    EXPECT_EQ(label->palette().color(QPalette::WindowText), palette_of(Theme::light).muted);
 }
 
 }  // namespace
