@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "assessment/learning/agreement.h"
@@ -179,9 +180,12 @@ TEST(LearningCurve, PlateauIntervalCoversTheTruthAndIsOpenWhereItIsNotVisible) {
         std::vector<double> values;
         for (int x = 1; x <= 40; ++x)
             values.push_back(30 + 60 * std::exp(-0.25 * (x - 1)) + 4 * normal(random));
-        const CurveFit fit = fit_curves(values)[2];
-        ASSERT_TRUE(fit.plateau_low && fit.plateau_high) << seed;
-        covered += *fit.plateau_low <= 30 && 30 <= *fit.plateau_high ? 1 : 0;
+        // The intervals of the other two models take most of the time.
+        const CurveFit fit = fit_curves(values, false)[2];
+        const std::optional<double> low = plateau_end(values, fit, PlateauEnd::low),
+                                    high = plateau_end(values, fit, PlateauEnd::high);
+        ASSERT_TRUE(low && high) << seed;
+        covered += *low <= 30 && 30 <= *high ? 1 : 0;
     }
     EXPECT_GE(covered, 180) << "of 200 at 95 %";
     const CurveFit straight = fit_curves({100, 98, 97, 95, 94, 92, 91, 89, 88, 86})[2];
