@@ -7,6 +7,7 @@
 
 #include "assessment/assets/assets.h"
 #include "database/records/ratings.h"
+#include "sim_core/scene/json_document.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/support/support.h"
 #include "tests/support/xapi_profile.h"
@@ -117,6 +118,60 @@ TEST_F(XapiProfile, AChangedStatementDoesNot) {
         changed["result"]["extensions"]["urn:fulcrum:xapi:metrics"] = {{{"id", "time"}}};
         EXPECT_NE(all(test::profile_problems(profile(), changed)), "") << "a value without its unit";
     }
+}
+
+/// As the product's reader of files written by hand judges a text.
+bool fits_for_the_reader(const std::string& text, const std::string& schema) {
+    try {
+        JsonDocument::parse(text, "value").check_schema(schema.c_str());
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+/// Values of all kinds: those of the statements, and their lists with one member of the first row changed.
+std::set<std::string> values_of_all_kinds(const nlohmann::json& statements) {
+    std::set<std::string> texts{"null", "true", "7", "-1.5", "\"\"", "\"practice\"", "[]", "{}", "[7]"},
+        lists;
+    for (const nlohmann::json& one : statements)
+        for (const char* part : {"result", "context"}) {
+            if (!one.contains(part) || !one.at(part).contains("extensions")) continue;
+            for (const auto& [id, value] : one.at(part).at("extensions").items()) {
+                texts.insert(value.dump());
+                if (!value.is_array() || value.empty() || !lists.insert(id).second) continue;
+                std::vector<std::string> keys;
+                for (const auto& [key, was] : value.at(0).items()) keys.push_back(key);
+                for (const std::string& key : keys) {
+                    nlohmann::json changed = value;
+                    changed[0].erase(key);
+                    texts.insert(changed.dump());
+                    for (const char* other : {"null", "\"x\"", "7", "1.5", "[[1]]", "[[1, 2], [1, \"x\"]]"}) {
+                        changed[0][key] = nlohmann::json::parse(other);
+                        texts.insert(changed.dump());
+                    }
+                }
+            }
+        }
+    EXPECT_EQ(lists.size(), 2U) << "metrics and rating items";
+    return texts;
+}
+
+TEST_F(XapiProfile, ValuesAreJudgedAsByTheReaderOfFilesWrittenByHand) {
+    int good = 0, bad = 0;
+    const std::set<std::string> texts = values_of_all_kinds(statements());
+    for (const nlohmann::json& one : profile()["concepts"]) {
+        if (!one.contains("inlineSchema")) continue;
+        const std::string schema = one["inlineSchema"];
+        for (const std::string& text : texts) {
+            const std::string wrong =
+                test::schema_problem(nlohmann::json::parse(schema), nlohmann::json::parse(text));
+            EXPECT_EQ(wrong.empty(), fits_for_the_reader(text, schema)) << one["id"] << ", " << text;
+            ++(wrong.empty() ? good : bad);
+        }
+    }
+    EXPECT_GT(good, 50);
+    EXPECT_GT(bad, 500);
 }
 
 TEST_F(XapiProfile, IsAProfileByItsSpecification) {
