@@ -12,7 +12,9 @@
 #include "database/access/access.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/language/language.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/palette.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui::window_test {
@@ -25,6 +27,13 @@ class Screens : public ::testing::Test {
     ~Screens() override;
 
     void open(QSize size);
+    /// For the window that is opened next. Each of the three would make all pages of an open one again.
+    void close_and_look(Theme theme, Language language, int percent) {
+        window.reset();
+        apply_theme(*qApp, theme);
+        use_language(language);
+        apply_text_size(*qApp, percent);
+    }
     void sign_in(Role role) {
         window->context().set_session(sessions.at(role));
         settle();

@@ -292,11 +292,8 @@ TEST_F(DeviceOnThePage, IsDrawnInBothThemesLanguagesAndLarge) {
             services.readings = services.readings_when_open;
             services.can_choose = true;
             for (const int percent : {100, 200}) {
+                close_and_look(theme, theme == Theme::light ? Language::english : Language::german, percent);
                 open_page();
-                window->set_theme(theme);
-                window->set_language(theme == Theme::light ? Language::english : Language::german);
-                window->set_text_size(percent);
-                settle();
                 ASSERT_TRUE(wait_for([&] { return sees(*window, "frame_check"); }));
                 auto* frame = find<FrameCheck>(*window, "frame_check");
                 bring(*frame);

@@ -219,11 +219,8 @@ TEST_F(DevicesOnThePage, AreDrawnInBothThemesLanguagesAndLarge) {
     use_haptic_device();
     for (const auto& [theme, percent] : {std::pair(Theme::light, 100), std::pair(Theme::light, 200),
                                          std::pair(Theme::dark, 200), std::pair(Theme::dark, 100)}) {
+        close_and_look(theme, theme == Theme::light ? Language::english : Language::german, percent);
         open_page();
-        window->set_theme(theme);
-        window->set_language(theme == Theme::light ? Language::english : Language::german);
-        window->set_text_size(percent);
-        settle();
         ASSERT_TRUE(wait_for([&] { return sees(*window, "device_touch"); }));
         bring(*find<QPushButton>(*window, "look_for_devices"));
         settle();

@@ -156,11 +156,8 @@ TEST_F(KeysOnThePage, AKeyAndAButtonSwitchTheSoundDuringAnAttemptAndTheCardKnows
 TEST_F(KeysOnThePage, AreDrawnInBothThemesLanguagesAndLarge) {
     for (const Theme theme : {Theme::light, Theme::dark}) {
         for (const int percent : {100, 200}) {
+            close_and_look(theme, theme == Theme::light ? Language::english : Language::german, percent);
             open_page();
-            window->set_theme(theme);
-            window->set_language(theme == Theme::light ? Language::english : Language::german);
-            window->set_text_size(percent);
-            settle();
             auto* button = find<QPushButton>(*window, "reset_keys");
             bring(*button);
             settle();
