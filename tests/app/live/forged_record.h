@@ -3,9 +3,14 @@
 // signed again they pass every part of the check but the simulation.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "database/rows/connection.h"
 #include "database/store/audit.h"
 #include "tests/app/live/kept_station.h"
+#include "tests/support/own_folder.h"
 
 namespace fulcrum::app {
 
@@ -31,6 +36,23 @@ inline std::string record_expert_hands(const KeptStation& station, const std::st
 inline std::string record_expert_attempt(const KeptStation& station, const std::string& path,
                                          std::uint64_t seed) {
     return record_expert_hands(station, path, seed, station.session, DeviceClass::synthetic);
+}
+
+/// Writes the store of a station with two attempts of its expert; their ids. They are performed at the first
+/// call: the stores are copies of one.
+inline const std::vector<std::string>& place_two_attempts(const std::string& path) {
+    static const test::OwnFolder folder;
+    static const std::string made = (folder / "made.db").string();
+    static const std::vector<std::string> ids = [] {
+        const KeptStation station(made);
+        std::vector<std::string> recorded;
+        for (const std::uint64_t seed : {11ULL, 12ULL})
+            recorded.push_back(record_expert_attempt(station, made, seed));
+        station.store.connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");  // one file, to be copied
+        return recorded;
+    }();
+    EXPECT_TRUE(std::filesystem::copy_file(made, path));
+    return ids;
 }
 
 /// Does what a trigger forbids, as whoever has the file can; the trigger is put back.

@@ -16,9 +16,9 @@
 
 namespace fulcrum::app {
 
-/// A store of its own with a synthetic expert.
+/// A store of its own with a synthetic expert; where there is a file it is the one of that file.
 struct KeptStation {
-    explicit KeptStation(const std::string& path) : store(database::Store::create(path)) {}
+    explicit KeptStation(const std::string& path) : store(database::Store::open_or_create(path)) {}
     database::Store store;
     database::Session session = store.station_session();
     std::string person = database::People(store).ensure_synthetic(session, "expert", "Synthetic expert").id;

@@ -15,10 +15,6 @@ namespace {
 
 class SimulationCheck : public ::testing::Test {
   protected:
-    SimulationCheck() {
-        for (const std::uint64_t seed : {11ULL, 12ULL})
-            ids.push_back(record_expert_attempt(station, path, seed));
-    }
     database::CheckItem check(int attempts, std::uint64_t seed = 1, double most_s = 0) const {
         SimulationSample sample;
         sample.attempts = attempts;
@@ -45,8 +41,8 @@ class SimulationCheck : public ::testing::Test {
 
     QTemporaryDir folder;
     const std::string path = folder.filePath("a.db").toStdString();
+    const std::vector<std::string> ids = place_two_attempts(path);
     KeptStation station{path};
-    std::vector<std::string> ids;
 };
 
 TEST_F(SimulationCheck, RepeatsWhatWasRecordedAndNamesEachAttemptAndTheSeed) {

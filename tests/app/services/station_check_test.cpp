@@ -19,10 +19,6 @@ using namespace fulcrum::ui::window_test;
 
 class StationCheck : public ::testing::Test {
   protected:
-    StationCheck() {
-        for (const std::uint64_t seed : {11ULL, 12ULL})
-            ids.push_back(record_expert_attempt(station, path, seed));
-    }
     /// An administrator opens the page in a window of their own.
     void open_page(ui::Language language = ui::Language::english, int percent = 100) {
         services = make_services(folder.path().toStdString());
@@ -57,12 +53,12 @@ class StationCheck : public ::testing::Test {
 
     QTemporaryDir folder;
     const std::string path = folder.filePath("fulcrum.db").toStdString();
+    const std::vector<std::string> ids = place_two_attempts(path);
     KeptStation station{path};
     const database::Session administrator =
         database::People(station.store)
             .create_programme("Department", "administrator", "Ada Min", "correct horse battery")
             .administrator;
-    std::vector<std::string> ids;
     std::unique_ptr<ui::ApplicationServices> services;
     std::unique_ptr<ui::MainWindow> window;
 };
