@@ -3,6 +3,8 @@
 
 #include <QFile>
 #include <QXmlStreamReader>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 namespace fulcrum::ui {
@@ -25,9 +27,8 @@ QStringList forms_of(QXmlStreamReader& xml) {
     return unfinished || forms.contains(QString()) ? QStringList() : forms;
 }
 
-}  // namespace
-
-LinguistFile::LinguistFile(const QString& file) {
+QHash<QByteArray, QStringList> read_texts(const QString& file) {
+    QHash<QByteArray, QStringList> texts;
     QFile stored(file);
     if (!stored.open(QIODevice::ReadOnly))
         throw std::runtime_error("cannot read the translations " + file.toStdString());
@@ -41,13 +42,28 @@ LinguistFile::LinguistFile(const QString& file) {
             source = xml.readElementText().toUtf8();
         } else if (xml.name() == QLatin1String("translation")) {
             const QStringList forms = forms_of(xml);
-            if (!forms.isEmpty()) texts_.insert(key(context, source), forms);
+            if (!forms.isEmpty()) texts.insert(key(context, source), forms);
         }
     }
     if (xml.hasError())
         throw std::runtime_error(file.toStdString() + ":" + std::to_string(xml.lineNumber()) + ": " +
                                  xml.errorString().toStdString());
+    return texts;
 }
+
+/// Files of the program's resources do not change: each is read once, whoever switches the language back.
+QHash<QByteArray, QStringList> texts_of(const QString& file) {
+    if (!file.startsWith(QLatin1String(":/"))) return read_texts(file);
+    static std::mutex mutex;
+    static std::map<QString, QHash<QByteArray, QStringList>> known;
+    const std::lock_guard lock(mutex);
+    const auto found = known.find(file);
+    return found != known.end() ? found->second : known.emplace(file, read_texts(file)).first->second;
+}
+
+}  // namespace
+
+LinguistFile::LinguistFile(const QString& file) : texts_(texts_of(file)) {}
 
 QString LinguistFile::translate(const char* context, const char* source, const char* /*disambiguation*/,
                                 int n) const {
