@@ -317,10 +317,17 @@ class FakeReplay : public ReplaySource {
 }  // namespace
 
 FakeServices::FakeServices() {
-    for (const std::string& id : fulcrum::task_ids())
-        tasks_.push_back(load_task(fulcrum::test::source_path("assets/tasks/" + id + ".json")));
-    curriculum_ =
+    // The delivered files, read once in a process.
+    static const std::vector<TaskDefinition> tasks = [] {
+        std::vector<TaskDefinition> all;
+        for (const std::string& id : fulcrum::task_ids())
+            all.push_back(load_task(fulcrum::test::source_path("assets/tasks/" + id + ".json")));
+        return all;
+    }();
+    static const Curriculum curriculum =
         load_versions(fulcrum::test::source_path("assets/curricula"), "rectal", fulcrum::task_ids());
+    tasks_ = tasks;
+    curriculum_ = curriculum;
 }
 
 database::CurriculumPublishing FakeServices::curricula_place() {
@@ -359,7 +366,8 @@ void FakeServices::look_for_curriculum() {
 }
 
 std::vector<ObserverForm> FakeServices::forms() const {
-    return load_forms(fulcrum::test::source_path("assets/forms"));
+    static const std::vector<ObserverForm> all = load_forms(fulcrum::test::source_path("assets/forms"));
+    return all;
 }
 
 std::string FakeServices::store_path(bool demo) const {
