@@ -73,7 +73,7 @@ class Window : public ::testing::Test {
     void switch_user();
     void sign_in(const QString& login, const QString& password);
     void first_sign_in(const QString& login, const QString& once, const QString& password);
-    /// Alma, the administrator, creates the programme and Tara's account; Tara signs in.
+    /// The programme of Alma, the administrator, with Tara's account; Tara signs in.
     void create_programme_and_trainee();
     /// From the home page through the briefing to the theatre; returns when the attempt runs.
     void start(const char* task, bool assessed);
