@@ -89,10 +89,15 @@ inline Opens what_opens(const std::string& head) {
         R"(\)\s*(const|noexcept(\s*\(.*\))?|override|final|volatile|&|\s)*(->[^;{}()=]*)?$)");
     static const std::regex initialised(R"(\)[^?]*[^:]:[^:].*\}$)");
     static const std::regex type(R"(\b(namespace|struct|class|enum|union|extern)\b)");
-    if (std::regex_search(head, lambda) || std::regex_search(head, returned_lambda)) return Opens::function;
+    // Most heads lack the character that a pattern needs, and searching them takes long.
+    const bool has_bracket = head.find('[') != std::string::npos;
+    if (has_bracket && (std::regex_search(head, lambda) || std::regex_search(head, returned_lambda)))
+        return Opens::function;
     if (head.empty() || std::regex_search(head, control) || std::regex_match(head, label))
         return Opens::block;
-    if (std::regex_search(head, after_parameters) || std::regex_search(head, initialised))
+    const bool has_parameters = head.find(')') != std::string::npos;
+    if (has_parameters && (std::regex_search(head, after_parameters) ||
+                           (head.back() == '}' && std::regex_search(head, initialised))))
         return Opens::function;
     return std::regex_search(head, type) ? Opens::scope : Opens::values;
 }

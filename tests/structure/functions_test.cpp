@@ -11,25 +11,27 @@ namespace {
 
 constexpr int most_lines = 80;
 
-/// The functions of a source that are too long and give no reason.
-std::vector<std::string> too_long(const std::string& text) {
+/// Those that are too long and give no reason.
+std::vector<std::string> too_long(const Functions& functions) {
     std::vector<std::string> found;
-    for (const Function& function : functions_of(text).found) {
+    for (const Function& function : functions.found) {
         if (function.lines > most_lines && !function.has_reason)
             found.push_back("line " + std::to_string(function.line) + ": " + std::to_string(function.lines) +
                             " lines: " + function.head.substr(0, 100));
     }
     return found;
 }
+std::vector<std::string> too_long(const std::string& text) {
+    return too_long(functions_of(text));
+}
 
 TEST(Functions, AreShortOrGiveAReason) {
     std::size_t functions = 0, reasons = 0;
     for (const std::string& floor : floors) {
         for (const fs::path& path : files_below(floor, {".h", ".cpp"})) {
-            const std::string text = read(path);
-            const Functions of_file = functions_of(text);
+            const Functions of_file = functions_of(read(path));
             EXPECT_TRUE(of_file.balanced) << path;
-            for (const std::string& each : too_long(text)) ADD_FAILURE() << path.string() << ", " << each;
+            for (const std::string& each : too_long(of_file)) ADD_FAILURE() << path.string() << ", " << each;
             functions += of_file.found.size();
             for (const Function& function : of_file.found) {
                 reasons += function.has_reason ? 1U : 0U;
