@@ -16,10 +16,10 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
-#include "tests/database/large_programme.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/large_store.h"
 #include "ui/dashboards/concern_words.h"
 #include "ui/dashboards/overview_view.h"
 #include "ui/page/background_job.h"
@@ -29,15 +29,13 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-constexpr int people = 40, attempts_each = 18;
+constexpr int people = large_store_people, attempts_each = large_store_attempts_each;
 
 class CohortViews : public ::testing::Test {
   protected:
     CohortViews() {
         apply_theme(*qApp, Theme::light);
-        services.open_store(false);
-        director =
-            database::test::make_large_programme(*services.store(), people, attempts_each, 2, 7).director;
+        director = open_large_store(services);
     }
     ~CohortViews() override { apply_theme(*qApp, Theme::light); }
 

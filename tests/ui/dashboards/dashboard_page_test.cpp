@@ -12,10 +12,10 @@
 #include <QTableWidget>
 #include <nlohmann/json.hpp>
 
-#include "tests/database/large_programme.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
+#include "tests/ui/large_store.h"
 #include "ui/charts/chart_frame.h"
 #include "ui/charts/figure_chart.h"
 #include "ui/shell/main_window.h"
@@ -23,7 +23,7 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-constexpr int dashboard_people = 40;
+constexpr int dashboard_people = large_store_people;
 
 class DashboardViews : public ::testing::Test {
   protected:
@@ -36,10 +36,7 @@ class DashboardViews : public ::testing::Test {
         QSettings().remove("dashboard/plan_weeks");
         apply_theme(*qApp, Theme::light);
     }
-    void fill() {
-        director =
-            database::test::make_large_programme(*services.store(), dashboard_people, 18, 2, 7).director;
-    }
+    void fill() { director = open_large_store(services); }
     void open() {
         window = std::make_unique<MainWindow>(services);
         window->resize(1280, 900);
