@@ -136,10 +136,21 @@ TEST_F(Keyboard, RemovingAScheduleLeavesTheOthersAlone) {
     }
     go_to("rail_schedules");
     find<QAbstractButton>(*window, "schedules_remove")->setFocus();
-    hold(Qt::Key_Return);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space}) {
+        hold(key);
+        EXPECT_TRUE(sees(*window, "schedules_remove_sure")) << key;
+        EXPECT_EQ(focused(), "schedules_remove") << "not the button that removes";
+        EXPECT_EQ(schedules.list(dora).size(), 3U) << key;
+        press(Qt::Key_Escape);
+        EXPECT_FALSE(sees(*window, "schedules_remove_sure")) << key;
+    }
     press(Qt::Key_Return);
+    press(Qt::Key_Tab);
+    ASSERT_EQ(focused(), "schedules_remove_sure");
+    hold(Qt::Key_Return);
     settle();
     EXPECT_EQ(schedules.list(dora).size(), 2U);
+    EXPECT_FALSE(sees(*window, "schedules_remove_sure"));
     EXPECT_EQ(focused(), "schedules_table");
 }
 

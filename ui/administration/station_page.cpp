@@ -13,6 +13,7 @@
 #include "ui/language/language.h"
 #include "ui/page/background_job.h"
 #include "ui/style/announce.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -60,8 +61,13 @@ QFrame* StationPage::build_backup() {
                       "administrator signs in, and what is in the store now is kept under another name."),
                    "muted"));
     restore_ = make_button(tr("Restore a backup …"), "restore_a_backup");
-    connect(restore_, &QPushButton::clicked, this, [this] { emit this->context().restore_wanted(); });
-    card_layout(card)->addWidget(restore_, 0, Qt::AlignLeft);
+    restore_sure_ = make_button(tr("Sign out and choose a backup"), "restore_a_backup_sure", "primary");
+    ask_twice(restore_, restore_sure_);
+    connect(restore_sure_, &QPushButton::clicked, this, [this] { emit this->context().restore_wanted(); });
+    auto* row = new FlowRow;
+    row->add(restore_);
+    row->add(restore_sure_);
+    card_layout(card)->addLayout(row);
     return card;
 }
 
@@ -105,6 +111,7 @@ QFrame* StationPage::build_key() {
     key_reason_->setObjectName(QStringLiteral("key_reason"));
     key_reason_->setPlaceholderText(tr("Reason for the change"));
     key_reason_->setAccessibleName(tr("Reason for the change"));
+    mark_begun(key_reason_, tr("a reason for another key"));
     change_key_ = make_button(tr("Change the key"), "change_key");
     connect(key_reason_, &QLineEdit::textChanged, this,
             [this] { change_key_->setEnabled(!key_reason_->text().trimmed().isEmpty()); });
@@ -161,6 +168,7 @@ void StationPage::enter() {
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     restore_->setVisible(backup_->isVisible());
+    restore_sure_->hide();
     check_->setVisible(context().allowed(database::Operation::check_store));
     (backup_->isVisible() ? backup_ : check_)->setFocus();
 }
@@ -177,6 +185,7 @@ void StationPage::start(BackgroundJob* job, const QString& line) {
     check_->setEnabled(false);
     backup_->setEnabled(false);
     restore_->setEnabled(false);
+    restore_sure_->hide();
     server_->set_busy(true);
 }
 

@@ -46,7 +46,7 @@ class StationPage : public Page {
     QTableWidget *items_, *keys_;
     QFrame* key_card_;
     QLineEdit* key_reason_;
-    QPushButton *check_, *backup_, *restore_, *change_key_;
+    QPushButton *check_, *backup_, *restore_, *restore_sure_, *change_key_;
     JobBar* bar_;
     ServerCard* server_;
     StationsCard* stations_;

@@ -181,13 +181,26 @@ void CurriculumPage::propose_path() {
     set_quietly(path_, QDir::toNativeSeparators(path));
 }
 
+std::string CurriculumPage::draft_text() const {
+    Curriculum saved = draft_;
+    if (base_) saved.based_on = DraftOrigin{base_->version, database::sha256_hex(base_->text)};
+    return curriculum_text(saved);
+}
+
+bool CurriculumPage::is_unsaved() const {
+    return is_changed() && draft_text() != file_.text;
+}
+
+QStringList CurriculumPage::begun_input(Ending ending) const {
+    if (ending != Ending::window || author_.empty() || !is_unsaved()) return {};
+    return {tr("a draft of the curriculum")};
+}
+
 void CurriculumPage::save() {
     const QString path = draft_path();
     const std::string file = plain(path);
     const bool written = context().guarded([&] {
-        Curriculum saved = draft_;
-        if (base_) saved.based_on = DraftOrigin{base_->version, database::sha256_hex(base_->text)};
-        const std::string content = curriculum_text(saved);
+        const std::string content = draft_text();
         parse_draft(content, file);  // what is written can be read
         if (path == file_.path && QFileInfo::exists(path) &&
             read_text_file(file, JsonLimits().bytes) != file_.text)
@@ -224,8 +237,10 @@ void CurriculumPage::publish() {
 
 std::optional<CurriculumPage::Begun> CurriculumPage::begun() const {
     if (author_.empty() || !is_changed()) return std::nullopt;
-    return Begun{
-        draft_, base_, meeting_, seen_, author_, reason_->text(), path_->text(), file_, tasks_->currentRow()};
+    return Begun{draft_,        base_,   meeting_,
+                 seen_,         author_, reason_->text(),
+                 path_->text(), file_,   tasks_->currentRow(),
+                 !is_unsaved()};
 }
 
 void CurriculumPage::take_up(const Begun& from) {

@@ -131,9 +131,11 @@ void CurriculumPage::connect_parts() {
     connect(save_, &QPushButton::clicked, this, &CurriculumPage::save);
     connect(reason_, &QLineEdit::textChanged, this, &CurriculumPage::look);
     connect(publish_, &QPushButton::clicked, this, &CurriculumPage::publish);
-    connect(discard_, &QPushButton::clicked, this, [this] {
+    ask_twice(discard_, discard_sure_, [this] { return is_unsaved(); });
+    connect(discard_sure_, &QPushButton::clicked, this, [this] {
         start_over();
         fill(0);
+        tasks_->setFocus();  // the button is disabled now
     });
 }
 
@@ -338,6 +340,7 @@ void CurriculumPage::look() {
     down_->setEnabled(task != nullptr && tasks_->currentRow() + 1 < tasks_->count());
     add_->setEnabled(new_task_->count() > 0);
     discard_->setEnabled(changed);
+    for (QPushButton* sure : {discard_sure_, open_sure_}) sure->hide();  // the draft is another one now
     const QString file = draft_path();
     save_->setEnabled(changed && !file.isEmpty() && !QFileInfo(file).isDir());
     save_->setText(QFileInfo(file).isFile() ? tr("Replace") : tr("Save"));

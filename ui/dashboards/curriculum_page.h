@@ -52,10 +52,13 @@ class CurriculumPage : public Page {
         QString reason, path;
         KnownFile file;
         int row = 0;
+        bool saved = false;  ///< its file has it
     };
     /// Nothing where the draft is the same as the version in force.
     std::optional<Begun> begun() const;
     void take_up(const Begun& from);
+    /// Kept for its author (begun()) but when the window ends.
+    QStringList begun_input(Ending ending) const override;
 
   private:
     QWidget* make_tasks();
@@ -87,6 +90,9 @@ class CurriculumPage : public Page {
     void go_to(const CurriculumProblem& one);
     void go_to_problem(int row);
     bool is_changed() const;
+    /// Whether it would be lost: it is changed, and no file has it as it is.
+    bool is_unsaved() const;
+    std::string draft_text() const;
 
     /// False where that could not be found out, which was reported.
     bool look_for_newer();
@@ -130,7 +136,8 @@ class CurriculumPage : public Page {
     RemediesForm* remedies_;
     StagesForm* stages_;
     QComboBox* new_task_;
-    QPushButton *restore_, *add_, *remove_, *up_, *down_, *save_, *publish_, *discard_;
+    QPushButton *restore_, *add_, *remove_, *up_, *down_, *save_, *publish_, *discard_, *discard_sure_,
+        *open_sure_;
     QLineEdit *path_, *reason_;
     DraftMergeCard* merge_;
 };

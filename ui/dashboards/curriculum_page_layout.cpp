@@ -101,6 +101,8 @@ QWidget* CurriculumPage::make_publishing() {
     row->add(reason_, 1, with_text(240));
     row->add(publish_);
     row->add(discard_);
+    discard_sure_ = make_button(tr("Discard it for good"), "curriculum_discard_sure", "primary");
+    row->add(discard_sure_);
     card_layout(card)->addLayout(row);
     why_not_ = make_label({}, "muted");
     why_not_->setObjectName(QStringLiteral("curriculum_why_not"));
@@ -122,7 +124,11 @@ QLayout* CurriculumPage::make_draft_row() {
     QPushButton* open = make_button(tr("Open …"), "curriculum_open");
     row->add(save_);
     row->add(open);
-    connect(open, &QPushButton::clicked, this, &CurriculumPage::open_draft);
+    open_sure_ =
+        make_button(tr("Open another draft in place of this one"), "curriculum_open_sure", "primary");
+    row->add(open_sure_);
+    ask_twice(open, open_sure_, [this] { return is_unsaved(); });
+    connect(open_sure_, &QPushButton::clicked, this, &CurriculumPage::open_draft);
     return row;
 }
 

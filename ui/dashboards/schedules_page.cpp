@@ -70,7 +70,8 @@ QWidget* SchedulesPage::build_list() {
     write_due_ = make_button(tr("Write reports that are due"), "schedules_write_due", "primary");
     write_one_ = make_button(tr("Write selected report now"), "schedules_write_one");
     remove_ = make_button(tr("Remove schedule"), "schedules_remove");
-    for (QPushButton* button : {write_due_, write_one_, remove_}) row->add(button);
+    remove_sure_ = make_button(tr("Remove this schedule for good"), "schedules_remove_sure", "primary");
+    for (QPushButton* button : {write_due_, write_one_, remove_, remove_sure_}) row->add(button);
     layout->addLayout(row);
     bar_ = new JobBar;
     layout->addWidget(bar_);
@@ -82,7 +83,8 @@ QWidget* SchedulesPage::build_list() {
     connect(table_, &QTableWidget::itemSelectionChanged, this, &SchedulesPage::look);
     connect(write_due_, &QPushButton::clicked, this, [this] { write({}); });
     connect(write_one_, &QPushButton::clicked, this, [this] { write(chosen()); });
-    connect(remove_, &QPushButton::clicked, this, &SchedulesPage::remove);
+    ask_twice(remove_, remove_sure_);
+    connect(remove_sure_, &QPushButton::clicked, this, &SchedulesPage::remove);
     connect(bar_, &JobBar::cancelled, this, [this] {
         job_ = nullptr;
         fill();
@@ -103,6 +105,7 @@ QLayout* SchedulesPage::build_adding() {
     folder_->setObjectName(QStringLiteral("schedule_folder"));
     folder_->setAccessibleName(tr("Folder of the reports"));
     folder_->setPlaceholderText(tr("Folder, such as /srv/reports"));
+    mark_begun(folder_, tr("a scheduled report that is not added yet"));
     QPushButton* choose = make_button(tr("Folder …"), "schedule_choose");
     add_ = make_button(tr("Add report"), "schedule_add");
     row->add(cohort_, 1, with_text(150));
@@ -229,6 +232,7 @@ void SchedulesPage::look() {
     add_->setEnabled(cohort_->count() > 0 && !folder_->text().trimmed().isEmpty());
     no_cohort_->setVisible(cohort_->count() == 0);
     remove_->setEnabled(free && !chosen().empty());
+    remove_sure_->hide();  // what was asked about may be another one by now
     write_one_->setEnabled(free && !chosen().empty());
     write_due_->setEnabled(free && !schedules_.empty());
     export_->setEnabled(free && !research_folder_->text().trimmed().isEmpty());
@@ -253,7 +257,7 @@ void SchedulesPage::remove() {
     if (id.empty()) return;
     context().guarded([&] { database::Schedules(context().store()).remove(context().session(), id); });
     fill();
-    // Not on the button, which would remove the next one.
+    // Not on the button, which would ask about the next one.
     (schedules_.empty() ? static_cast<QWidget*>(cohort_) : table_)->setFocus();
 }
 

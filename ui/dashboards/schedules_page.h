@@ -47,7 +47,7 @@ class SchedulesPage : public Page {
     BackgroundJob* job_ = nullptr;
     QTableWidget* table_;
     QLabel *none_, *no_cohort_, *research_result_;
-    QPushButton *add_, *remove_, *write_one_, *write_due_, *export_;
+    QPushButton *add_, *remove_, *remove_sure_, *write_one_, *write_due_, *export_;
     QComboBox *cohort_, *format_, *every_;
     QLineEdit *folder_, *research_folder_;
     JobBar *bar_, *research_bar_;

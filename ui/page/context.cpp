@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/context.h"
 
+#include <QLineEdit>
+#include <QStackedWidget>
 #include <QVariant>
 #include <exception>
 
@@ -11,6 +13,23 @@
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
+namespace {
+
+constexpr const char* begun_property = "fulcrum_begun";
+
+/// Not hidden by its page; a tab behind another one is not hidden.
+bool is_offered(const QWidget* input, const QWidget* page) {
+    for (const QWidget* one = input; one != nullptr && one != page; one = one->parentWidget())
+        if (one->isHidden() && qobject_cast<const QStackedWidget*>(one->parentWidget()) == nullptr)
+            return false;
+    return true;
+}
+
+}  // namespace
+
+void mark_begun(QLineEdit* edit, const QString& what) {
+    edit->setProperty(begun_property, what);
+}
 
 void Context::set_session(const database::Session& session) {
     session_ = session;
@@ -92,6 +111,18 @@ bool Context::guarded(const std::function<void()>& work) {
 Page::Page(Context& context, const char* name) : context_(context) {
     setObjectName(QString::fromLatin1(name));
     setProperty("role", "page");
+}
+
+QStringList Page::begun_input(Ending) const {
+    QStringList begun;
+    for (const QLineEdit* edit : findChildren<QLineEdit*>()) {
+        const QString what = edit->property(begun_property).toString();
+        // isModified(): by a person, since the program last wrote into it.
+        if (!what.isEmpty() && edit->isModified() && !edit->text().trimmed().isEmpty() &&
+            is_offered(edit, this))
+            begun << what;
+    }
+    return begun;
 }
 
 }  // namespace fulcrum::ui

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -12,6 +13,8 @@
 #include "ui/language/language.h"
 #include "ui/services/application_services.h"
 #include "ui/style/palette.h"
+
+class QLineEdit;
 
 namespace fulcrum::ui {
 
@@ -97,6 +100,10 @@ class Context : public QObject {
     BackgroundJob* scoring_ = nullptr;
 };
 
+/// What a person types here is for nothing unless it is used: Page::begun_input() then has `what`, such as
+/// "a reason". A text that the program puts in is nobody's input.
+void mark_begun(QLineEdit* edit, const QString& what);
+
 /// A page of the window's stack. enter() is called each time it is shown; leave() before another takes its
 /// place.
 class Page : public QWidget {
@@ -105,6 +112,13 @@ class Page : public QWidget {
     explicit Page(Context& context, const char* name);
     virtual void enter() {}
     virtual void leave() {}
+    /// With another language or text size the pages are made again; a sign-out ends the session; the window
+    /// ends. Each ends what those before it end.
+    enum class Ending { pages, session, window };
+    /// What somebody has begun here that it would end, in words; empty: nothing, or what there is is kept.
+    /// Of Page itself: what was typed into fields that are marked and not hidden. A page adds what else it
+    /// has.
+    virtual QStringList begun_input(Ending ending) const;
 
   protected:
     Context& context() const { return context_; }

@@ -106,8 +106,10 @@ QPushButton* make_button(const QString& shown, const char* name, const char* rol
     return button;
 }
 
-void ask_twice(QPushButton* first, QPushButton* sure) {
-    QObject::connect(first, &QPushButton::clicked, sure, [first, sure] {
+void ask_twice(QPushButton* first, QPushButton* sure, std::function<bool()> needed) {
+    sure->hide();
+    QObject::connect(first, &QPushButton::clicked, sure, [first, sure, needed = std::move(needed)] {
+        if (needed && !needed()) return sure->click();
         sure->show();
         announce(first, QCoreApplication::translate("fulcrum::ui::text",
                                                     "Nothing has happened yet. To confirm, choose: %1")

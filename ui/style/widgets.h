@@ -10,6 +10,7 @@
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <functional>
 #include <vector>
 
 class QComboBox;
@@ -38,9 +39,10 @@ QString button_text(QString shown);
 /// also after a change, without arrows at the ends; an accessible name of its own is only for what is not
 /// clear without its surroundings. Enter and Space press it once, however long they are held.
 QPushButton* make_button(const QString& shown, const char* name, const char* role = nullptr);
-/// For what cannot be undone: `first` shows `sure`, and Escape on either of them hides it again. `sure` does
-/// not get the focus, so that no key that is pressed once too often is the second press.
-void ask_twice(QPushButton* first, QPushButton* sure);
+/// For what cannot be undone: `first` shows `sure`, which is hidden until then, and Escape on either of them
+/// hides it again. `sure` does not get the focus, so that no key that is pressed once too often is the second
+/// press. Where `needed` says no, nothing would be lost: one press does it.
+void ask_twice(QPushButton* first, QPushButton* sure, std::function<bool()> needed = {});
 /// A choice that is as wide as so many characters at least, whatever its longest line; the rest ends in "…".
 QComboBox* make_narrow_choice(const char* name, const QString& accessible_name, int characters);
 /// A rounded frame with a vertical layout (reach it by card->layout()).

@@ -303,6 +303,7 @@ TEST_F(CurriculumView, ADraftWithFewerTasksIsOpenedAndAnAddedTaskDiscarded) {
     click(window, "task_add");
     ASSERT_EQ(tasks->count(), usual + 1);
     click(window, "curriculum_discard");
+    click(window, "curriculum_discard_sure");
     EXPECT_EQ(tasks->count(), usual);
     EXPECT_TRUE(find<QLineEdit>(window, "curriculum_reason")->text().isEmpty());
     Curriculum draft = page().draft();
@@ -379,6 +380,7 @@ TEST_F(CurriculumView, OffersANameThatIsFreeInTheFolderOfDocuments) {
     choose("C4");
     step("rule_passes", 1, Qt::Key_Left);
     click(window, "curriculum_discard");
+    click(window, "curriculum_discard_sure");
     EXPECT_EQ(find<QLineEdit>(window, "curriculum_path")->text(), folder.filePath("rectal-1001 (2).json"));
     choose("C4");
     step("rule_passes", 1, Qt::Key_Left);

@@ -134,6 +134,8 @@ TEST_F(CurriculumView, ShowsEachProblemAtItsPlaceAndWhatBlocksCannotBePublished)
                     .contains("A2 has no benchmark for the class of devices controller"));
     EXPECT_TRUE(blocks(CurriculumField::devices, 1)) << "no class is left that is judged";
     click(window, "curriculum_discard");
+    EXPECT_TRUE(blocks(CurriculumField::devices, 1)) << "nothing is discarded yet";
+    click(window, "curriculum_discard_sure");
     EXPECT_FALSE(blocks(CurriculumField::after, 1));
     EXPECT_FALSE(find<QAbstractButton>(window, "curriculum_discard")->isEnabled());
 }

@@ -107,6 +107,8 @@ TEST_F(ReportsPage, SchedulesAreAddedWrittenAndRemoved) {
     ASSERT_TRUE(wait_for([&] { return idle(); }));
     EXPECT_TRUE(table->item(0, 5)->text().startsWith("✕ failed")) << table->item(0, 5)->text().toStdString();
     click(*window, "schedules_remove");
+    EXPECT_EQ(database::Schedules(*services.store()).list(programme->director).size(), 1U) << "asked first";
+    click(*window, "schedules_remove_sure");
     EXPECT_TRUE(sees(*window, "schedules_none"));
     EXPECT_TRUE(database::Schedules(*services.store()).list(programme->director).empty());
 }

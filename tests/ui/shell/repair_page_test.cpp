@@ -204,7 +204,13 @@ TEST_F(Repair, AnAdministratorRestoresInTheWindowAndGoesBackWithoutDoingIt) {
     open(QSize(1024, 768));
     sign_in(Role::administrator);
     go_to("rail_station");
+    bring(*find<QAbstractButton>(*window, "restore_a_backup"));
     click(*window, "restore_a_backup");
+    EXPECT_TRUE(window->context().signed_in()) << "asked first";
+    EXPECT_NE(services.store(), nullptr);
+    QTest::keyClick(find<QAbstractButton>(*window, "restore_a_backup"), Qt::Key_Space);
+    EXPECT_TRUE(window->context().signed_in()) << "the same key again is no answer";
+    click(*window, "restore_a_backup_sure");
     ASSERT_NE(page(), nullptr);
     EXPECT_FALSE(window->context().signed_in());
     EXPECT_EQ(services.store(), nullptr) << "nothing holds the store open";
@@ -214,7 +220,9 @@ TEST_F(Repair, AnAdministratorRestoresInTheWindowAndGoesBackWithoutDoingIt) {
     EXPECT_EQ(window->current_page()->objectName(), "sign_in_page");
     sign_in(Role::administrator);
     go_to("rail_station");
+    bring(*find<QAbstractButton>(*window, "restore_a_backup"));
     click(*window, "restore_a_backup");
+    click(*window, "restore_a_backup_sure");
     expect_backups(1);
     restore_as("alma", "correct horse");
     ASSERT_TRUE(wait_for([&] { return window->current_page()->objectName() == "sign_in_page"; }));

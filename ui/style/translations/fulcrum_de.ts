@@ -11564,6 +11564,10 @@
         <source>What is wrong with this attempt</source>
         <translation>Was an diesem Versuch nicht stimmt</translation>
     </message>
+    <message>
+        <source>a reason for a correction</source>
+        <translation>ein Grund für eine Korrektur</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::AttemptChart</name>
@@ -12025,6 +12029,10 @@ und %1 weitere</translation>
     <message>
         <source>Wrote %1. Attempts are held against it once it is among the program&apos;s benchmark sets and accepted.</source>
         <translation>%1 geschrieben. Versuche werden daran gemessen, sobald der Satz bei den Grenzwerten des Programms liegt und angenommen ist.</translation>
+    </message>
+    <message>
+        <source>a set of limits that is being built</source>
+        <translation>ein Satz von Grenzwerten, der gebildet wird</translation>
     </message>
 </context>
 <context>
@@ -12519,6 +12527,14 @@ Kennzahlen: %2</translation>
         <source>Save cohort</source>
         <translation>Gruppe speichern</translation>
     </message>
+    <message>
+        <source>a cohort that is not added yet</source>
+        <translation>eine Gruppe, die noch nicht angelegt ist</translation>
+    </message>
+    <message>
+        <source>changes to a cohort</source>
+        <translation>Änderungen an einer Gruppe</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::CommentsCard</name>
@@ -12985,6 +13001,10 @@ Kennzahlen: %2</translation>
         <source>There is a newer version, %1. Each person stays on their version until an educator moves them.</source>
         <translation>Es gibt eine neuere Version, %1. Jede Person bleibt auf ihrer Version, bis ein Ausbilder sie umstellt.</translation>
     </message>
+    <message>
+        <source>a reason for moving somebody to another version</source>
+        <translation>ein Grund für den Wechsel einer Person zu einer anderen Version</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::CurriculumPage</name>
@@ -13204,6 +13224,18 @@ Kennzahlen: %2</translation>
     <message>
         <source>Version %1 is in force. Its changes and yours are in the draft together. Look at it, then publish.</source>
         <translation>Version %1 gilt. Ihre Änderungen und die dieser Version stehen zusammen im Entwurf. Sehen Sie ihn sich an und veröffentlichen Sie dann.</translation>
+    </message>
+    <message>
+        <source>a draft of the curriculum</source>
+        <translation>ein Entwurf des Curriculums</translation>
+    </message>
+    <message>
+        <source>Discard it for good</source>
+        <translation>Endgültig verwerfen</translation>
+    </message>
+    <message>
+        <source>Open another draft in place of this one</source>
+        <translation>Statt dieses Entwurfs einen anderen öffnen</translation>
     </message>
 </context>
 <context>
@@ -15438,6 +15470,50 @@ Kennzahlen: %2</translation>
         <source>Menu</source>
         <translation>Menü</translation>
     </message>
+    <message>
+        <source>You still act as %1. As %2 you see the pages of that role.</source>
+        <translation>Sie sind noch als %1 tätig. Als %2 sehen Sie die Seiten dieser Rolle.</translation>
+    </message>
+    <message>
+        <source>Act as %1</source>
+        <translation>Als %1 tätig werden</translation>
+    </message>
+    <message>
+        <source>Stay %1</source>
+        <translation>%1 bleiben</translation>
+    </message>
+    <message>
+        <source>a draft of the curriculum by somebody who has signed out</source>
+        <translation>ein Entwurf des Curriculums von jemandem, der abgemeldet ist</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Not saved yet, and lost when the pages are made again for this: %1.</source>
+        <translation>Noch nicht gespeichert und verloren, wenn die Seiten dafür neu aufgebaut werden: %1.</translation>
+    </message>
+    <message>
+        <source>Change it and lose that</source>
+        <translation>Ändern und das verlieren</translation>
+    </message>
+    <message>
+        <source>Not saved yet, and lost at the sign-out: %1.</source>
+        <translation>Noch nicht gespeichert und mit dem Abmelden verloren: %1.</translation>
+    </message>
+    <message>
+        <source>Sign out and lose that</source>
+        <translation>Abmelden und das verlieren</translation>
+    </message>
+    <message>
+        <source>Not saved yet, and lost when the window closes: %1.</source>
+        <translation>Noch nicht gespeichert und verloren, wenn das Fenster schließt: %1.</translation>
+    </message>
+    <message>
+        <source>Close and lose that</source>
+        <translation>Schließen und das verlieren</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::MergeCard</name>
@@ -15500,6 +15576,10 @@ Kennzahlen: %2</translation>
     <message>
         <source>Merge this account into the other account of the same person. This login can then no longer be used to sign in.</source>
         <translation>Führen Sie dieses Konto mit dem anderen derselben Person zusammen. Mit diesem Anmeldenamen kann man sich danach nicht mehr anmelden.</translation>
+    </message>
+    <message>
+        <source>a reason for merging two accounts</source>
+        <translation>ein Grund für das Zusammenführen zweier Konten</translation>
     </message>
 </context>
 <context>
@@ -16262,6 +16342,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Add person</source>
         <translation>Person hinzufügen</translation>
     </message>
+    <message>
+        <source>a person who is not added yet</source>
+        <translation>eine Person, die noch nicht angelegt ist</translation>
+    </message>
+    <message>
+        <source>changes to a person</source>
+        <translation>Änderungen an einer Person</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::PersonalDataPage</name>
@@ -16425,6 +16513,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>The demonstration holds simulated people only.</source>
         <translation>Die Vorführung enthält nur simulierte Personen.</translation>
+    </message>
+    <message>
+        <source>a reason for erasing somebody</source>
+        <translation>ein Grund für das Löschen einer Person</translation>
+    </message>
+    <message>
+        <source>how long data are kept</source>
+        <translation>wie lange Daten aufbewahrt werden</translation>
     </message>
 </context>
 <context>
@@ -17777,6 +17873,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>All attempts of the programme without names, dates and exact values: five CSV files with a dictionary. Devices, modes, tasks and metrics of fewer than 5 people are put together or left out, and the two tables of counts, taken alone, give no count below 5. The files attempts and metrics have rows of single people, from which smaller counts follow, and a reader who knows a person&apos;s attempts well might recognise that person: give them to researchers only and do not publish them. Give the same readers no later export without need: next to an earlier one it shows what single people did in between.</source>
         <translation>Alle Versuche des Programms ohne Namen, Daten und genaue Werte: fünf CSV-Dateien mit Datenverzeichnis. Geräte, Modi, Aufgaben und Kennzahlen von weniger als 5 Personen sind zusammengefasst oder fehlen, und die beiden Tabellen mit Anzahlen ergeben für sich allein keine Anzahl unter 5. Die Dateien attempts und metrics haben Zeilen einzelner Personen, aus denen kleinere Anzahlen folgen, und wer die Versuche einer Person gut kennt, könnte sie erkennen: Geben Sie sie nur an Forschende, und veröffentlichen Sie sie nicht. Geben Sie denselben Lesern nicht ohne Not einen späteren Export: Neben einem früheren zeigt er, was einzelne Personen dazwischen getan haben.</translation>
     </message>
+    <message>
+        <source>a scheduled report that is not added yet</source>
+        <translation>ein geplanter Bericht, der noch nicht angelegt ist</translation>
+    </message>
+    <message>
+        <source>Remove this schedule for good</source>
+        <translation>Diese Planung endgültig entfernen</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::SendingCard</name>
@@ -18204,6 +18308,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>Reason (kept in the audit log)</source>
         <translation>Grund (steht im Protokoll)</translation>
     </message>
+    <message>
+        <source>a reason for a decision</source>
+        <translation>ein Grund für eine Entscheidung</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::StationPage</name>
@@ -18365,6 +18473,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>✕ The store can be read, but not every attempt that was simulated again agrees with its record (%1 simulated): %2. Such a record was replaced and signed with the station&apos;s key, or this computer has a hardware fault. Compare the attempt with an older backup, and change the key.</source>
         <translation>✕ Der Datenbestand ist lesbar, aber nicht jeder erneut simulierte Versuch stimmt mit seiner Aufzeichnung überein (%1 simuliert): %2. Eine solche Aufzeichnung wurde ersetzt und mit dem Schlüssel des Arbeitsplatzes signiert, oder dieser Rechner hat einen Hardwarefehler. Vergleichen Sie den Versuch mit einer älteren Sicherung und wechseln Sie den Schlüssel.</translation>
+    </message>
+    <message>
+        <source>a reason for another key</source>
+        <translation>ein Grund für einen anderen Schlüssel</translation>
+    </message>
+    <message>
+        <source>Sign out and choose a backup</source>
+        <translation>Abmelden und eine Sicherung wählen</translation>
     </message>
 </context>
 <context>
@@ -18835,6 +18951,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>%1: attempts are not compared with the task&apos;s limits, and gates based on them are not scored: %2. Build a benchmark set in this tissue: fulcrum benchmark build %3 --operators --device-class %4 --db %5</source>
         <translation>%1: Versuche werden nicht mit den Grenzwerten der Aufgabe verglichen, und darauf beruhende Kriterien werden nicht bewertet: %2. Erstellen Sie einen Richtwertsatz mit diesem Gewebe: fulcrum benchmark build %3 --operators --device-class %4 --db %5</translation>
+    </message>
+    <message>
+        <source>tissue values that are not saved</source>
+        <translation>Gewebewerte, die nicht gespeichert sind</translation>
     </message>
 </context>
 <context>
