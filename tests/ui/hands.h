@@ -20,6 +20,13 @@
 
 namespace fulcrum::ui::window_test {
 
+/// While it is there the end of the last window does not end the program: later dialogs still have their
+/// loop.
+struct OutlivesItsWindows {
+    OutlivesItsWindows() { QApplication::setQuitOnLastWindowClosed(false); }
+    ~OutlivesItsWindows() { QApplication::setQuitOnLastWindowClosed(true); }
+};
+
 template <typename T>
 T* find(QWidget& window, const char* name) {
     T* found = nullptr;

@@ -25,6 +25,16 @@ void fill_checks(QListWidget* list, const std::vector<database::Person>& people,
     }
 }
 
+/// Whether a check mark is another one than the list was filled with.
+bool is_touched(const QListWidget* list, const std::vector<std::string>& filled) {
+    for (int row = 0; row < list->count(); ++row) {
+        const QListWidgetItem* item = list->item(row);
+        const bool was = holds(filled, plain(item->data(Qt::UserRole).toString()));
+        if ((item->checkState() == Qt::Checked) != was) return true;
+    }
+    return false;
+}
+
 std::vector<std::string> checked_ids(const QListWidget* list) {
     std::vector<std::string> ids;
     for (int row = 0; row < list->count(); ++row) {
@@ -49,6 +59,7 @@ CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
     new_name_->setObjectName(QStringLiteral("new_cohort_name"));
     new_name_->setPlaceholderText(tr("Name of the new cohort"));
     new_name_->setAccessibleName(tr("Name of the new cohort"));
+    mark_begun(new_name_, tr("a cohort that is not added yet"));
     add_row->addWidget(new_name_);
     QPushButton* add_button = make_button(tr("Add cohort"), "add_cohort", "primary");
     add_row->addWidget(add_button);
@@ -107,6 +118,16 @@ void CohortsPage::enter() {
     note_->look(context());
     fill();
     (list_->count() > 0 ? static_cast<QWidget*>(list_) : new_name_)->setFocus();
+}
+
+QStringList CohortsPage::begun_input(Ending ending) const {
+    QStringList begun = Page::begun_input(ending);
+    const database::Cohort* cohort = selected();
+    if (cohort != nullptr &&
+        (plain(name_->text().trimmed()) != cohort->name || is_touched(members_, cohort->members) ||
+         is_touched(educators_, cohort->educators)))
+        begun << tr("changes to a cohort");
+    return begun;
 }
 
 void CohortsPage::fill() {

@@ -20,6 +20,7 @@ class CohortsPage : public Page {
   public:
     explicit CohortsPage(Context& context);
     void enter() override;
+    QStringList begun_input(Ending ending) const override;
 
   private:
     void fill();

@@ -42,6 +42,7 @@ MergeCard::MergeCard(Context& context) : context_(context) {
     reason_->setObjectName(QStringLiteral("merge_reason"));
     reason_->setAccessibleName(tr("Reason"));
     reason_->setPlaceholderText(tr("Reason, for the audit log"));
+    mark_begun(reason_, tr("a reason for merging two accounts"));
     layout->addWidget(reason_);
     auto* row = new FlowRow;
     merge_ = make_button(tr("Merge"), "merge_people");

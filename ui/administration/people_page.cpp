@@ -101,9 +101,11 @@ QFrame* PeoplePage::build_add() {
     form->setSpacing(8);
     new_name_ = new QLineEdit;
     new_name_->setObjectName(QStringLiteral("new_person_name"));
+    mark_begun(new_name_, tr("a person who is not added yet"));
     form->addRow(tr("Name"), new_name_);
     new_login_ = new QLineEdit;
     new_login_->setObjectName(QStringLiteral("new_person_login"));
+    mark_begun(new_login_, tr("a person who is not added yet"));
     new_login_->setPlaceholderText(tr("Letters, digits and . _ - @"));
     form->addRow(tr("Login"), new_login_);
     new_roles_ = add_role_boxes(form, tr("Roles"), "new_role_");
@@ -157,6 +159,16 @@ void PeoplePage::enter() {
 
 void PeoplePage::leave() {
     import_->stop();
+}
+
+QStringList PeoplePage::begun_input(Ending ending) const {
+    QStringList begun = Page::begun_input(ending);
+    const database::Person* person = selected();
+    if (person != nullptr &&
+        (plain(name_->text().trimmed()) != person->display_name ||
+         plain(login_->text().trimmed()) != person->login || is_changed(person->roles, chosen(roles_))))
+        begun << tr("changes to a person");
+    return begun;
 }
 
 void PeoplePage::fill() {

@@ -27,6 +27,7 @@ class PeoplePage : public Page {
     explicit PeoplePage(Context& context);
     void enter() override;
     void leave() override;
+    QStringList begun_input(Ending ending) const override;
     /// A one-time password that is shown until it is handed over, for the page that is made in place of this
     /// one.
     struct Issued {

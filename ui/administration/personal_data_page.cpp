@@ -86,6 +86,7 @@ QFrame* PersonalDataPage::build_person() {
     reason_->setObjectName(QStringLiteral("erase_reason"));
     reason_->setPlaceholderText(tr("Reason for erasing; it stays, so name nobody in it"));
     reason_->setAccessibleName(tr("Reason for erasing"));
+    mark_begun(reason_, tr("a reason for erasing somebody"));
     card_layout(card)->addWidget(reason_);
     auto* holder = new QWidget;
     auto* row = new FlowRow(holder);
@@ -285,7 +286,8 @@ void PersonalDataPage::export_to(const QString& folder) {
 void PersonalDataPage::erase() {
     const std::string person = chosen();
     if (job_ != nullptr || person.empty()) return;
-    person_->setFocus();  // not on what comes next when the button is gone
+    reason_->setModified(false);  // it is given now
+    person_->setFocus();          // not on what comes next when the button is gone
     erase_sure_->hide();
     Context* const owner = &context();
     BackgroundJob* const job = BackgroundJob::run(
@@ -325,6 +327,7 @@ void PersonalDataPage::show_retention() {
     due_job_ = nullptr;
     std::optional<int> months;
     context().guarded([&] { months = database::retention_months(context().store()); });
+    kept_months_ = months;
     limited_->setChecked(months.has_value());
     months_->setEnabled(months.has_value());
     if (months) months_->setValue(*months);
@@ -370,12 +373,19 @@ void PersonalDataPage::show_due(std::vector<database::DuePerson> due, const QStr
     update_buttons();
 }
 
+std::optional<int> PersonalDataPage::chosen_months() const {
+    return limited_->isChecked() ? std::optional<int>(months_->value()) : std::nullopt;
+}
+
+QStringList PersonalDataPage::begun_input(Ending ending) const {
+    QStringList begun = Page::begun_input(ending);
+    if (chosen_months() != kept_months_) begun << tr("how long data are kept");
+    return begun;
+}
+
 void PersonalDataPage::save_retention() {
-    if (context().guarded([&] {
-            database::set_retention_months(
-                context().store(), context().session(),
-                limited_->isChecked() ? std::optional<int>(months_->value()) : std::nullopt);
-        }))
+    if (context().guarded(
+            [&] { database::set_retention_months(context().store(), context().session(), chosen_months()); }))
         context().say(tr("Saved."));
     show_retention();
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "database/records/people.h"
@@ -36,6 +37,7 @@ class PersonalDataPage : public Page {
     explicit PersonalDataPage(Context& context);
     void enter() override;
     void leave() override;
+    QStringList begun_input(Ending ending) const override;
     /// Of the chosen person, to this new folder.
     void export_to(const QString& folder);
 
@@ -55,6 +57,7 @@ class PersonalDataPage : public Page {
     void erase_due();
     void update_buttons();
     std::string chosen() const;
+    std::optional<int> chosen_months() const;
     void start(BackgroundJob* job, const QString& line);
     void ended();
 
@@ -71,6 +74,7 @@ class PersonalDataPage : public Page {
     JobBar *bar_, *look_bar_;
     BackgroundJob* job_ = nullptr;  ///< writes or erases
     BackgroundJob *look_job_ = nullptr, *due_job_ = nullptr;
+    std::optional<int> kept_months_;  ///< as stored when they were shown
     bool entered_ = false;
 };
 

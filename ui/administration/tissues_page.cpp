@@ -97,6 +97,7 @@ QWidget* TissuesPage::build_editor() {
     reason_->setObjectName(QStringLiteral("tissue_reason"));
     reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
     reason_->setAccessibleName(tr("Reason"));
+    mark_begun(reason_, tr("tissue values that are not saved"));
     change->add(reason_, 1, with_text(200));
     save_ = make_button(tr("Save values"), "save_tissues", "primary");
     change->add(save_);
@@ -204,6 +205,7 @@ void TissuesPage::show_values() {
         edit->setAlignment(Qt::AlignRight);
         edit->setReadOnly(!may_set);
         edit->setFrame(may_set);
+        mark_begun(edit, tr("tissue values that are not saved"));
         table_->setItem(row, site_column, make_cell(QString()));
         table_->setCellWidget(row, site_column, edit);
         table_->setItem(row, range_column, make_cell(range_of(one) + unit));

@@ -125,7 +125,7 @@ QFrame* BenchmarkPage::make_experts() {
     card_layout(card)->addWidget(people_);
     build_ = make_button(tr("Build the set"), "benchmark_build", "primary");
     card_layout(card)->addWidget(build_, 0, Qt::AlignLeft);
-    connect(people_, &QTableWidget::itemChanged, this, &BenchmarkPage::look);
+    connect(people_, &QTableWidget::itemChanged, this, &BenchmarkPage::keep_ticks);
     connect(build_, &QPushButton::clicked, this, &BenchmarkPage::build);
     return card;
 }
@@ -198,7 +198,9 @@ void BenchmarkPage::enter() {
                             [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; }))
                 tasks_->addItem(context().task_title(one.id), text(one.id));
     }
-    choose_task();
+    // What was begun stays when somebody comes back; who may be named is read again.
+    if (!built_) choose_task();
+    look();  // the role may be another one by now
     tasks_->setFocus();
 }
 
@@ -276,13 +278,14 @@ void BenchmarkPage::show_left(const std::optional<BenchmarkSet>& in_force) {
 
 void BenchmarkPage::show_candidates(std::vector<ExpertCandidate> candidates) {
     candidates_ = std::move(candidates);
+    const std::set<std::string> ticked = ticked_[benchmark_name(key())];
     const QSignalBlocker quiet(people_);
     people_->setRowCount(static_cast<int>(candidates_.size()));
     for (int row = 0; row < people_->rowCount(); ++row) {
         const ExpertCandidate& one = candidates_[static_cast<std::size_t>(row)];
         auto* name = make_cell(tr("%1 (%2)").arg(text(one.name), text(one.login)));
         name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-        name->setCheckState(Qt::Unchecked);
+        name->setCheckState(ticked.count(one.person_id) > 0 ? Qt::Checked : Qt::Unchecked);
         people_->setItem(row, person_column, name);
         people_->setItem(row, performed_column,
                          make_cell(QString::number(one.performed), Qt::AlignRight | Qt::AlignVCenter));
@@ -293,6 +296,24 @@ void BenchmarkPage::show_candidates(std::vector<ExpertCandidate> candidates) {
     fit_columns(people_);
     show_all_rows(people_, 8);
     look();
+}
+
+/// For each key: another choice and back loses no check mark.
+void BenchmarkPage::keep_ticks() {
+    std::set<std::string> now;
+    for (const ExpertCandidate& one : chosen()) now.insert(one.person_id);
+    std::set<std::string>& before = ticked_[benchmark_name(key())];
+    if (now != before) unsaved_ = true;
+    before = std::move(now);
+    look();
+}
+
+QStringList BenchmarkPage::begun_input(Ending ending) const {
+    QStringList begun = Page::begun_input(ending);
+    const bool ticked = std::any_of(ticked_.begin(), ticked_.end(),
+                                    [](const auto& of_key) { return !of_key.second.empty(); });
+    if (unsaved_ && (ticked || built_)) begun << tr("a set of limits that is being built");
+    return begun;
 }
 
 std::vector<ExpertCandidate> BenchmarkPage::chosen() const {
@@ -354,6 +375,7 @@ void BenchmarkPage::build() {
         },
         [this, built] {
             built_ = std::move(*built);
+            unsaved_ = true;
             show_result();
         },
         tr("Building the set …"));
@@ -406,45 +428,6 @@ void BenchmarkPage::fill_passes() {
     show_all_rows(passes_, passes_->rowCount());
 }
 
-/// What was left out, and which gates the experts themselves failed.
-QStringList BenchmarkPage::explained() const {
-    QStringList lines;
-    if (built_->build.set) {
-        for (const BenchmarkLevel& level : built_->build.set->levels) {
-            const QString gate = gate_name(level.metric, level.hand, level.tissue);
-            for (const std::string& expert : level.left_out)
-                lines << tr("%1: %2 is left out, whose mean is more than 1.96 standard deviations from that "
-                            "of the "
-                            "experts.")
-                             .arg(gate, text(expert));
-            if (level.absolute_limit)
-                lines << tr("%1: the limit is the worst value of the experts, %2.")
-                             .arg(gate, figure_with_unit(*level.absolute_limit, level.unit));
-        }
-    }
-    for (const BenchmarkFailure& failure : built_->build.failures)
-        lines << tr("%1: failed by %2 of the experts' own attempts.")
-                     .arg(failure.event.empty() ? gate_name(failure.metric, failure.hand, {})
-                                                : capital(event_text(failure.event)))
-                     .arg(failure.attempts);
-    return lines;
-}
-
-/// What becomes of the task's provisional limits when the set is put in force.
-QString BenchmarkPage::limits_of_site() const {
-    if (!built_->build.set) return {};
-    const BenchmarkSet& set = *built_->build.set;
-    if (set.provisional)
-        return tr(
-            "Provisional: these attempts are simulated. Nobody becomes proficient by a pass with this "
-            "set, and it takes over no limits of the task.");
-    const QString limits = taken_over_words(built_->task, set);
-    if (limits.isEmpty()) return {};
-    return tr("Provisional limits of the task that the set takes over as limits of your site when you put it "
-              "in force: %1. The experts' own attempts above were judged by them too.")
-        .arg(limits);
-}
-
 void BenchmarkPage::put_in_force() {
     if (!built_ || !built_->build.set) return;
     BenchmarkSet set = *built_->build.set;
@@ -458,6 +441,8 @@ void BenchmarkPage::put_in_force() {
                       .arg(set.version)
                       .arg(text(benchmark_name(set.key()))));
     note_->clear();
+    ticked_.erase(benchmark_name(set.key()));
+    unsaved_ = false;
     choose_key();
 }
 
@@ -466,14 +451,16 @@ void BenchmarkPage::save() {
     BenchmarkSet set = *built_->build.set;
     set.note = plain(note_->text().trimmed());
     const QString file = path_->text().trimmed();
-    if (context().guarded([&] {
+    if (!context().guarded([&] {
             write_output_file(QDir::fromNativeSeparators(file).toStdString(), benchmark_text(set),
                               OutputFile::Existing::keep);
         }))
-        context().say(
-            tr("Wrote %1. Attempts are held against it once it is among the program's benchmark sets and "
-               "accepted.")
-                .arg(file));
+        return;
+    unsaved_ = false;
+    context().say(
+        tr("Wrote %1. Attempts are held against it once it is among the program's benchmark sets and "
+           "accepted.")
+            .arg(file));
 }
 
 }  // namespace fulcrum::ui

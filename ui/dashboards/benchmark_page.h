@@ -4,7 +4,10 @@
 // or saves it as a file. Made by the function behind `fulcrum benchmark build`.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "database/scoring/expert_attempts.h"
@@ -32,6 +35,7 @@ class BenchmarkPage : public Page {
     void leave() override;
     /// Nothing is being read or built.
     bool is_ready() const { return job_ == nullptr; }
+    QStringList begun_input(Ending ending) const override;
 
   private:
     /// What came of it, with what it is compared with.
@@ -52,6 +56,7 @@ class BenchmarkPage : public Page {
     void show_candidates(std::vector<ExpertCandidate> candidates);
     void show_left(const std::optional<BenchmarkSet>& in_force);
     std::vector<ExpertCandidate> chosen() const;
+    void keep_ticks();
     void look();
     void build();
     void show_result();
@@ -65,6 +70,8 @@ class BenchmarkPage : public Page {
 
     std::vector<ExpertCandidate> candidates_;
     std::optional<Built> built_;
+    std::map<std::string, std::set<std::string>> ticked_;  ///< ids of the people who are chosen for each key
+    bool unsaved_ = false;  ///< the choice or the set is neither in force nor in a file
     BackgroundJob* job_ = nullptr;
     JobBar* job_bar_;
     QComboBox *tasks_, *variants_, *devices_, *fidelities_;

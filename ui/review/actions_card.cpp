@@ -25,6 +25,7 @@ ActionsCard::ActionsCard(Context& context) : context_(context) {
     reason_ = new QLineEdit;
     reason_->setObjectName(QStringLiteral("action_reason"));
     reason_->setAccessibleName(tr("Reason"));
+    mark_begun(reason_, tr("a reason for a correction"));
     row->add(reason_, 1, with_text(200));
     void_ = make_button(tr("Void this attempt"), "void_attempt");
     reassign_ = make_button(tr("Reassign …"), "reassign_attempt");

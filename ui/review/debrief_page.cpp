@@ -299,6 +299,7 @@ void DebriefPage::keep_comment() {
     if (!model_) return;
     comments_->keep_unsent();
     error_bar_->keep_unsent();
+    ratings_->keep();
 }
 
 void DebriefPage::leave() {

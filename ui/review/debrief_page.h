@@ -44,8 +44,8 @@ class DebriefPage : public Page {
     void open_to_rate(const std::string& attempt_id);
     void enter() override;
     void leave() override;
-    /// A comment that was not sent, a reason that was not given: before the session ends, or the screen is
-    /// locked.
+    /// A comment that was not sent, a reason that was not given, the notes of a rating: before the session or
+    /// the window ends, or the screen is locked.
     void keep_comment();
     /// The charts stand; the replay may still be waiting for the rest of the record.
     bool has_charts() const { return model_ != nullptr; }

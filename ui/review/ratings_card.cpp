@@ -79,8 +79,12 @@ void RatingsCard::open(const database::AttemptSummary& attempt, bool blind) {
     fill();
 }
 
-void RatingsCard::leave() {
+void RatingsCard::keep() {
     editor_->keep();
+}
+
+void RatingsCard::leave() {
+    keep();
     if (job_ != nullptr) job_->cancel();
     job_ = nullptr;
 }

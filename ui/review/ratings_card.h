@@ -27,7 +27,9 @@ class RatingsCard : public QFrame {
     explicit RatingsCard(Context& context, QWidget* parent = nullptr);
     /// `blind`: on a page without name and score, where nothing that others gave is shown either.
     void open(const database::AttemptSummary& attempt, bool blind);
-    /// Keeps a draft that was not kept yet, and stops what runs.
+    /// Keeps a draft that was not kept yet.
+    void keep();
+    /// The same, and stops what runs.
     void leave();
 
   signals:

@@ -3,6 +3,7 @@
 // them: after a sign-out, and while the pages are made again. They last as long as the window.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,6 +26,10 @@ class KeptDrafts {
         std::optional<CurriculumPage::Begun> draft = std::move(found->second);
         drafts_.erase(found);
         return draft;
+    }
+    /// One that ends with the window: no file has it.
+    bool has_unsaved() const {
+        return std::any_of(drafts_.begin(), drafts_.end(), [](const auto& one) { return !one.second.saved; });
     }
 
   private:

@@ -2,7 +2,6 @@
 #include "ui/shell/main_window.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QComboBox>
 #include <QScreen>
 #include <QStackedWidget>
@@ -18,6 +17,7 @@
 #include "ui/shell/lock_page.h"
 #include "ui/shell/page_table.h"
 #include "ui/shell/password_page.h"
+#include "ui/shell/question_bar.h"
 #include "ui/shell/repair_page.h"
 #include "ui/shell/settings_page.h"
 #include "ui/shell/sign_in_page.h"
@@ -69,15 +69,6 @@ P* MainWindow::made() const {
     return found == pages_.end() ? nullptr : static_cast<P*>(found->second);
 }
 
-namespace {
-
-/// While its author is still signed in.
-void keep_comment_on(Page* page) {
-    if (auto* debrief = qobject_cast<DebriefPage*>(page)) debrief->keep_comment();
-}
-
-}  // namespace
-
 TheatrePage* MainWindow::running_theatre() const {
     auto* theatre = made<TheatrePage>();
     return theatre != nullptr && theatre->is_running() ? theatre : nullptr;
@@ -123,7 +114,8 @@ void MainWindow::connect_context() {
     connect(&context_, &Context::input_seen, &idle_, &IdleWatch::note_input);
     connect(&context_, &Context::home_wanted, this, &MainWindow::show_home);
     connect(&context_, &Context::switch_user_wanted, this, &MainWindow::switch_user);
-    connect(&context_, &Context::restore_wanted, this, &MainWindow::show_restore);
+    connect(&context_, &Context::restore_wanted, this,
+            [this] { unless_begun(Page::Ending::session, [this] { show_restore(); }); });
     connect(&context_, &Context::briefing_wanted, this,
             [this](const QString& task_id, const QString& variant, int goal, bool ghost) {
                 page<BriefingPage>()->set_task(plain(task_id), plain(variant), goal, ghost);
@@ -174,17 +166,23 @@ void MainWindow::connect_context() {
             lock_page_->set_notice(theatre->close_attempt(TheatrePage::Closed::by_idle_watch));
     });
     connect(&context_, &Context::theme_wanted, this, &MainWindow::set_theme);
-    connect(&context_, &Context::text_size_wanted, this, &MainWindow::set_text_size);
-    connect(&context_, &Context::language_wanted, this, &MainWindow::set_language);
+    connect(&context_, &Context::text_size_wanted, this, [this](int percent) {
+        unless_begun(Page::Ending::pages, [this, percent] { set_text_size(percent); });
+    });
+    connect(&context_, &Context::language_wanted, this, [this](Language language) {
+        unless_begun(Page::Ending::pages, [this, language] { set_language(language); });
+    });
 }
 
 void MainWindow::connect_lock_page() {
     connect(lock_page_, &LockPage::unlocked, this, &MainWindow::unlock);
     connect(lock_page_, &LockPage::switch_user, this, [this] {
-        unlock();
-        if (TheatrePage* theatre = running_theatre()) theatre->close_attempt(TheatrePage::Closed::by_trainee);
-        keep_comment_on(current_page());
-        context_.sign_out();
+        unless_begun(Page::Ending::session, [this] {
+            unlock();
+            if (TheatrePage* theatre = running_theatre())
+                theatre->close_attempt(TheatrePage::Closed::by_trainee);
+            context_.sign_out();
+        });
     });
 }
 
@@ -234,7 +232,6 @@ void MainWindow::show_trouble(const QString& problem, const QString& hint, bool 
 }
 
 void MainWindow::show_restore() {
-    keep_comment_on(current_page());
     if (context_.signed_in()) context_.sign_out();
     context_.services().close_store();
     connect_first_pages();
@@ -315,6 +312,7 @@ void MainWindow::rebuild() {
 
 void MainWindow::show_page(Page* next) {
     Page* before = current_page();
+    if (before != next) question_->take_back();
     if (before != nullptr && before != next) before->leave();
     if (before != next && typeid(*next) == typeid(TheatrePage)) message_area_->hide();
     stack_->setCurrentWidget(next);
@@ -333,6 +331,7 @@ void MainWindow::show_page(Page* next) {
 }
 
 void MainWindow::session_changed() {
+    question_->take_back();
     idle_.set_active(context_.signed_in());
     if (!context_.signed_in()) {
         drafts_.keep(made<CurriculumPage>());
@@ -372,10 +371,9 @@ void MainWindow::show_session() {
     // A usual name is whole; the programme, which is the same on every screen, gives way.
     person_->setMinimumWidth(std::min(person_->sizeHint().width(), text_percent() > 150 ? 200 : 240));
     role_->clear();
-    for (const database::Role held : session.roles()) {
+    for (const database::Role held : session.roles())
         role_->addItem(tr("Acting as %1").arg(role_text(database::role_name(held))), static_cast<int>(held));
-        if (held == session.role()) role_->setCurrentIndex(role_->count() - 1);
-    }
+    show_role_in_use();
     // Qt keeps the least width of a combo box when its content changes: it would stay as wide as the last
     // person's role.
     QEvent look_again(QEvent::StyleChange);
@@ -422,36 +420,18 @@ void MainWindow::show_sign_in() {
     show_page(page<SignInPage>());
 }
 
-void MainWindow::change_role(int index) {
-    const auto role = static_cast<database::Role>(role_->itemData(index).toInt());
-    if (role == context_.session().role()) return;
-    keep_comment_on(current_page());
-    if (context_.guarded([&] {
-            context_.set_session(database::People(context_.store()).act_as(context_.session(), role));
-        }))
-        return;
-    role_->setCurrentIndex(role_->findData(static_cast<int>(context_.session().role())));
-}
-
-void MainWindow::switch_user() {
-    if (TheatrePage* theatre = running_theatre()) {
-        theatre->ask_before_leaving();
-        return;
-    }
-    keep_comment_on(current_page());
-    context_.sign_out();
-}
-
 void MainWindow::lock() {
+    question_->take_back();
     used_before_lock_ = focusWidget();
     if (TheatrePage* theatre = running_theatre()) theatre->pause();
-    keep_comment_on(current_page());
+    keep_comment();
     message_area_->hide();
     layers_->setCurrentWidget(lock_page_);
     lock_page_->enter();
 }
 
 void MainWindow::unlock() {
+    question_->take_back();
     idle_.unlocked();
     layers_->setCurrentIndex(0);
     if (!message_area_->isHidden()) {  // came behind the lock
@@ -472,17 +452,6 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     if (stack_ == nullptr || stack_->currentWidget() == nullptr) return;  // not built yet
     menu_->setChecked(false);
     fit_rail();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    TheatrePage* theatre = running_theatre();
-    if (theatre != nullptr && layers_->currentIndex() == 0) {
-        theatre->ask_before_leaving();
-        event->ignore();
-        return;
-    }
-    keep_comment_on(current_page());
-    QMainWindow::closeEvent(event);
 }
 
 }  // namespace fulcrum::ui

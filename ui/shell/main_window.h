@@ -5,7 +5,9 @@
 
 #include <QMainWindow>
 #include <QPointer>
+#include <QStringList>
 #include <QTimer>
+#include <functional>
 #include <map>
 #include <typeindex>
 #include <vector>
@@ -33,6 +35,7 @@ class ElidedLabel;
 class LockPage;
 struct PageEntry;
 class ProgressPage;
+class QuestionBar;
 class TheatrePage;
 
 /// The geometry nearest to `wanted` (without its frame) that the available part of a screen has room for,
@@ -95,8 +98,17 @@ class MainWindow : public QMainWindow {
     /// Shows what the page and the room allow.
     void show_rail();
     void open_menu(bool open);
-    void change_role(int index);
+    /// Of the role that was chosen in the top bar: by keys or the wheel, too, it is only chosen.
+    void ask_role(int index);
+    void act_as(database::Role role);
+    void show_role_in_use();
     void switch_user();
+    /// Of the page that is shown: while its author is still signed in.
+    void keep_comment();
+    /// What would be lost by it, in words; each once.
+    QStringList begun_input(Page::Ending ending) const;
+    /// Does it; where somebody has begun something that it would end, only after a question.
+    void unless_begun(Page::Ending ending, const std::function<void()>& end);
     void lock();
     void unlock();
     void show_message(const QString& line, bool is_error);
@@ -114,6 +126,7 @@ class MainWindow : public QMainWindow {
     IdleWatch idle_;
     ScheduleWatch schedules_;
     ReplayWatch replays_;
+    QuestionBar* question_ = nullptr;
     QStackedWidget* layers_ = nullptr;  ///< the window proper, the lock
     QStackedWidget* stack_ = nullptr;
     QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;
@@ -129,7 +142,8 @@ class MainWindow : public QMainWindow {
     std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
     std::map<std::type_index, Page*> pages_;
     KeptDrafts drafts_;
-    bool fitted_ = false;  ///< to the screen, with its real frame
+    bool fitted_ = false;   ///< to the screen, with its real frame
+    bool closing_ = false;  ///< although something was begun
     QPointer<QWidget> used_before_lock_;
     LockPage* lock_page_ = nullptr;
 };

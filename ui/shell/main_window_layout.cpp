@@ -8,6 +8,7 @@
 #include "database/store/store.h"
 #include "ui/shell/lock_page.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/question_bar.h"
 #include "ui/style/announce.h"
 #include "ui/style/appearance.h"
 #include "ui/style/reading_order.h"
@@ -48,7 +49,14 @@ void MainWindow::build() {
     layers_->addWidget(proper);
     lock_page_ = new LockPage(context_);
     layers_->addWidget(lock_page_);
-    setCentralWidget(layers_);
+    auto* all = new QWidget;
+    auto* column = new QVBoxLayout(all);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    question_ = new QuestionBar;
+    column->addWidget(question_);
+    column->addWidget(layers_, 1);
+    setCentralWidget(all);
     connect_lock_page();
 }
 
@@ -109,7 +117,7 @@ QWidget* MainWindow::build_top_bar() {
     // Not of the button, which is hidden where there is little room.
     auto* keys = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")), top_bar_);
     connect(keys, &QShortcut::activated, switch_user_, &QPushButton::click);
-    connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::change_role);
+    connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::ask_role);
     connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });

@@ -45,6 +45,7 @@ CurriculumCard::CurriculumCard(Context& context) : context_(context) {
     reason_->setObjectName(QStringLiteral("curriculum_reason"));
     reason_->setAccessibleName(tr("Reason"));
     reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
+    mark_begun(reason_, tr("a reason for moving somebody to another version"));
     row->addWidget(reason_, 1);
     QPushButton* go = make_button(tr("Move"), "curriculum_move");
     row->addWidget(go);

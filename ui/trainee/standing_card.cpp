@@ -30,6 +30,7 @@ StandingCard::StandingCard(Context& context) : context_(context) {
     reason_->setObjectName(QStringLiteral("decision_reason"));
     reason_->setAccessibleName(tr("Reason"));
     reason_->setPlaceholderText(tr("Reason (kept in the audit log)"));
+    mark_begun(reason_, tr("a reason for a decision"));
     row->addWidget(reason_, 1);
     QPushButton* button = make_button(tr("Decide"), "decide_standing");
     row->addWidget(button);

@@ -213,6 +213,7 @@ TEST_F(WindowAccess, WhereARoleIsRefusedTheTopBarKeepsTheOneInUse) {
         .set_roles(programme.asker(Role::administrator), programme.id("educator"), {Role::educator});
     roles->setCurrentIndex(trainee);
     emit roles->activated(trainee);
+    click(*window, "question_yes");
     EXPECT_TRUE(refused()) << complaint().toStdString();
     EXPECT_EQ(role(), Role::educator);
     EXPECT_EQ(roles->currentData().toInt(), static_cast<int>(Role::educator));

@@ -367,7 +367,47 @@ TEST_F(BuildingLimits, CanBeStoppedAndLeft) {
     EXPECT_FALSE(sees(*window, "message_text"));
     open();
     EXPECT_FALSE(sees(*window, "benchmark_verdict"));
-    EXPECT_EQ(people()->item(0, 0)->checkState(), Qt::Unchecked);
+    EXPECT_EQ(people()->item(0, 0)->checkState(), Qt::Checked) << "what was chosen stays";
+}
+
+TEST_F(BuildingLimits, WhatWasBegunStaysAndIsNamedBeforeItIsLost) {
+    const OutlivesItsWindows outlives;
+    choose_experts(3);
+    auto* tasks = find<QComboBox>(*window, "benchmark_task");
+    tasks->setFocus();
+    QTest::keyClick(tasks, Qt::Key_Down);
+    ASSERT_NE(tasks->currentData().toString(), "A2");
+    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    const auto expect_chosen = [&](const char* after) {
+        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+        ASSERT_EQ(people()->rowCount(), expert_people) << after;
+        for (int row = 0; row < expert_people; ++row)
+            EXPECT_EQ(people()->item(row, 0)->checkState() == Qt::Checked, row < 3) << after << row;
+    };
+    QTest::keyClick(tasks, Qt::Key_Up);
+    expect_chosen("another task and back");
+    choose_page(*window, "rail_limits");
+    choose_page(*window, "rail_benchmark");
+    expect_chosen("another page and back");
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(label("question_words").endsWith(": a set of limits that is being built."))
+        << label("question_words").toStdString();
+    click(*window, "question_no");
+    emit window->context().switch_user_wanted();
+    EXPECT_TRUE(window->context().signed_in());
+    click(*window, "question_no");
+    for (int row = 3; row < expert_people; ++row) {
+        people()->setCurrentCell(row, 0);
+        QTest::keyClick(people(), Qt::Key_Space);
+    }
+    build();
+    choose_page(*window, "rail_limits");
+    choose_page(*window, "rail_benchmark");
+    EXPECT_TRUE(sees(*window, "benchmark_verdict")) << "the set is still there";
+    bring(*find<QLineEdit>(*window, "benchmark_path"));
+    type(*window, "benchmark_path", QString::fromStdString((folder / "A2-new.json").string()));
+    click(*window, "benchmark_save");
+    EXPECT_TRUE(window->close()) << "a file has it: " << label("message_text").toStdString();
 }
 
 TEST_F(BuildingLimits, AreForEducatorsOnly) {
@@ -394,7 +434,7 @@ TEST_F(BuildingLimits, FitTheSmallestWindowWithLargeTextInBothThemesAndLanguages
     for (const Look& look : {Look{Theme::light, Language::english, "large-light"},
                              Look{Theme::dark, Language::german, "large-dark-german"}}) {
         emit window->context().theme_wanted(look.theme);
-        emit window->context().language_wanted(look.language);
+        window->set_language(look.language);
         window->set_text_size(200);
         open();
         choose_experts(expert_people);

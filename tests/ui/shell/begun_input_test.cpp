@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What somebody has begun ends neither with the window nor with a sign-out before the window has said what
+// would be lost; the lock leaves it alone.
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include "database/records/people.h"
+#include "database/records/ratings.h"
+#include "tests/ui/screens.h"
+#include "ui/language/language.h"
+#include "ui/shell/idle_watch.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class BegunInput : public Screens {
+  protected:
+    ~BegunInput() override {
+        if (window != nullptr) window->set_language(Language::english);
+        use_language(Language::english);
+    }
+    const OutlivesItsWindows outlives;
+    void open_page(Role role, const char* rail) {
+        open({1280, 800});
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+        sign_in(role);
+        go_to(rail);
+    }
+    QString typed(const char* name) { return find<QLineEdit>(*window, name)->text(); }
+    QString question() {
+        return sees(*window, "question_words") ? find<QLabel>(*window, "question_words")->text() : QString();
+    }
+    QString focused() { return window->focusWidget() == nullptr ? "" : window->focusWidget()->objectName(); }
+    void lock() { QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock"); }
+    /// The trainee's attempt, in the educator's debrief.
+    std::string open_debrief() {
+        open({1280, 800});
+        const std::string attempt = perform();
+        sign_in(Role::educator);
+        emit window->context().debrief_wanted(text(attempt), -1);
+        wait_for_debrief();
+        return attempt;
+    }
+};
+
+TEST_F(BegunInput, IsNamedBeforeTheWindowCloses) {
+    for (const Language language : {Language::english, Language::german}) {
+        const bool german = language == Language::german;
+        open_page(Role::administrator, "rail_people");
+        window->set_language(language);
+        go_to("rail_people");
+        EXPECT_TRUE(question().isEmpty());
+        type(*window, "new_person_name", "Nora New");
+        EXPECT_FALSE(window->close());
+        EXPECT_TRUE(window->isVisible());
+        EXPECT_EQ(question(), german ? "Noch nicht gespeichert und verloren, wenn das Fenster schließt: "
+                                       "eine Person, die noch nicht angelegt ist."
+                                     : "Not saved yet, and lost when the window closes: a person who is not "
+                                       "added yet.");
+        EXPECT_EQ(focused(), "question_no") << "a key pressed once too often goes back";
+        click(*window, "question_no");
+        EXPECT_TRUE(question().isEmpty());
+        EXPECT_EQ(focused(), "new_person_name") << "the keyboard is where it was";
+        EXPECT_EQ(typed("new_person_name"), "Nora New");
+        EXPECT_FALSE(window->close());
+        QTest::keyClick(window->focusWidget(), Qt::Key_Escape);
+        EXPECT_TRUE(question().isEmpty()) << "Escape goes back";
+        EXPECT_FALSE(window->close());
+        click(*window, "question_yes");
+        EXPECT_FALSE(window->isVisible());
+        window.reset();
+    }
+    // Nothing begun, nothing asked.
+    open_page(Role::administrator, "rail_people");
+    window->set_language(Language::english);
+    go_to("rail_people");
+    type(*window, "new_person_name", "   ");
+    EXPECT_TRUE(window->close());
+}
+
+TEST_F(BegunInput, IsNamedBeforeASignOut) {
+    open_page(Role::administrator, "rail_people");
+    choose_row(*find<QTableWidget>(*window, "people_table"), 0);
+    type(*window, "person_name", "Alma Another");
+    go_to("rail_station");  // from another page, too
+    click(*window, "switch_user");
+    EXPECT_TRUE(window->context().signed_in());
+    EXPECT_EQ(question(), "Not saved yet, and lost at the sign-out: changes to a person.");
+    click(*window, "question_no");
+    EXPECT_TRUE(window->context().signed_in());
+    click(*window, "switch_user");
+    click(*window, "question_yes");
+    EXPECT_FALSE(window->context().signed_in());
+    EXPECT_EQ(window->current_page()->objectName(), "sign_in_page");
+    EXPECT_TRUE(question().isEmpty());
+    EXPECT_NE(database::People(*services.store()).list(sessions.at(Role::administrator))[0].display_name,
+              "Alma Another");
+}
+
+TEST_F(BegunInput, StaysUnderTheLockAndIsNamedThere) {
+    open_page(Role::administrator, "rail_people");
+    type(*window, "new_person_name", "Nora New");
+    lock();
+    click(*window, "lock_switch_user");
+    EXPECT_TRUE(window->context().signed_in());
+    EXPECT_TRUE(question().contains("a person who is not added yet")) << question().toStdString();
+    EXPECT_FALSE(question().contains("Nora")) << "the content stays hidden";
+    EXPECT_TRUE(sees(*window, "unlock_password"));
+    click(*window, "question_no");
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(question().startsWith("Not saved yet, and lost when the window closes"));
+    type(*window, "unlock_password", "correct horse");
+    click(*window, "unlock");
+    ASSERT_TRUE(wait_for([&] { return !sees(*window, "unlock_password"); }));
+    EXPECT_TRUE(question().isEmpty()) << "work continues";
+    EXPECT_EQ(typed("new_person_name"), "Nora New");
+}
+
+TEST_F(BegunInput, IsNamedBeforeAnotherLanguageMakesThePagesAgain) {
+    open_page(Role::administrator, "rail_people");
+    type(*window, "new_person_name", "Nora New");
+    go_to("rail_settings");
+    check(*window, "language_de");
+    EXPECT_EQ(language_in_use(), Language::english);
+    EXPECT_TRUE(question().contains("when the pages are made again"));
+    click(*window, "question_no");
+    EXPECT_TRUE(find<QRadioButton>(*window, "language_en")->isChecked()) << "the page shows what is in use";
+    check(*window, "language_de");
+    click(*window, "question_yes");
+    settle();
+    EXPECT_EQ(language_in_use(), Language::german);
+}
+
+TEST_F(BegunInput, OfADirectorAndOfAReasonBehindAnotherTabIsNamed) {
+    open_page(Role::director, "rail_data");
+    check(*window, "retention_limited");
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(question().endsWith(": how long data are kept.")) << question().toStdString();
+    check(*window, "retention_limited", false);
+    EXPECT_TRUE(window->close());
+    window.reset();
+    open_debrief();
+    choose_tab(*window, "debrief_tabs", "Corrections");
+    type(*window, "action_reason", "performed by Ben");
+    choose_tab(*window, "debrief_tabs", find<QTabWidget>(*window, "debrief_tabs")->tabText(0));
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(question().endsWith(": a reason for a correction.")) << question().toStdString();
+}
+
+TEST_F(BegunInput, NotesOfARatingAreKeptWhenTheWindowCloses) {
+    const std::string attempt = open_debrief();
+    bring(*find<QAbstractButton>(*window, "rating_begin"));
+    click(*window, "rating_begin");
+    QTest::keyClicks(find<QPlainTextEdit>(*window, "rating_remark"), "Slow start");
+    EXPECT_TRUE(window->close()) << "a draft of a rating is kept: nothing is asked";
+    const auto ratings =
+        database::Ratings(*services.store()).of_attempt(sessions.at(Role::educator), attempt);
+    ASSERT_EQ(ratings.rows.size(), 1U);
+    EXPECT_EQ(ratings.rows[0].remark, "Slow start");
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
