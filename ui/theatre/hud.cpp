@@ -380,12 +380,20 @@ void paint_reticle(QPainter& painter, const QRectF& area, const HudState& state)
 
 }  // namespace
 
-void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
+void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state, double covered) {
     const Palette& p = dark();
+    constexpr double least_width = 557, least_height = 360;
     painter.save();
-    const QRectF area = scaled(painter, whole, {557, 360});
     painter.setRenderHint(QPainter::Antialiasing);
-    const double side = 0.5 * (area.width() - std::min(area.width(), area.height()));
+    if (state.wanted_size > 0)
+        paint_reticle(painter, scaled(painter, whole, {least_width, least_height}), state);
+    painter.restore();
+    painter.save();
+    const QRectF area = scaled(painter, whole.adjusted(0, 0, 0, -covered),
+                               {least_width, covered > 0 ? hud_height_above : least_height});
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double picture = whole.height() * area.width() / whole.width();  // round, in the whole height
+    const double side = 0.5 * (area.width() - std::min(area.width(), picture));
     const bool compact = side < 150 || area.height() < 560;
     const double margin = compact ? 10 : 18;
     const Margins room{compact, margin, compact ? 150.0 : 190.0};
@@ -405,7 +413,6 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
         draw_force(painter, QRectF(area.right() - margin - (compact ? 74 : 112), bars_top, 130, bars_height),
                    state, 1, compact);
     }
-    if (state.wanted_size > 0) paint_reticle(painter, area, state);
 
     painter.setFont(hud_font(12));
     painter.setPen(p.muted);

@@ -45,7 +45,11 @@ void set_scope(HudState& hud, const Scene& scene);
 /// In words: "shears", "clip applier, 5 clips", "suction, in 1.2 s".
 QString tool_words(const HandToolView& tool);
 
-void paint_hud(QPainter& painter, const QRectF& area, const HudState& state);
+/// px: so much height texts and bars of force need above what covers the foot of their area.
+inline constexpr double hud_height_above = 420;
+/// `covered`: px at the foot that are under something else. What is drawn in the round image keeps its place;
+/// texts and bars are above, smaller where that is needed.
+void paint_hud(QPainter& painter, const QRectF& area, const HudState& state, double covered = 0);
 /// A dimmed cover with a heading and lines in the middle: pause, device lost, help.
 void paint_cover(QPainter& painter, const QRectF& area, const QString& heading, const QStringList& lines);
 

@@ -88,9 +88,13 @@ class TheatrePage : public Page {
     void skip_teaching();
     void teach_again();
     HandDeeds needed() const;
-    QString strip_words() const;
+    /// With at most so many lines.
+    QString strip_words(int most) const;
     void show_strip();
+    /// With as many lines as leave the height that times and forces need above it.
     void place_strip();
+    /// Texts and bars of the view go out of its way.
+    void clear_of_strip();
     void resume();
     void abandon();
     void finish();
@@ -113,6 +117,7 @@ class TheatrePage : public Page {
     std::uint32_t seen_uses_ = 0;
     TaughtHands hands_;
     QString hands_title_;  ///< of a device that the daemon reads
+    QString strip_all_;    ///< words of the strip, before what has no room is left out
     HandDeeds known_;      ///< before this attempt
     std::optional<GhostPace> ghost_;
     BeginPlace begin_place_;

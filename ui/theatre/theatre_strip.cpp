@@ -94,7 +94,7 @@ void TheatrePage::teach_again() {
     since_moved_ = 0;
 }
 
-QString TheatrePage::strip_words() const {
+QString TheatrePage::strip_words(int most) const {
     const HandDeeds done = deeds();
     QStringList marked, waiting;
     for (const TaughtLine& one : taught_lines(session_->scene(), hands_, input_->keys())) {
@@ -104,8 +104,8 @@ QString TheatrePage::strip_words() const {
     }
     const int all = marked.size() + waiting.size();
     QStringList parts = marked + waiting;
-    if (all > most_lines) {
-        parts = waiting.mid(0, most_lines);
+    if (all > most) {
+        parts = waiting.mid(0, most);
         if (learns_ && !marked.isEmpty()) parts.prepend(tr("✓ %1 of %2 done").arg(marked.size()).arg(all));
     }
     if (learns_) parts << tr("<b>Enter</b>&nbsp;ends these lines");
@@ -135,25 +135,38 @@ void TheatrePage::show_strip() {
     }
     const bool shown = live && !strip_ended_ && since_moved_ <= (learns_ ? teaching_s : needed_s);
     if (shown) {
-        const QString words = strip_words();
-        if (words != strip_text_->text()) {
-            strip_text_->setTextFormat(Qt::RichText);
-            strip_text_->setText(words);
+        const QString words = strip_words(most_lines);
+        if (words != strip_all_) {
+            strip_all_ = words;
             place_strip();
         }
     }
-    if (shown == strip_->isVisible()) return;
-    strip_->setVisible(shown);
-    if (shown) {
-        place_strip();
-        strip_->raise();
+    if (shown != strip_->isVisible()) {
+        strip_->setVisible(shown);
+        if (shown) {
+            place_strip();
+            strip_->raise();
+        }
     }
+    clear_of_strip();
 }
 
 void TheatrePage::place_strip() {
-    const int width = this->width() - 40;
-    const int height = strip_->layout()->totalHeightForWidth(width);
-    strip_->setGeometry(20, bar_->y() - height - 8, width, height);
+    if (strip_all_.isEmpty() || session_ == nullptr || input_ == nullptr) return;
+    const int width = this->width() - 40, foot = bar_->y() - 8;
+    strip_text_->setTextFormat(Qt::RichText);
+    int height = 0;
+    for (int most = most_lines; most > 0; --most) {
+        strip_text_->setText(strip_words(most));
+        height = strip_->layout()->totalHeightForWidth(width);
+        if (foot - height >= view_->y() + hud_height_above) break;
+    }
+    strip_->setGeometry(20, foot - height, width, height);
+}
+
+void TheatrePage::clear_of_strip() {
+    const QRect picture = view_->geometry();
+    view_->set_covered_foot(strip_->isVisible() ? std::max(0, picture.bottom() + 1 - strip_->y()) : 0);
 }
 
 void TheatrePage::toggle_help() {

@@ -90,6 +90,12 @@ void TheatreView::set_hud(const HudState& hud) {
     has_hud_ = true;
 }
 
+void TheatreView::set_covered_foot(int height) {
+    if (height == covered_foot_) return;
+    covered_foot_ = height;
+    update();
+}
+
 void TheatreView::set_targets(const std::vector<bool>& done, int active, bool touched) {
     done_ = done;
     active_ = active;
@@ -193,7 +199,7 @@ void TheatreView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const bool drawn = paint_scene(painter);
     if (!drawn) painter.fillRect(rect(), Qt::black);
-    if (has_hud_ && notice_.isEmpty()) paint_hud(painter, rect(), hud_);
+    if (has_hud_ && notice_.isEmpty()) paint_hud(painter, rect(), hud_, covered_foot_);
     if (!drawn) paint_words(painter);
     if (drawn && realignment_) paint_realignment(painter, rect(), *realignment_);
     if (!cover_lines_.isEmpty()) paint_cover(painter, rect(), cover_heading_, cover_lines_);

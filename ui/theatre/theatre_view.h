@@ -38,6 +38,9 @@ class TheatreView : public QWidget {
     void show_world(const WorldSnapshot& world);
     void set_hud(const HudState& hud);
     const HudState& hud() const { return hud_; }
+    /// px at the foot of the view that something else covers: texts and bars are painted above.
+    void set_covered_foot(int height);
+    int covered_foot() const { return covered_foot_; }
     /// Which targets are done (by index) and which is asked for now (-1 none).
     void set_targets(const std::vector<bool>& done, int active, bool touched);
     /// Not empty: the scene is hidden behind black and these words.
@@ -99,7 +102,7 @@ class TheatreView : public QWidget {
     WorldSnapshot world_;
     HudState hud_;
     std::vector<bool> done_;
-    int active_ = -1;
+    int active_ = -1, covered_foot_ = 0;
     bool touched_ = false, has_world_ = false, has_hud_ = false, installed_ = false, strained_ = false;
     QString notice_, cover_heading_, error_;
     QStringList cover_lines_;

@@ -3,11 +3,13 @@
 // what the hands did; ended and shown again with Enter.
 #include <gtest/gtest.h>
 
+#include <QPainter>
 #include <set>
 
 #include "sim_core/devices/device_table.h"
 #include "sim_core/instrument/mouse_mapping.h"
 #include "tests/support/support.h"
+#include "tests/ui/painted_words.h"
 #include "tests/ui/settings_screens.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/taught_lines.h"
@@ -412,6 +414,60 @@ TEST_F(FirstSteps, AreDrawnInBothThemesLanguagesAndLarge) {
                 QTest::keyClick(page->view(), Qt::Key_F1);
                 home();
             }
+}
+
+TEST_F(FirstSteps, LeaveForcesAndTimesInSightInASmallWindowWithTheLargestText) {
+    for (const Language language : {Language::english, Language::german}) {
+        open({1024, 768});
+        sign_in(Role::trainee);
+        window->set_language(language);
+        window->set_text_size(200);
+        settle();
+        services.in_use.clutch = ClutchButton::energy;
+        services.in_use.pedal = pedal_keys_only;
+        begin("C4", "c4_posterior", "touch", "3D Systems Touch");
+        const TheatreView* const view = page->view();
+        ASSERT_TRUE(wait_for([&] { return view->hud().task != nullptr && view->covered_foot() > 0; }));
+        const auto* const strip = find<QFrame>(*window, "theatre_keys");
+        EXPECT_TRUE(page->rect().contains(strip->geometry()));
+        const double top = strip->y() - view->y();
+        HudState hud = view->hud();
+        hud.force_felt = false;
+        for (int h = 0; h < hand_count; ++h) {
+            hud.display.force[h] = 2.4F;
+            hud.display.force_limit[h] = 3;
+            hud.display.warning[h] = true;
+        }
+        WordsDevice device(view->size(), view->logicalDpiY());
+        QPainter painter(&device);
+        paint_hud(painter, view->rect(), hud, view->covered_foot());
+        painter.end();
+        ASSERT_GT(device.words().size(), 8U);
+        int forces = 0;
+        for (const PaintedWords& one : device.words()) {
+            forces += one.words.endsWith(QLatin1String(" N")) ? 1 : 0;
+            EXPECT_LE(one.place.bottom(), top + 1) << one.words.toStdString() << " is under the strip";
+            EXPECT_GE(one.place.top(), -1) << one.words.toStdString();
+            EXPECT_TRUE(one.whole) << one.words.toStdString();
+            for (const PaintedWords& other : device.words()) {
+                const QRectF both = one.place & other.place;
+                if (&one != &other) {
+                    EXPECT_LE(std::min(both.width(), both.height()), 1)
+                        << one.words.toStdString() << " on " << other.words.toStdString();
+                }
+            }
+        }
+        EXPECT_EQ(forces, 4) << "force and limit of both hands";
+        int bars = 0;
+        for (const QRectF& shape : device.shapes()) {
+            EXPECT_LE(shape.bottom(), top + 1) << "a bar is under the strip";
+            bars += shape.height() > 20 && shape.height() > 1.2 * shape.width() ? 1 : 0;
+        }
+        EXPECT_GE(bars, 2) << "of both hands";
+        keep(QStringLiteral("first-steps-small-") + (language == Language::english ? "en" : "de"));
+        home();
+        window.reset();
+    }
 }
 
 }  // namespace

@@ -76,11 +76,11 @@ double rounding_at(int dots_per_inch) {
 }
 
 /// No text overlaps another, none is cut off.
-void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string& what) {
+void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string& what, int covered = 0) {
     shown.hud.task = &shown.task;
     WordsDevice device(size, dots_per_inch);
     QPainter painter(&device);
-    paint_hud(painter, QRectF(QPointF(0, 0), QSizeF(size)), shown.hud);
+    paint_hud(painter, QRectF(QPointF(0, 0), QSizeF(size)), shown.hud, covered);
     painter.end();
     if (const QString folder = qEnvironmentVariable("FULCRUM_PICTURES"); !folder.isEmpty()) {
         QImage picture(size, QImage::Format_RGB32);
@@ -88,7 +88,7 @@ void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string
         picture.setDotsPerMeterY(qRound(dots_per_inch / 0.0254));
         picture.fill(Qt::black);
         QPainter brush(&picture);
-        paint_hud(brush, picture.rect(), shown.hud);
+        paint_hud(brush, picture.rect(), shown.hud, covered);
         brush.end();
         picture.save(QStringLiteral("%1/hud-%2-%3-%4.png")
                          .arg(folder, QString::fromStdString(what))
@@ -100,7 +100,7 @@ void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string
     const auto& words = device.words();
     ASSERT_GT(words.size(), 8U) << where;
     const double rounding = rounding_at(dots_per_inch);
-    const QRectF whole(QPointF(0, 0), QSizeF(size));
+    const QRectF whole(0, 0, size.width(), size.height() - covered);
     for (std::size_t i = 0; i < words.size(); ++i) {
         EXPECT_TRUE(whole.contains(words[i].place)) << where << words[i].words.toStdString();
         EXPECT_TRUE(words[i].whole) << where << "cut off: " << words[i].words.toStdString();
@@ -130,6 +130,17 @@ TEST(HudLayout, TextsOfEveryGoalKindDoNotOverlap) {
         for (const QSize size : sizes)
             for (const int scale : text_scales)
                 expect_apart(shown, size, scale, std::string("goal-") + type.name);
+    }
+}
+
+TEST(HudLayout, TextsAboveWhatCoversTheFootDoNotOverlap) {
+    for (const GoalType& type : goal_types) {
+        Shown shown = everything(type.kind);
+        for (const QSize size : {QSize(1024, 630), QSize(1280, 660), QSize(960, 460)})
+            for (const int scale : text_scales)
+                for (const int covered : {40, 60, 200})
+                    if (size.height() - covered >= hud_height_above)
+                        expect_apart(shown, size, scale, std::string("above-") + type.name, covered);
     }
 }
 
