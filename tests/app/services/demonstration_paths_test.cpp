@@ -8,10 +8,15 @@
 #include <QMouseEvent>
 #include <QPlainTextEdit>
 #include <QRadioButton>
+#include <QSlider>
 #include <QTableView>
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
 
 #include "app/services/demo.h"
+#include "assessment/trace/phase_alignment.h"
 #include "database/records/people.h"
 #include "database/records/reviews.h"
 #include "database/rows/connection.h"
@@ -21,6 +26,7 @@
 #include "ui/charts/time_chart.h"
 #include "ui/review/compare_page.h"
 #include "ui/review/replay_panel.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::app::program_test {
 namespace {
@@ -202,6 +208,83 @@ TEST_F(DemonstrationPaths, AnEducatorGoesFromACellOfTheGridToAMarkInTheReplay) {
     ASSERT_NE(mark, after.end());
     EXPECT_NEAR(mark->time_s, moment, 1e-9);
     EXPECT_GT(mark->sent, 0);
+}
+
+// The program's own expert, who performs in the scene of the stored attempt.
+TEST_F(DemonstrationPaths, TheExpertNextToAnAttemptIsAlignedByStepsAndHasTheExpertsOwnValues) {
+    look_around_as("Dr Hanna");
+    open_cell("Kavya", "B2");
+    const std::string id = recorded_attempt("B2", "Kavya Rao");
+    ASSERT_FALSE(id.empty());
+    open_attempt(id);
+    const AttemptModel& opened = *wait_for_debrief().model();
+    const double tick = opened.tick;
+    const PhaseMoments mine = phase_moments(opened.trace->events, tick, opened.duration);
+    compare_with_the_expert();
+    auto* page = static_cast<ComparePage*>(window.current_page());
+    const database::Attempts attempts(*services.store());
+    const database::Session& session = window.context().session();
+    const database::AttemptSummary own = attempts.read(session, id);
+    const std::optional<ExpertAttempt> expert = services.expert_attempt(session, own)({});
+    ASSERT_TRUE(expert.has_value());
+    EXPECT_EQ(expert->summary.meta.operator_name, "expert");
+    EXPECT_EQ(expert->summary.state, AttemptState::completed);
+
+    // Each step that both met ends at the same place of the time axis.
+    const PhaseMoments theirs =
+        phase_moments(expert->trace->events, tick, expert->trace->samples.back().tick * tick);
+    const PhaseMap& map = page->pair()->map;
+    ASSERT_FALSE(map.common_goals().empty());
+    for (const int goal : map.common_goals())
+        EXPECT_NEAR(map.to_second(mine.met.at(goal)), theirs.met.at(goal), 1e-6) << "step " << goal;
+
+    // Both pictures, next to each other, at one moment of the same step.
+    auto* own_picture = find<ReplayPanel>(window, "compare_own_replay");
+    auto* other_picture = find<ReplayPanel>(window, "compare_other_replay");
+    bring(*own_picture);
+    const auto place = [this](QWidget* one) { return QRect(one->mapTo(&window, QPoint()), one->size()); };
+    const QRect left = place(own_picture), right = place(other_picture);
+    EXPECT_LT(left.right(), right.left());
+    EXPECT_LT(std::max(left.top(), right.top()), std::min(left.bottom(), right.bottom()));
+    const auto shows = [](ReplayPanel* one) {
+        return one->shown_time() >= 0 && std::abs(one->shown_time() - one->time()) < 0.05;
+    };
+    auto* slider = find<QSlider>(window, "compare_slider");
+    slider->setFocus();
+    for (const int goal : map.common_goals()) {
+        slider->setValue(static_cast<int>(std::lround(mine.met.at(goal) * 100)) - 1);
+        QTest::keyClick(slider, Qt::Key_Right);
+        EXPECT_NEAR(page->moment(), mine.met.at(goal), 0.02) << "step " << goal;
+        EXPECT_NEAR(other_picture->time(), map.to_second(page->moment()), 0.02) << "step " << goal;
+        EXPECT_TRUE(wait_for([&] { return shows(own_picture) && shows(other_picture); }, 120000))
+            << "step " << goal << ": " << own_picture->shown_time() << " and " << other_picture->shown_time();
+    }
+
+    // The table has the stored values of the attempt and those of the expert's score.
+    using Cells = std::map<std::pair<QString, QString>, QString>;
+    const auto values_of = [](const database::ScoreRow& score) {
+        Cells cells;
+        for (const database::MetricRow& row : score.metrics)
+            if (row.tissue.empty())
+                cells[{metric_text(row.id), QString::fromStdString(row.hand)}] =
+                    figure_with_unit(row.value, row.unit);
+        return cells;
+    };
+    const auto stored = attempts.score(session, id);
+    ASSERT_TRUE(stored.has_value());
+    const Cells own_values = values_of(*stored), expert_values = values_of(expert->score);
+    auto* table = find<QTableWidget>(window, "comparison_table");
+    int compared = 0;
+    for (int row = 0; row < table->rowCount(); ++row) {
+        const std::pair<QString, QString> metric(table->item(row, 0)->text(), table->item(row, 1)->text());
+        const std::string what = (metric.first + QLatin1Char(' ') + metric.second).toStdString();
+        ASSERT_EQ(own_values.count(metric), 1U) << what;
+        EXPECT_EQ(table->item(row, 2)->text(), own_values.at(metric)) << what;
+        if (expert_values.count(metric) == 0) continue;  // a metric of an older version
+        EXPECT_EQ(table->item(row, 3)->text(), expert_values.at(metric)) << what;
+        ++compared;
+    }
+    EXPECT_GT(compared, 5);
 }
 
 // An administrator for a copy of the demonstration, by the functions that made its other people.
