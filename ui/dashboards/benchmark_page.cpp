@@ -198,7 +198,7 @@ void BenchmarkPage::enter() {
                             [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; }))
                 tasks_->addItem(context().task_title(one.id), text(one.id));
     }
-    // What was begun stays when somebody comes back; who may be named is read again.
+    // A set that was built stays when somebody comes back; else it is read again who may be named.
     if (!built_) choose_task();
     look();  // the role may be another one by now
     tasks_->setFocus();

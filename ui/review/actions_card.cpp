@@ -110,6 +110,7 @@ void ActionsCard::void_attempt() {
     if (context_.guarded([&] {
             database::Attempts(context_.store()).void_attempt(context_.session(), attempt_id_, words);
         })) {
+        reason_->clear();
         context_.say(tr("The attempt is voided."));
         emit changed();
     }
@@ -123,6 +124,7 @@ void ActionsCard::reassign() {
     if (context_.guarded([&] {
             database::Attempts(context_.store()).reassign(context_.session(), attempt_id_, person, words);
         })) {
+        reason_->clear();
         context_.say(tr("Reassigned to %1; this record is voided.").arg(name));
         emit changed();
     }

@@ -452,7 +452,7 @@ TEST_F(FirstSteps, LeaveForcesAndTimesInSightInASmallWindowWithTheLargestText) {
             for (const PaintedWords& other : device.words()) {
                 const QRectF both = one.place & other.place;
                 if (&one != &other) {
-                    EXPECT_LE(std::min(both.width(), both.height()), 1)
+                    EXPECT_LE(std::min(both.width(), both.height()), 2)
                         << one.words.toStdString() << " on " << other.words.toStdString();
                 }
             }
