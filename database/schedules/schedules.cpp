@@ -145,6 +145,7 @@ ScheduleLock::~ScheduleLock() {
 }
 
 std::string Schedules::add(const Session& director, const ReportSchedule& schedule) const {
+    require_at_station(store_, director, Operation::export_cohort);
     store_.require(director, Operation::export_cohort, Subject::cohort(schedule.cohort_id));
     if (schedule.folder.empty() || schedule.folder[0] != '/')
         throw StoreError(
@@ -170,12 +171,12 @@ std::string Schedules::add(const Session& director, const ReportSchedule& schedu
 }
 
 std::vector<ReportSchedule> Schedules::list(const Session& director) const {
-    store_.require(director, Operation::export_cohort);
+    require_at_station(store_, director, Operation::export_cohort);
     return all_schedules(store_.connection());
 }
 
 void Schedules::remove(const Session& director, const std::string& id) const {
-    store_.require(director, Operation::export_cohort);
+    require_at_station(store_, director, Operation::export_cohort);
     Transaction transaction(store_.connection());
     const std::optional<ReportSchedule> before = find_schedule(store_, id);
     if (!before)
@@ -189,7 +190,7 @@ void Schedules::remove(const Session& director, const std::string& id) const {
 
 void Schedules::note(const Session& director, const std::string& id, const std::string& period,
                      const Sentence& problem) const {
-    store_.require(director, Operation::export_cohort);
+    require_at_station(store_, director, Operation::export_cohort);
     Transaction transaction(store_.connection());
     std::optional<ReportSchedule> now = find_schedule(store_, id);
     if (!now) return;

@@ -30,6 +30,9 @@ struct Store::State {
 std::string read_setting(Connection& connection, const std::string& key);
 void write_setting(Connection& connection, const std::string& key, const std::string& value);
 
+/// For what only stations keep, whatever a server answers of the same operation. Throws AccessDenied.
+void require_at_station(const Store& store, const Session& session, Operation operation);
+
 /// One view of the store for everything that is read while it exists: other programs may write, and a
 /// record made after the audit log was read would have no row there. Begins with the first statement; within
 /// a transaction there is one view already.

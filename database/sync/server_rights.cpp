@@ -72,6 +72,7 @@ CREATE OR REPLACE FUNCTION named_people() RETURNS SETOF text
         WHERE a.person_id IN (SELECT own_people())
     UNION SELECT author_id FROM standing_override WHERE person_id IN (SELECT id FROM seen)
     UNION SELECT author_id FROM curriculum_move WHERE person_id IN (SELECT id FROM seen)
+    UNION SELECT person_id FROM asset_acceptance
     UNION SELECT person_id FROM cohort_educator
         WHERE cohort_id IN (SELECT own_cohorts() UNION SELECT taught_cohorts()) $$;
 -- The newest row of each station's audit log, for the foot of reports: says nothing of what it is about.

@@ -5,6 +5,7 @@
 
 #include "database/rows/connection.h"
 #include "database/rows/enum_column.h"
+#include "database/store/store_state.h"
 
 namespace fulcrum::database {
 namespace {
@@ -37,7 +38,7 @@ std::int64_t outbox_wait_ms(int tries) {
 
 XapiOutbox::XapiOutbox(const Store& store, const Session& session, std::string endpoint)
     : store_(store), endpoint_(std::move(endpoint)) {
-    store_.require(session, Operation::export_cohort);
+    require_at_station(store_, session, Operation::export_cohort);
 }
 
 int XapiOutbox::add(const std::vector<OutboxStatement>& statements) const {
@@ -202,7 +203,7 @@ std::vector<OutboxStatement> XapiOutbox::quarantined() const {
 }
 
 std::vector<OutboxCounts> outbox_counts(const Store& store, const Session& session) {
-    store.require(session, Operation::export_cohort);
+    require_at_station(store, session, Operation::export_cohort);
     return read_counts(store, {});
 }
 

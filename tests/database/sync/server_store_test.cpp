@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The programme server opened as a store: the same answers as the station that sent everything, who is who
 // there, and what ends it.
+#include <functional>
 #include <set>
 
 #include "assessment/curriculum/curriculum.h"
 #include "database/records/curricula.h"
 #include "database/records/standings.h"
+#include "database/rows/crypto.h"
+#include "database/schedules/schedules.h"
 #include "database/schema/server_version.h"
+#include "database/store/accepted_assets.h"
 #include "database/sync/server_rights.h"
+#include "database/xapi/xapi_outbox.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -197,6 +202,51 @@ TEST_F(ServerStore, ARaterWhoOpensAnAttemptThereIsNotBlindForItsCopies) {
     open_there("director");
     EXPECT_EQ(seen_there("educator").count(hidden), 0U);
     EXPECT_EQ(seen_there("director").count(hidden), 1U);
+}
+
+TEST_F(ServerStore, AcceptedFilesAreListedWhoeverAcceptedThem) {
+    // Of an educator who teaches nobody whom the others see.
+    const std::string text = "{}";
+    AcceptedAssets(*a.store).accept(a.session("other_educator"), {"benchmarks/own.json", sha256_hex(text)},
+                                    "our experts", text);
+    sync(a);
+    for (const char* login : {"ann", "educator", "director"}) {
+        const std::vector<AcceptedAsset> listed = AcceptedAssets(open_as(login)).list();
+        ASSERT_EQ(listed.size(), 1U) << login;
+        EXPECT_EQ(listed[0].person_name, "Otto Cator") << login;
+    }
+    // On a server whose rights an older program made, the name is hidden and the file is not.
+    sql("CREATE OR REPLACE FUNCTION named_people() RETURNS SETOF text LANGUAGE sql STABLE SECURITY DEFINER "
+        "AS $$ SELECT id FROM person WHERE 1 = 0 $$");
+    const std::vector<AcceptedAsset> listed = AcceptedAssets(open_as("ann")).list();
+    ASSERT_EQ(listed.size(), 1U);
+    EXPECT_EQ(listed[0].person_name, "");
+}
+
+TEST_F(ServerStore, WhatOnlyStationsKeepIsRefusedAndNotAnsweredAsIfThereWereNone) {
+    ReportSchedule wish;
+    wish.cohort_id = a.cohort;
+    wish.format = "csv";
+    wish.folder = "/srv/reports";
+    Schedules(*a.store).add(a.session("director"), wish);
+    sync(a);
+    const Store store = open_as("director");
+    const Session director = People(store).account_session();
+    const std::vector<std::function<void()>> calls = {
+        [&] { Schedules(store).list(director); },
+        [&] { Schedules(store).add(director, wish); },
+        [&] { Schedules(store).remove(director, "x"); },
+        [&] { outbox_counts(store, director); },
+        [&] { XapiOutbox(store, director, "https://lrs.example/").counts(); },
+    };
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+        try {
+            calls[i]();
+            ADD_FAILURE() << "call " << i << " was answered";
+        } catch (const AccessDenied& error) {
+            EXPECT_NE(error.why().find("do it at a station"), std::string::npos) << error.what();
+        }
+    }
 }
 
 TEST_F(ServerStore, ALostConnectionIsMadeAgain) {
