@@ -49,11 +49,10 @@ std::vector<AssetFile> AcceptedAssets::unknown(const std::vector<AssetFile>& fil
 }
 
 std::vector<AcceptedAsset> AcceptedAssets::list() const {
-    Query rows(
-        store_.connection(),
-        // A server shows an account the file also where it does not show who accepted it.
-        "SELECT a.file, a.digest, COALESCE(p.display_name, ''), a.reason, a.time FROM asset_acceptance a LEFT "
-        "JOIN person p ON p.id = a.person_id ORDER BY a.time DESC, a.file");
+    // A server shows an account the file also where it does not show who accepted it.
+    Query rows(store_.connection(),
+               "SELECT a.file, a.digest, COALESCE(p.display_name, ''), a.reason, a.time FROM "
+               "asset_acceptance a LEFT JOIN person p ON p.id = a.person_id ORDER BY a.time DESC, a.file");
     std::vector<AcceptedAsset> list;
     while (rows.next())
         list.push_back({{rows.text(0), rows.text(1)}, rows.text(2), rows.text(3), rows.integer(4)});

@@ -153,6 +153,23 @@ ServerAddress PostgresqlServer::new_database(bool with_tables) {
     return address;
 }
 
+ServerAddress PostgresqlServer::new_database_sorted_as(const std::string& language) {
+    ServerAddress address;
+    address.host = socket_folder_;
+    address.user = "owner";
+    address.database = "postgres";
+    const std::string name = "d" + std::to_string(++databases_);
+    try {
+        execute(address, "CREATE DATABASE " + name + " TEMPLATE template0 LOCALE_PROVIDER icu ICU_LOCALE '" +
+                             language + "'");
+    } catch (const StoreError&) {
+        return new_database();
+    }
+    address.database = name;
+    create_programme_server(address);
+    return address;
+}
+
 ServerAddress PostgresqlServer::as(ServerAddress address, const std::string& user) {
     address.user = user;
     return address;

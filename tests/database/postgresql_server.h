@@ -15,6 +15,9 @@ class PostgresqlServer {
     static PostgresqlServer* of_this_process();
     /// A new database with the tables of a programme server, or empty.
     ServerAddress new_database(bool with_tables = true);
+    /// With tables, in a database that sorts texts by the rules of a language, as many servers do: "a" before
+    /// "B". PostgreSQL before 15 has no such rules by name; there it is as new_database().
+    ServerAddress new_database_sorted_as(const std::string& language);
     /// Account "station" has a password; "owner", who made the databases, needs none here.
     static ServerAddress as(ServerAddress address, const std::string& user);
     static constexpr const char* station_password = "a station's secret";
