@@ -321,6 +321,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     sign_in("dora", "dora's password");
     expect_page("dashboard_page");
     click(window, "rail_cohort");
+    wait_until_read(window);
     expect_page("cohort_page");
     page.step("director-grid", "The director's cohort: where each person stands, with the latest attempts");
     find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);

@@ -18,6 +18,8 @@
 #include <QtTest>
 #include <functional>
 
+#include "ui/page/background_job.h"
+
 namespace fulcrum::ui::window_test {
 
 /// While it is there the end of the last window does not end the program: later dialogs still have their
@@ -51,6 +53,15 @@ inline bool sees(QWidget& window, const char* name) {
 
 inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 60000) {
     return QTest::qWaitFor(condition, milliseconds);
+}
+
+/// Until the window has shown what its pages read and write in the background.
+inline void wait_until_read(QWidget& window) {
+    EXPECT_TRUE(wait_for([&] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return window.findChildren<BackgroundJob*>().isEmpty();
+    }));
+    for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();  // the layout of what was shown
 }
 
 /// Scrolls the page with the wheel until the widget is visible.

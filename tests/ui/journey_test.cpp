@@ -287,6 +287,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     expect_page("dashboard_page");
     keep_picture(window, "14-dashboard");
     click(window, "rail_cohort");
+    wait_until_read(window);
     expect_page("cohort_page");
     keep_picture(window, "14-cohort-grid");
     find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "database/records/people.h"
@@ -17,9 +18,11 @@
 #include "ui/dashboards/practice_view.h"
 #include "ui/page/background_job.h"
 #include "ui/page/station_note.h"
+#include "ui/page/store_reading.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
 #include "ui/style/flow_row.h"
+#include "ui/style/kept_places.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -97,6 +100,7 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     job_ = new JobBar;
     layout->addWidget(job_);
     summary_ = make_label({}, "muted");
+    summary_->setObjectName(QStringLiteral("cohort_summary"));
     layout->addWidget(summary_);
     layout->addWidget(make_views(), 1);
     foot_ = make_label(
@@ -123,6 +127,7 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    reading_ = new StoreReading(context, this);
     show_begun_reports(context, this, job_);
 }
 
@@ -193,7 +198,11 @@ void CohortPage::enter() {
     (cohort_->count() > 1 ? static_cast<QWidget*>(cohort_) : views_->currentWidget())->setFocus();
 }
 
-void CohortPage::load() {
+void CohortPage::leave() {
+    reading_->stop();
+}
+
+void CohortPage::clear() {
     data_.reset();
     table_->setRowCount(0);
     table_->setColumnCount(0);
@@ -202,26 +211,45 @@ void CohortPage::load() {
     grid_->show_table({}, {});
     overview_->show_table({}, {});
     practice_->show_table({});
+}
+
+void CohortPage::load() {
+    reading_->stop();
     const std::string id = plain(cohort_->currentData().toString());
+    if (!data_ || data_->cohort_id != id || !reading_->read_in_this_role()) clear();
+    show_foot();
     export_->setVisible(!id.empty() &&
                         context().allowed(database::Operation::export_cohort, database::Subject::cohort(id)));
     if (id.empty()) {
         summary_->setText(
             tr("There is no cohort yet. A director creates cohorts on the page \"Assign cohorts\"."));
-        show_foot();
         return;
     }
+    export_->propose(cohort_->currentText());
+    summary_->setText(tr("Reading the cohort …"));
+    // Another version may be published while it is read.
+    const auto curriculum = std::make_shared<const Curriculum>(context().services().curriculum());
     database::CohortTableOptions options;
     for (const TaskDefinition& task : context().services().tasks()) options.tasks.push_back(task.id);
-    options.curriculum = &context().services().curriculum();
-    if (!context().guarded([&] {
-            data_ = database::Reports(context().store()).cohort_table(context().session(), id, options);
-        })) {
-        return;
-    }
-    export_->propose(text(data_->cohort_name));
+    options.curriculum = curriculum.get();
+    reading_->begin(
+        [id, options, curriculum](const database::Store& store, const database::Session& session) {
+            return database::Reports(store).cohort_table(session, id, options);
+        },
+        [this, curriculum](database::CohortTable table) { show_table(std::move(table), *curriculum); },
+        [this](const QString& why) {
+            clear();
+            show_foot();
+            summary_->setText(why);
+        });
+}
+
+void CohortPage::show_table(database::CohortTable table, const Curriculum& curriculum) {
+    const KeptPlaces places(this);
+    clear();
+    data_ = std::move(table);
     QStringList titles;
-    for (const CurriculumTask& task : options.curriculum->tasks) titles << context().task_title(task.task);
+    for (const CurriculumTask& task : curriculum.tasks) titles << context().task_title(task.task);
     grid_->show_table(*data_, titles);
     overview_->show_table(*data_, titles);
     practice_->show_table(*data_);
@@ -331,9 +359,9 @@ void CohortPage::fit() {
 }
 
 void CohortPage::export_to(const QString& path, ReportFormat format) {
-    if (!data_) return;
     ReportRequest request;
-    request.cohort_id = data_->cohort_id;
+    request.cohort_id = plain(cohort_->currentData().toString());
+    if (request.cohort_id.empty()) return;
     request.format = format;
     request.path = plain(path);
     export_report(context(), this, job_, request, [this](const QString& file) {

@@ -23,14 +23,15 @@ class ExportRow;
 class JobBar;
 class OverviewView;
 class PracticeView;
-
 class StationNote;
+class StoreReading;
 
 class CohortPage : public Page {
     Q_OBJECT
   public:
     explicit CohortPage(Context& context);
     void enter() override;
+    void leave() override;
     /// Gathers and writes on a worker thread, with progress and a way to stop.
     void export_to(const QString& path, ReportFormat format);
 
@@ -39,7 +40,10 @@ class CohortPage : public Page {
 
   private:
     QWidget* make_views();
+    /// Reads the chosen cohort in the background; what is shown of it stays until then.
     void load();
+    void clear();
+    void show_table(database::CohortTable table, const Curriculum& curriculum);
     void show_rows();
     void show_concerns();
     void fit();
@@ -57,6 +61,7 @@ class CohortPage : public Page {
     ExportRow* export_;
     JobBar* job_;
     StationNote* note_;
+    StoreReading* reading_;
 };
 
 /// What stands in a cell of the table, by device class: "passed (provisional) · 3 attempts · best 84".

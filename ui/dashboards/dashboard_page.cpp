@@ -6,15 +6,18 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <algorithm>
+#include <memory>
 
 #include "database/records/people.h"
 #include "ui/charts/chart_frame.h"
 #include "ui/charts/figure_chart.h"
 #include "ui/page/background_job.h"
 #include "ui/page/station_note.h"
+#include "ui/page/store_reading.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
 #include "ui/style/flow_row.h"
+#include "ui/style/kept_places.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -48,6 +51,7 @@ DashboardPage::DashboardPage(Context& context) : Page(context, "dashboard_page")
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    reading_ = new StoreReading(context, this);
     show_begun_reports(context, this, job_);
 }
 
@@ -73,6 +77,7 @@ QLayout* DashboardPage::make_choices() {
     connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &DashboardPage::load);
     connect(plan_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int weeks) {
         QSettings().setValue(plan_setting, weeks);
+        for (const Picture& picture : pictures_) picture.frame->show_chart();
         show_pictures();
     });
     connect(export_, &ExportRow::save_wanted, this,
@@ -124,38 +129,57 @@ void DashboardPage::enter() {
     cohort_->setFocus();
 }
 
+void DashboardPage::leave() {
+    reading_->stop();
+}
+
 void DashboardPage::load() {
-    data_.reset();
+    reading_->stop();
     const std::string id = plain(cohort_->currentData().toString());
+    if (data_ && (data_->cohort_id != id || !reading_->read_in_this_role())) data_.reset();
+    for (const Picture& picture : pictures_) picture.frame->show_chart();
     export_->setVisible(!id.empty() &&
                         context().allowed(database::Operation::export_cohort, database::Subject::cohort(id)));
-    pictures_holder_->setVisible(!id.empty());
+    pictures_holder_->setVisible(data_.has_value());
     plan_->setVisible(!id.empty());
     if (id.empty()) {
         summary_->setText(
             tr("There is no cohort yet. A director creates cohorts on the page \"Assign cohorts\"."));
         return;
     }
-    const Curriculum& curriculum = context().services().curriculum();
+    export_->propose(cohort_->currentText());
+    summary_->setText(tr("Reading the cohort …"));
+    // Another version may be published while it is read.
+    const auto curriculum = std::make_shared<const Curriculum>(context().services().curriculum());
     database::CohortTableOptions options;
     for (const TaskDefinition& task : context().services().tasks()) options.tasks.push_back(task.id);
-    options.curriculum = &curriculum;
-    if (!context().guarded([&] {
-            data_ = database::Reports(context().store()).cohort_table(context().session(), id, options);
-        })) {
-        pictures_holder_->hide();
-        return;
-    }
-    export_->propose(text(data_->cohort_name));
+    options.curriculum = curriculum.get();
+    reading_->begin(
+        [id, options, curriculum](const database::Store& store, const database::Session& session) {
+            return database::Reports(store).cohort_table(session, id, options);
+        },
+        [this, curriculum](database::CohortTable table) { show_table(std::move(table), *curriculum); },
+        [this](const QString& why) {
+            data_.reset();
+            pictures_holder_->hide();
+            summary_->setText(why);
+        });
+}
+
+void DashboardPage::show_table(database::CohortTable table, const Curriculum& curriculum) {
+    const KeptPlaces places(this);
+    data_ = std::move(table);
+    curriculum_ = curriculum;
     std::vector<std::pair<std::string, std::string>> titles;
     for (const TaskDefinition& task : context().services().tasks()) titles.emplace_back(task.id, task.title);
-    names_ = dashboard_names(curriculum, titles);
+    names_ = dashboard_names(curriculum_, titles);
     const int chosen = task_->count() > 0 ? task_->currentIndex() : -1;
     task_->clear();
     task_->addItems(names_.tasks);
     show_pictures();
     task_->setCurrentIndex(chosen >= 0 ? chosen : static_cast<int>(telling_task(dashboard_)));
     show_pictures();
+    pictures_holder_->show();
     QString words = tr("%n people", nullptr, data_->people);
     if (data_->left_out_synthetic > 0)
         words += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
@@ -171,11 +195,8 @@ void DashboardPage::show_pictures() {
     options.at = data_->as_of;
     options.utc_offset_min = QDateTime::fromMSecsSinceEpoch(data_->as_of).offsetFromUtc() / 60;
     options.plan_weeks = plan_->value();
-    dashboard_ = database::dashboard_of(data_->standings, context().services().curriculum(), options);
-    for (const Picture& picture : pictures_) {
-        picture.frame->show_chart();
-        show_picture(picture);
-    }
+    dashboard_ = database::dashboard_of(data_->standings, curriculum_, options);
+    for (const Picture& picture : pictures_) show_picture(picture);
 }
 
 void DashboardPage::show_picture(const Picture& picture) {
@@ -202,9 +223,9 @@ void DashboardPage::open_person(const QString& key) {
 }
 
 void DashboardPage::export_to(const QString& path, ReportFormat format) {
-    if (!data_) return;
     ReportRequest request;
-    request.cohort_id = data_->cohort_id;
+    request.cohort_id = plain(cohort_->currentData().toString());
+    if (request.cohort_id.empty()) return;
     request.format = format;
     request.path = plain(path);
     request.plan_weeks = plan_->value();

@@ -22,12 +22,14 @@ class ExportRow;
 class FigureChart;
 class JobBar;
 class StationNote;
+class StoreReading;
 
 class DashboardPage : public Page {
     Q_OBJECT
   public:
     explicit DashboardPage(Context& context);
     void enter() override;
+    void leave() override;
     /// Gathers and writes on a worker thread, with progress and a way to stop.
     void export_to(const QString& path, ReportFormat format);
 
@@ -44,7 +46,9 @@ class DashboardPage : public Page {
     };
     QLayout* make_choices();
     QWidget* make_picture(Picture& picture);
+    /// Reads the chosen cohort in the background; what is shown of it stays until then.
     void load();
+    void show_table(database::CohortTable table, const Curriculum& curriculum);
     void show_pictures();
     void show_picture(const Picture& picture);
     void choose_part(const Picture& picture, const QString& key);
@@ -53,6 +57,7 @@ class DashboardPage : public Page {
 
     std::optional<database::CohortTable> data_;
     database::CohortDashboard dashboard_;
+    Curriculum curriculum_;  ///< `data_` was read with it
     DashboardNames names_;
     QComboBox *cohort_, *task_ = nullptr;
     QSpinBox* plan_;
@@ -61,6 +66,7 @@ class DashboardPage : public Page {
     ExportRow* export_;
     JobBar* job_;
     StationNote* note_;
+    StoreReading* reading_;
     std::vector<Picture> pictures_;
 };
 

@@ -16,7 +16,9 @@
 #include "ui/charts/chart_frame.h"
 #include "ui/dashboards/limit_rows.h"
 #include "ui/page/station_note.h"
+#include "ui/page/store_reading.h"
 #include "ui/style/flow_row.h"
+#include "ui/style/kept_places.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -45,6 +47,7 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     layout->addWidget(make_choice());
     QFrame* card = make_card(8);
     count_ = make_label({}, "muted");
+    count_->setObjectName(QStringLiteral("limits_count"));
     chart_ = new LimitsChart;
     auto* frame = new ChartFrame(chart_, tr("Limits of each benchmark set"), "set_limits");
     frame->set_below_title(count_);
@@ -65,6 +68,7 @@ LimitsPage::LimitsPage(Context& context) : Page(context, "limits_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    reading_ = new StoreReading(context, this);
 }
 
 QWidget* LimitsPage::make_choice() {
@@ -142,6 +146,10 @@ void LimitsPage::enter() {
     tasks_->setFocus();
 }
 
+void LimitsPage::leave() {
+    reading_->stop();
+}
+
 void LimitsPage::choose_task() {
     in_force_.clear();
     keys_->clear();
@@ -163,13 +171,7 @@ void LimitsPage::choose_set() {
     sets_.clear();
     attempts_.clear();
     const int row = keys_->currentIndex();
-    if (row >= 0) {
-        sets_.push_back({in_force_[static_cast<std::size_t>(row)], {}});
-        context().guarded([&] {
-            attempts_ =
-                tried_attempts(context().store(), context().session(), *task(), sets_.front().set.key());
-        });
-    }
+    if (row >= 0) sets_.push_back({in_force_[static_cast<std::size_t>(row)], {}});
     metrics_->clear();
     if (task() != nullptr && !sets_.empty()) {
         for (std::size_t k = 0; k < task()->gates.size(); ++k) {
@@ -179,6 +181,26 @@ void LimitsPage::choose_set() {
                 metrics_->addItem(gate_name(gate), static_cast<int>(k));
         }
     }
+    read_attempts();
+}
+
+void LimitsPage::read_attempts() {
+    reading_->stop();
+    if (!sets_.empty())
+        reading_->begin(
+            [of = *task(), key = sets_.front().set.key()](const database::Store& store,
+                                                          const database::Session& session) {
+                return tried_attempts(store, session, of, key);
+            },
+            [this](std::vector<TriedAttempt> found) {
+                const KeptPlaces places(this);
+                attempts_ = std::move(found);
+                fill();
+            },
+            [this](const QString& why) {
+                fill();
+                count_->setText(why);
+            });
     fill();
 }
 
@@ -212,6 +234,8 @@ void LimitsPage::fill() {
     for (const TriedAttempt& attempt : attempts_) people.insert(attempt.person_id);
     if (sets_.empty()) {
         count_->setText(tr("There is no set of limits for this task."));
+    } else if (reading_->reads()) {
+        count_->setText(tr("Reading the attempts …"));
     } else if (attempts_.empty()) {
         count_->setText(tr("No attempt stored here counts under these limits yet."));
     } else {
@@ -267,7 +291,7 @@ void LimitsPage::show_group() {
     groups_->show_groups(std::nullopt);
     groups_frame_->hide();
     mark_->clear();
-    if (metrics_->currentIndex() < 0 || sets_.empty()) return;
+    if (metrics_->currentIndex() < 0 || sets_.empty() || reading_->reads()) return;
     const GateSpec& gate = task()->gates[static_cast<std::size_t>(metrics_->currentData().toInt())];
     const MetricDescriptor& metric = *find_metric(gate.metric);
     const BenchmarkLevel& level = *sets_.front().set.find(gate.metric, gate.hand, gate.tissue);

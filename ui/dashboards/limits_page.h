@@ -20,14 +20,15 @@ namespace fulcrum::ui {
 class ChartFrame;
 class GroupsChart;
 class LimitsChart;
-
 class StationNote;
+class StoreReading;
 
 class LimitsPage : public Page {
     Q_OBJECT
   public:
     explicit LimitsPage(Context& context);
     void enter() override;
+    void leave() override;
 
   private:
     /// A set that is compared, and the file that it was added from ("": in force).
@@ -40,6 +41,8 @@ class LimitsPage : public Page {
     QFrame* make_groups();
     void choose_task();
     void choose_set();
+    /// In the background; the limits are shown without attempts until then.
+    void read_attempts();
     void add_file();
     void fill();
     void fill_table();
@@ -58,6 +61,7 @@ class LimitsPage : public Page {
     ChartFrame* groups_frame_;
     QTableWidget* table_;
     StationNote* note_;
+    StoreReading* reading_;
 };
 
 }  // namespace fulcrum::ui

@@ -3,7 +3,11 @@
 
 #include <QCheckBox>
 #include <algorithm>
+#include <iterator>
+#include <memory>
 
+#include "ui/page/store_reading.h"
+#include "ui/style/kept_places.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -29,10 +33,13 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     auto* row = new QHBoxLayout;
     rated_ = new QCheckBox(tr("Include attempts that I have rated"));
     rated_->setObjectName(QStringLiteral("to_rate_rated"));
-    connect(rated_, &QCheckBox::toggled, this, &ToRatePage::fill);
+    connect(rated_, &QCheckBox::toggled, this, [this] {
+        if (!reading_->reads()) fill();
+    });
     row->addWidget(rated_);
     row->addStretch();
     count_ = make_label({}, "muted");
+    count_->setObjectName(QStringLiteral("to_rate_count"));
     count_->setWordWrap(false);
     row->addWidget(count_);
     layout->addLayout(row);
@@ -50,11 +57,16 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    reading_ = new StoreReading(context, this);
 }
 
 void ToRatePage::enter() {
-    fill();
+    load();
     table_->setFocus();
+}
+
+void ToRatePage::leave() {
+    reading_->stop();
 }
 
 // In a narrow window what decides what to rate stays.
@@ -63,16 +75,34 @@ void ToRatePage::resizeEvent(QResizeEvent* event) {
     table_->setColumnHidden(recorded_column, width() < 130 * fontMetrics().averageCharWidth());
 }
 
+void ToRatePage::load() {
+    if (!reading_->read_in_this_role()) {
+        all_.clear();
+        fill();
+    }
+    count_->setText(tr("Reading the attempts …"));
+    // Another version may be published while it is read.
+    const auto curriculum = std::make_shared<const Curriculum>(context().services().curriculum());
+    reading_->begin(
+        [curriculum](const database::Store& store, const database::Session& session) {
+            return database::Ratings(store).to_rate(session, curriculum.get());
+        },
+        [this](std::vector<RatableAttempt> found) {
+            all_ = std::move(found);
+            fill();
+        },
+        [this](const QString& why) {
+            all_.clear();
+            fill();
+            count_->setText(why);
+        });
+}
+
 void ToRatePage::fill() {
+    const KeptPlaces places(this);
     attempts_.clear();
-    context().guarded([&] {
-        attempts_ = database::Ratings(context().store())
-                        .to_rate(context().session(), &context().services().curriculum());
-    });
-    if (!rated_->isChecked())
-        attempts_.erase(std::remove_if(attempts_.begin(), attempts_.end(),
-                                       [](const RatableAttempt& one) { return one.own_handed_in > 0; }),
-                        attempts_.end());
+    std::copy_if(all_.begin(), all_.end(), std::back_inserter(attempts_),
+                 [this](const RatableAttempt& one) { return rated_->isChecked() || one.own_handed_in == 0; });
     table_->setRowCount(static_cast<int>(attempts_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const RatableAttempt& one = attempts_[static_cast<std::size_t>(row)];
@@ -93,10 +123,13 @@ void ToRatePage::fill() {
                 make_cell(cells[column], (number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
         }
     }
-    for (int row = 0; row < table_->rowCount(); ++row)
-        if (attempts_[static_cast<std::size_t>(row)].awaited)
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const RatableAttempt& one = attempts_[static_cast<std::size_t>(row)];
+        table_->item(row, 0)->setData(Qt::UserRole, text(one.attempt_id));
+        if (one.awaited)
             table_->item(row, awaited_column)
                 ->setToolTip(tr("The curriculum needs ratings of this attempt."));
+    }
     fit_columns(table_, {awaited_column, 3, recorded_column, 5});
     if (table_->rowCount() > 0) table_->setCurrentCell(0, 0);
     open_->setEnabled(table_->rowCount() > 0);

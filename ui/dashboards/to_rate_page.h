@@ -16,24 +16,31 @@ class QTableWidget;
 
 namespace fulcrum::ui {
 
+class StoreReading;
+
 class ToRatePage : public Page {
     Q_OBJECT
   public:
     explicit ToRatePage(Context& context);
     void enter() override;
+    void leave() override;
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    /// Reads in the background; what is shown stays until then.
+    void load();
+    /// All that were read, or those alone that are not rated yet.
     void fill();
     void open_row(int row);
 
-    std::vector<database::RatableAttempt> attempts_;  ///< a row each
+    std::vector<database::RatableAttempt> all_, attempts_;  ///< as read; a row each
     QCheckBox* rated_;
     QLabel* count_;
     QTableWidget* table_;
     QPushButton* open_;
+    StoreReading* reading_;
 };
 
 }  // namespace fulcrum::ui

@@ -44,6 +44,7 @@ class DirectorsPath : public ::testing::Test {
             break;
         }
         EXPECT_TRUE(wait_for([&] { return window.context().signed_in(); }));
+        wait_until_read(window);
     }
     void press(const char* name) {
         auto* button = find<QAbstractButton>(window, name);
@@ -198,6 +199,7 @@ QString cell_mark(const database::CsvRows& csv, std::size_t row) {
 
 TEST_F(DirectorsPath, TheCohortsTableAndGridHaveTheValuesOfItsCsv) {
     press("rail_cohort");
+    wait_until_read(window);
     ASSERT_EQ(window.current_page()->objectName(), "cohort_page");
     const QString path = folder.filePath("table.csv");
     type(window, "export_path", path);

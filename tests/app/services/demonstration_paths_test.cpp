@@ -63,6 +63,7 @@ class DemonstrationPaths : public Window {
     }
     /// Types a name and opens the cell of a task.
     void open_cell(const QString& name, const QString& task) {
+        wait_until_read(window);
         type(window, "grid_name", name);
         auto* grid = find<QTableView>(window, "cohort_grid");
         ASSERT_EQ(grid->model()->rowCount(), 1) << name.toStdString();

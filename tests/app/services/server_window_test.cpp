@@ -106,6 +106,7 @@ TEST_F(ServerWindow, LooksRightInBothThemes) {
         const QString suffix = theme == Theme::light ? "-light" : "-dark";
         open_as("director");
         click(*window, "rail_cohort");
+        wait_until_read(*window);
         keep("server-cohort" + suffix);
         click(*window, "rail_attempts");
         keep("server-attempts" + suffix);

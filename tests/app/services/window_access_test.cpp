@@ -157,6 +157,7 @@ TEST_F(WindowAccess, ListsShowThePeopleAndCohortsThatTheTableAllows) {
                 if (!readable) continue;
                 choice->setCurrentIndex(choice->findData(QString::fromStdString(target->cohort_id)));
                 emit choice->activated(choice->currentIndex());
+                wait_until_read(*window);
                 find<QTabWidget>(*window, "cohort_views")->setCurrentIndex(4);
                 EXPECT_GT(find<QTableWidget>(*window, "cohort_table")->rowCount(), 0) << cell;
                 const bool exports = cohort_allowed(Operation::export_cohort, *target);

@@ -47,6 +47,7 @@ class CohortViews : public ::testing::Test {
         window->start();
         window->context().set_session(*director);
         click(*window, "rail_cohort");
+        wait_until_read(*window);
         views = find<QTabWidget>(*window, "cohort_views");
         grid = find<QTableView>(*window, "cohort_grid");
     }
@@ -237,6 +238,7 @@ TEST_F(CohortViews, AReportIsWrittenAlsoWhereThePagesAreMadeAgainAndEndsWithTheS
               static_cast<std::size_t>(people));
     window->set_language(Language::english);
     click(*window, "rail_cohort");
+    wait_until_read(*window);
     save("dropped.json");
     window->context().sign_out();
     QThreadPool::globalInstance()->waitForDone();

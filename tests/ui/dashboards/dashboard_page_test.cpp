@@ -45,6 +45,7 @@ class DashboardViews : public ::testing::Test {
         window->start();
         window->context().set_session(*director);
         click(*window, "rail_dashboard");
+        wait_until_read(*window);
         ASSERT_EQ(window->current_page()->objectName(), "dashboard_page");
     }
     FigureChart* chart(const char* name) {
@@ -115,6 +116,7 @@ TEST_F(DashboardViews, PlanIsChosenRememberedAndMarksWhoIsBehind) {
     window->context().sign_out();
     window->context().set_session(*director);
     click(*window, "rail_dashboard");
+    wait_until_read(*window);
     EXPECT_EQ(find<QSpinBox>(*window, "dashboard_plan")->value(), 1);
     // All began on the same day: their dots are next to each other, and a person is a click on one away.
     auto* dots = chart("dashboard_plan_chart");
@@ -157,6 +159,7 @@ TEST_F(DashboardViews, APartListsWhoIsBehindItAndAPersonOpens) {
     EXPECT_TRUE(find<QComboBox>(*window, "progress_person")->currentText().contains(name))
         << name.toStdString();
     click(*window, "rail_dashboard");
+    wait_until_read(*window);
     EXPECT_TRUE(sees(*window, "dashboard_volume_chart")) << "the picture is back";
     // By keys: the first task that nobody has failed to pass leads nowhere, and says so.
     auto* rates = chart("dashboard_pass_rates_chart");
@@ -218,6 +221,7 @@ TEST_F(DashboardViews, SaysThatThereIsNoCohort) {
     // A cohort without people.
     database::People(*services.store()).create_cohort(*director, "Nobody");
     click(*window, "rail_dashboard");
+    wait_until_read(*window);
     EXPECT_EQ(find<FigureChart>(*window, "dashboard_plan_chart")->accessibleDescription(),
               "Nobody has practised yet.");
     for (const char* part : {"plan", "pass_rates", "times", "volume", "checks", "stages"}) {

@@ -67,6 +67,7 @@ TEST_F(LargeGrid, ShowsTwoHundredPeopleByTwelveTasksAtOnce) {
     window.context().set_session(made->director);
     const fulcrum::test::ProcessorTime opening;
     click(window, "rail_cohort");
+    wait_until_read(window);
     auto* grid = find<QTableView>(window, "cohort_grid");
     ASSERT_NE(grid, nullptr);
     QCoreApplication::processEvents();

@@ -79,11 +79,13 @@ class LimitsView : public ::testing::Test {
         window.start();
         window.context().set_session(programme.director);
         click(window, "rail_limits");
+        wait_until_read(window);
         tasks = find<QComboBox>(window, "limits_task");
         table = find<QTableWidget>(window, "limits_table");
         chart = dynamic_cast<LimitsChart*>(window.findChild<QWidget*>("limits_chart"));
         tasks->setFocus();
         while (tasks->currentData().toString() != "A2") QTest::keyClick(tasks, Qt::Key_Down);
+        wait_until_read(window);
     }
     ~LimitsView() override { apply_theme(*qApp, Theme::light); }
     void keep(const QString& name) {
@@ -255,6 +257,7 @@ TEST_F(LimitsView, RefusesAFileThatIsNotASetOfTheSameKind) {
 TEST_F(LimitsView, ATaskWithoutAttemptsSaysSo) {
     tasks->setFocus();
     while (tasks->currentData().toString() != "B3") QTest::keyClick(tasks, Qt::Key_Down);
+    wait_until_read(window);
     EXPECT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->item(0, 4)->text(), "–");
     EXPECT_TRUE(find<QLabel>(window, "limits_mark")->text().contains("at least 8"));

@@ -163,6 +163,7 @@ TEST_F(RatingPages, FromTheListAnAttemptIsRatedWithoutNameAndScore) {
     const std::string id = record();
     act_as(*ed);
     click(*window, "rail_rate");
+    wait_until_read(*window);
     auto* table = find<QTableWidget>(*window, "to_rate_table");
     ASSERT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->item(0, 7)->text(), "yes");
@@ -205,6 +206,7 @@ TEST_F(RatingPages, FromTheListAnAttemptIsRatedWithoutNameAndScore) {
     EXPECT_EQ(stored[0].answers, (FormAnswers{4, 3, 2, 5, 3}));
     // The list leaves it out, until it is asked for; now it is not blind.
     click(*window, "rail_rate");
+    wait_until_read(*window);
     EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->rowCount(), 0);
     check(*window, "to_rate_rated");
     ASSERT_EQ(find<QTableWidget>(*window, "to_rate_table")->rowCount(), 1);
@@ -306,6 +308,7 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     use_language(Language::english);
     act_as(*ed);
     click(*window, "rail_rate");
+    wait_until_read(*window);
     auto* list = find<QTableWidget>(*window, "to_rate_table");
     ASSERT_EQ(list->rowCount(), 2);
     EXPECT_EQ(list->item(0, 1)->text(), QString::fromUtf8("● yes"));
@@ -325,6 +328,7 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     EXPECT_TRUE(at_home().contains("0 of 2 ratings are released")) << "handed in, not released";
     act_as(*ed);
     click(*window, "rail_cohort");
+    wait_until_read(*window);
     keep("grid-awaiting-rating");
     open_debrief(id);
     click(*window, "ratings_release");
@@ -391,6 +395,7 @@ TEST_F(RatingPages, TheBlindPageShowsNothingThatOthersGave) {
     ratings().release(*ed, id);
     act_as(*ida);
     click(*window, "rail_rate");
+    wait_until_read(*window);
     click(*window, "to_rate_open");
     ready();
     ASSERT_TRUE(sees(*window, "rating_blind_notice"));
@@ -483,6 +488,7 @@ TEST_F(RatingPages, AVoidedAttemptShowsItsRatingsAndTakesNoMore) {
     EXPECT_EQ(shown("rating_shown").size(), 1);
     EXPECT_FALSE(sees(*window, "rating_begin"));
     click(*window, "rail_rate");
+    wait_until_read(*window);
     check(*window, "to_rate_rated");
     EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->rowCount(), 0);
     EXPECT_FALSE(find<QPushButton>(*window, "to_rate_open")->isEnabled());

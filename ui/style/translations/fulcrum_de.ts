@@ -12388,6 +12388,10 @@ und %1 weitere</translation>
 <context>
     <name>fulcrum::ui::CohortPage</name>
     <message>
+        <source>Reading the cohort …</source>
+        <translation>Die Gruppe wird gelesen …</translation>
+    </message>
+    <message>
         <source>✓ passed (provisional)</source>
         <translation>✓ bestanden (vorläufig)</translation>
     </message>
@@ -13240,6 +13244,10 @@ Kennzahlen: %2</translation>
 </context>
 <context>
     <name>fulcrum::ui::DashboardPage</name>
+    <message>
+        <source>Reading the cohort …</source>
+        <translation>Die Gruppe wird gelesen …</translation>
+    </message>
     <message>
         <source>Dashboard</source>
         <translation>Übersicht</translation>
@@ -15228,6 +15236,10 @@ Kennzahlen: %2</translation>
 </context>
 <context>
     <name>fulcrum::ui::LimitsPage</name>
+    <message>
+        <source>Reading the attempts …</source>
+        <translation>Die Versuche werden gelesen …</translation>
+    </message>
     <message>
         <source>%1 of %2 (%3 %)</source>
         <translation>%1 von %2 (%3 %)</translation>
@@ -18959,6 +18971,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 </context>
 <context>
     <name>fulcrum::ui::ToRatePage</name>
+    <message>
+        <source>Reading the attempts …</source>
+        <translation>Die Versuche werden gelesen …</translation>
+    </message>
     <message>
         <source>Rate attempts</source>
         <translation>Versuche beurteilen</translation>
