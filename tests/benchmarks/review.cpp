@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Waiting times of a reviewer (docs/QUALITY.md): a cohort report of 200 trainees as PDF (5 s), the first
-// chart of an hour's trace (1 s), a pan or zoom of it (16 ms), the memory of comparing two of them and of the
-// metrics of a part of one. Runs without a display. Prints the figures, or writes their page into a folder as
-// well.   usage: benchmark_review [FOLDER]
+// chart of an hour's trace (1 s), a pan or zoom of it (16 ms); the same of the whole debrief, whose four
+// charts of five quantities share one time axis; the memory of that page, of comparing two attempts and of
+// the metrics of a part of one. Runs without a display. Prints the figures, or writes their page into a
+// folder as well.   usage: benchmark_review [FOLDER]
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "assessment/attempt/engine.h"
 #include "database/records/recorder.h"
 #include "database/scoring/range_metrics.h"
 #include "sim_core/lab/result_page.h"
+#include "tests/benchmarks/shown_debrief.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/support.h"
 #include "ui/charts/time_chart.h"
@@ -48,40 +53,6 @@ BENCHMARK(cohort_report)
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Iterations(3);
-
-/// A minute of two hands at 1 kHz, moving and pressing, with tremor; repeated for the hour.
-struct Minute {
-    std::vector<TickSample> samples;
-    std::vector<RigSample> inputs;
-};
-
-Minute minute() {
-    Minute made;
-    for (std::uint32_t tick = 0; tick < 60000; ++tick) {
-        const double t = tick * 1e-3;
-        TickSample sample;
-        RigSample input;
-        for (int h = 0; h < 2; ++h) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const double move = 0.03 * std::sin(0.7 * t + axis + h) + 4e-5 * std::sin(57 * t + 2 * axis);
-                input.hand[h].handle[axis] =
-                    static_cast<std::int32_t>(std::lround(move / device_length_unit));
-                sample.hand[h].tip[axis] =
-                    static_cast<std::int32_t>(std::lround(-1.3 * move / sample_length_unit));
-                const double force =
-                    std::max(0.0, 2.0 * std::sin(0.9 * t + axis)) * (1 + 0.02 * std::sin(57 * t));
-                sample.hand[h].force[axis] =
-                    static_cast<std::int32_t>(std::lround(force / sample_force_unit));
-                sample.hand[h].axis[axis] =
-                    static_cast<std::int32_t>(std::lround(0.5 * std::sin(0.7 * t + axis) / sample_axis_unit));
-            }
-            sample.hand[h].flags = hand_inside;
-        }
-        made.samples.push_back(sample);
-        made.inputs.push_back(input);
-    }
-    return made;
-}
 
 /// A store with one attempt of an hour, created once per process.
 struct Hour {
@@ -174,6 +145,74 @@ double memory_mb(bool peak) {
     return 0;
 }
 
+void debrief_of_an_hour(benchmark::State& state) {
+    ShownDebrief debrief;
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins here
+    const double before = memory_mb(false);
+    for (auto _ : state) {
+        if (!debrief.open()) {
+            state.SkipWithError("not four charts");
+            break;
+        }
+        state.PauseTiming();
+        if (!debrief.complete()) {
+            state.SkipWithError("no record");
+            break;
+        }
+        state.counters["peak_MB"] = memory_mb(true) - before;
+        state.counters["held_MB"] = memory_mb(false) - before;
+        debrief.close();
+        state.ResumeTiming();
+    }
+}
+BENCHMARK(debrief_of_an_hour)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Iterations(5);
+
+double share(std::vector<double> values, double quantile) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1,
+                           static_cast<std::size_t>(quantile * static_cast<double>(values.size())))];
+}
+
+/// Steps at all four charts of the debrief, from the event until all of them are drawn again.
+void steps_of_the_debrief(benchmark::State& state, void (*make)(TimeChart&, int)) {
+    ShownDebrief debrief;
+    if (!debrief.open() || !debrief.complete()) {
+        state.SkipWithError("not four charts");
+        return;
+    }
+    TimeChart& first = *debrief.chart("force_chart");
+    for (int i = 0; make == drag && i < 6; ++i) turn_wheel(first, i);  // the whole cannot be moved
+    debrief.draw();
+    std::vector<double> taken;
+    int step = 0;
+    for (auto _ : state) {
+        QElapsedTimer timer;
+        timer.start();
+        make(first, step++);
+        debrief.draw();
+        taken.push_back(1e-6 * static_cast<double>(timer.nsecsElapsed()));
+    }
+    state.counters["p50_ms"] = share(taken, 0.5);
+    state.counters["p99_ms"] = share(taken, 0.99);
+    state.counters["worst_ms"] = share(taken, 1);
+}
+BENCHMARK_CAPTURE(steps_of_the_debrief, pan, drag)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Iterations(480);
+BENCHMARK_CAPTURE(steps_of_the_debrief, zoom, turn_wheel)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Iterations(480);
+
 /// What the page of a comparison holds: both attempts with their records, charts and alignment.
 void comparing_two_attempts_of_an_hour(benchmark::State& state) {
     const Hour& record = hour();
@@ -238,17 +277,21 @@ class Keeper : public benchmark::ConsoleReporter {
   public:
     Keeper() : ConsoleReporter(OO_None) {
         table.name = "review";
-        table.columns = {"what", "wall, ms", "processor, ms", "budget, ms", "memory at most, MB"};
+        table.columns = {"what",      "wall, ms",      "median, ms", "p99, ms",
+                         "worst, ms", "processor, ms", "budget, ms", "memory at most, MB"};
     }
     void ReportRuns(const std::vector<Run>& runs) override {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs) {
-            const auto peak = run.counters.find("peak_MB");
-            const std::string memory = peak == run.counters.end() ? "" : figure(peak->second, "%.0f");
+            const auto counted = [&run](const char* name, const char* format) {
+                const auto found = run.counters.find(name);
+                return found == run.counters.end() ? std::string() : figure(found->second, format);
+            };
             for (const auto& [name, title, budget] : lines) {
                 if (run.benchmark_name().rfind(name, 0) != 0 || run.error_occurred) continue;
-                table.rows.push_back({title, figure(run.GetAdjustedRealTime()),
-                                      figure(run.GetAdjustedCPUTime()), budget, memory});
+                table.rows.push_back({title, figure(run.GetAdjustedRealTime()), counted("p50_ms", "%.1f"),
+                                      counted("p99_ms", "%.1f"), counted("worst_ms", "%.1f"),
+                                      figure(run.GetAdjustedCPUTime()), budget, counted("peak_MB", "%.0f")});
             }
         }
     }
@@ -262,6 +305,9 @@ class Keeper : public benchmark::ConsoleReporter {
         {"cohort_report", "cohort report of 200 trainees as PDF", "5000"},
         {"first_chart_of_an_hour", "an hour's trace, from the store to its first chart", "1000"},
         {"pan_and_zoom_of_an_hour", "a pan or zoom of that chart", "16"},
+        {"debrief_of_an_hour", "an hour's debrief, from the choice until its four charts are drawn", "1000"},
+        {"steps_of_the_debrief/pan", "a pan of its four charts", "16"},
+        {"steps_of_the_debrief/zoom", "a zoom of its four charts", "16"},
         {"comparing_two_attempts_of_an_hour",
          "two attempts of an hour, from the store to the comparison's first chart", ""},
         {"metrics_of_an_hours_part/hand_by_hand", "metrics of 59 of these minutes (B2), hand by hand", ""},
@@ -284,7 +330,12 @@ void write_page(const std::string& folder, const lab::ResultTable& table, double
     page.paragraph(beside);
     page.table(table);
     page.paragraph(
-        "Memory: the most that the process held above what it held before. Of the comparison with both "
+        "The debrief is the program's page at 1280 x 800 with a record of two hands that has force, speed, "
+        "traction, energy and heat; the picture of its replay is not included. A pan is one movement of the "
+        "mouse, a zoom one notch of the wheel, each until all four charts are drawn again.");
+    page.paragraph(
+        "Memory: the most that the process held above what it held before. Of the debrief with the packed "
+        "record that its replay needs. Of the comparison with both "
         "records as their replays need them and all charts (budget: 1000 MB); key frames and pictures of the "
         "replays are not included. Of the metrics above the packed record, which the page holds anyway. Up "
         "to "
@@ -303,5 +354,6 @@ int main(int argc, char** argv) {
     if (getloadavg(&load, 1) != 1) load = 0;
     fulcrum::ui::Keeper keeper;
     benchmark::RunSpecifiedBenchmarks(&keeper);
+    fulcrum::ui::kept_hour_on_page().reset();
     if (argc > 1) fulcrum::ui::write_page(argv[1], keeper.table, load);
 }

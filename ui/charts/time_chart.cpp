@@ -252,9 +252,11 @@ void TimeChart::show_range(double from, double to) {
     if (longer) x_axis_->setTickInterval(interval);
     x_axis_->setRange(from, from + span);
     if (!longer) x_axis_->setTickInterval(interval);
-    x_axis_->setLabelFormat(interval < 0.1 ? QStringLiteral("%.2f")
-                            : interval < 1 ? QStringLiteral("%.1f")
-                                           : QStringLiteral("%.0f"));
+    const QString format = interval < 0.1 ? QStringLiteral("%.2f")
+                           : interval < 1 ? QStringLiteral("%.1f")
+                                          : QStringLiteral("%.0f");
+    // The axis lays the chart out again for each format that it is given, also for the one that it has.
+    if (x_axis_->labelFormat() != format) x_axis_->setLabelFormat(format);
     refresh();
 }
 

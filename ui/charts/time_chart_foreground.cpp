@@ -30,12 +30,18 @@ double TimeChart::y_of(double value) const {
 void TimeChart::draw_series(QPainter& painter, const QRectF& area) const {
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
+    // x_of() and y_of(), which ask chart and axes: once for all points.
+    const double begin = x_axis_->min(), low = y_axis_->min(),
+                 across = area.width() / std::max(x_axis_->max() - begin, 1e-9),
+                 up = area.height() / std::max(y_axis_->max() - low, 1e-9);
     for (const Series& series : series_) {
         const QColor colour = colours().*series.colour;
         for (const ChartLine& line : series.lines) {
             QPolygonF shown;
             shown.reserve(static_cast<int>(line.points.size()));
-            for (const ChartPoint& point : line.points) shown << QPointF(x_of(point.x), y_of(point.y));
+            for (const ChartPoint& point : line.points)
+                shown << QPointF(area.left() + across * (point.x - begin),
+                                 area.bottom() - up * (point.y - low));
             if (shown.size() == 1) {  // between two gaps
                 painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
                 painter.drawPoint(shown.front());

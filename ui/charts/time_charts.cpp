@@ -14,13 +14,26 @@ TimeCharts::TimeCharts(const QString& accessible_name, QWidget* parent) : QWidge
 }
 
 void TimeCharts::add(TimeChart* chart, const QString& name) {
-    for (const Part& other : parts_) {
-        connect(other.chart, &TimeChart::range_changed, chart, &TimeChart::show_range);
-        connect(chart, &TimeChart::range_changed, other.chart, &TimeChart::show_range);
-    }
-    connect(chart, &TimeChart::points_changed, this, [this] { values_changed(); });
+    connect(chart, &TimeChart::range_changed, this, [this, chart](double from, double to) {
+        together([from, to](TimeChart& other) { other.show_range(from, to); }, chart);
+    });
+    connect(chart, &TimeChart::points_changed, this, [this] {
+        if (!together_) values_changed();
+    });
     static_cast<QVBoxLayout*>(layout())->addWidget(chart, 1);
     parts_.push_back({chart, name});
+}
+
+void TimeCharts::together(const std::function<void(TimeChart&)>& change, const TimeChart* but) {
+    together_ = true;
+    for (const Part& part : parts_)
+        if (part.chart != but) change(*part.chart);
+    together_ = false;
+    values_changed();
+}
+
+void TimeCharts::zoom_to(double from, double to) {
+    together([from, to](TimeChart& chart) { to > from ? chart.show_range(from, to) : chart.show_all(); });
 }
 
 void TimeCharts::set_name(const TimeChart* chart, const QString& name) {

@@ -57,9 +57,9 @@ TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    auto* charts = new TimeCharts(tr("Force, speed, traction and energy"));
-    build_charts(*charts);
-    charts_ = new ChartFrame(charts, tr("Force, speed, traction and energy"), "traces", new HandsLegend);
+    axis_ = new TimeCharts(tr("Force, speed, traction and energy"));
+    build_charts();
+    charts_ = new ChartFrame(axis_, tr("Force, speed, traction and energy"), "traces", new HandsLegend);
     layout->addWidget(charts_, 3);
     layout->addWidget(make_label(tr("What happened"), "heading"));
     penalties_only_ = new QCheckBox(tr("Penalties only"));
@@ -76,7 +76,7 @@ TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
     connect_parts();
 }
 
-void TracePanel::build_charts(TimeCharts& charts) {
+void TracePanel::build_charts() {
     // `name`: before the names of the hands in the table.
     const auto add = [&](const char* object, const QString& title, const QString& accessible_name,
                          const QString& unit, const QString& name) {
@@ -90,7 +90,7 @@ void TracePanel::build_charts(TimeCharts& charts) {
             tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything; "
                "hold Shift and drag to choose a part.") +
             QLatin1Char('\n') + TimeChart::key_words());
-        charts.add(chart, name);
+        axis_->add(chart, name);
         return chart;
     };
     force_ = add("force_chart", tr("force (N)"), tr("force (N)"), QStringLiteral("N"), tr("force"));
@@ -145,7 +145,7 @@ void TracePanel::set_part(double from, double to) {
 }
 
 void TracePanel::zoom_to(double from, double to) {
-    for (TimeChart* chart : all_charts_) to > from ? chart->show_range(from, to) : chart->show_all();
+    axis_->zoom_to(from, to);
 }
 
 void TracePanel::set_time(double time) {

@@ -50,7 +50,7 @@ class TracePanel : public QWidget {
     void part_selected(double from, double to);
 
   private:
-    void build_charts(TimeCharts& charts);
+    void build_charts();
     /// One time axis below the charts that are shown, their plots below each other.
     void align_charts();
     void fill_traction(const TaskDefinition* task);
@@ -69,6 +69,7 @@ class TracePanel : public QWidget {
     std::vector<database::ErrorReview> reviews_;
     double time_ = 0;
     ChartFrame* charts_;
+    TimeCharts* axis_;
     TimeChart *force_, *speed_, *traction_, *energy_;
     std::array<TimeChart*, 4> all_charts_;  ///< from the top
     QCheckBox* penalties_only_;

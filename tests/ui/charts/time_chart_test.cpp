@@ -7,6 +7,7 @@
 #include <QLegendMarker>
 #include <QPainter>
 #include <QToolTip>
+#include <QValueAxis>
 #include <QXYSeries>
 #include <QtTest>
 #include <cmath>
@@ -268,6 +269,47 @@ TEST(TimeChart, KeysAreNamedAndGoFromMarkToMarkAndTheViewFollows) {
     EXPECT_EQ(chart.cursor(), 300) << "the last one";
     QTest::keyClick(&chart, Qt::Key_PageUp);
     EXPECT_EQ(chart.cursor(), 100);
+}
+
+TEST(TimeChart, IsNotLaidOutAgainForAMoveAlongItsAxis) {
+    TimeChart chart("force (N)");
+    chart.resize(500, 300);
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
+    chart.show_all();
+    chart.show_range(100, 120);
+    auto* axis = static_cast<QtCharts::QValueAxis*>(chart.chart()->axes(Qt::Horizontal).front());
+    QSignalSpy formats(axis, &QtCharts::QValueAxis::labelFormatChanged);
+    for (int i = 0; i < 10; ++i) chart.show_range(101 + i, 121 + i);
+    EXPECT_EQ(formats.count(), 0);
+    chart.show_range(100, 101);
+    EXPECT_EQ(formats.count(), 1) << "the ticks need a decimal";
+}
+
+TEST(TimeCharts, ZoomTogetherAndTheirTableChangesOnce) {
+    TimeCharts charts("all");
+    auto* force = new TimeChart("force (N)");
+    auto* speed = new TimeChart("speed (mm/s)");
+    charts.add(force, "force");
+    charts.add(speed, "speed");
+    for (TimeChart* chart : {force, speed})
+        chart->add_series("left", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
+    int changes = 0;
+    charts.when_changed([&] { ++changes; });
+    charts.zoom_to(0, 0);
+    EXPECT_EQ(changes, 1);
+    EXPECT_EQ(speed->last_shown(), force->last_shown());
+    charts.zoom_to(333, 334);
+    EXPECT_EQ(changes, 2);
+    for (const TimeChart* chart : {force, speed}) {
+        EXPECT_EQ(chart->first_shown(), 333);
+        ASSERT_TRUE(chart->peak_of(0).has_value());
+        EXPECT_EQ(chart->peak_of(0)->y, 9) << "the true peak";
+    }
+    QTest::keyClick(speed, Qt::Key_Minus);
+    EXPECT_GT(speed->last_shown() - speed->first_shown(), 1);
+    EXPECT_EQ(force->first_shown(), speed->first_shown());
+    EXPECT_EQ(force->last_shown(), speed->last_shown());
+    EXPECT_EQ(changes, 4) << "the chart itself, and all others";
 }
 
 TEST(TimeCharts, ShareOneTableOfWhatTheyDraw) {
