@@ -155,6 +155,7 @@ DebriefPage& Window::wait_for_debrief() {
 
 void Window::home() {
     click(window, "rail_home");
+    wait_until_read(window);
     expect_page("home_page");
 }
 

@@ -205,6 +205,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     click(window, "replay_play");
 
     click(window, "rail_home");
+    wait_until_read(window);
     start_attempt("A2", true);
     move_hands();
     click(window, "theatre_abandon");
@@ -214,6 +215,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(shown("verdict").contains("Failed"));
 
     click(window, "rail_home");
+    wait_until_read(window);
     start_attempt("B1", false);
     services.control.drop_device = true;
     ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::device_lost; }));
@@ -279,6 +281,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_NEAR(read.moment(), moment, 1e-9);
     EXPECT_EQ(shown("comment_words"), "Slow down before you touch.");
     click(window, "rail_home");
+    wait_until_read(window);
     EXPECT_FALSE(sees(window, "unread_comment"));
     switch_user();
 

@@ -6,16 +6,58 @@
 
 #include "assessment/scoring/score.h"
 #include "database/records/report_data.h"
-#include "database/records/reviews.h"
 #include "database/records/standings.h"
+#include "ui/page/store_reading.h"
+#include "ui/style/kept_focus.h"
+#include "ui/style/kept_places.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/trainee/goals_card.h"
 #include "ui/trainee/ladder.h"
-#include "ui/trainee/next_task.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// What to do about a plateau, where the curriculum names it.
+void look_for_remedy(const database::Store& store, const database::Session& session,
+                     const std::map<std::string, std::int64_t>& last, HomeContent& content) {
+    const CurriculumTask* task = content.followed->find(content.next.task);
+    if (content.next.reason != RecommendationReason::longest_ago || task == nullptr || task->remedies.empty())
+        return;
+    const auto standing =
+        std::find_if(content.standings.begin(), content.standings.end(),
+                     [&](const TaskStanding& one) { return one.task == content.next.task; });
+    const std::int64_t first = standing == content.standings.end() ? 0 : standing->first_attempt;
+    const database::PersonProgress progress =
+        database::Reports(store).person_progress(session, session.person_id(), content.next.task);
+    content.next =
+        with_remedy(content.next, *content.followed, history_of(progress, *task, first), last, pass_mark);
+    content.latest_attempt = latest_counting(progress, *task, first);
+}
+
+/// `tasks`: that the program has. `device`: what the trainee would use now.
+HomeContent read_content(const database::Store& store, const database::Session& session,
+                         std::shared_ptr<const Curriculum> newest, const std::vector<std::string>& tasks,
+                         DeviceClass device) {
+    HomeContent content;
+    content.newest = std::move(newest);
+    content.summaries = summarise(database::Reports(store).person_table(session, session.person_id(), tasks));
+    const PersonRecord record =
+        database::Standings(store).record(session, session.person_id(), *content.newest);
+    content.at = store.now();  // one moment: a move may come into force at any
+    content.followed = curriculum_at(record.assignments, content.at);
+    if (content.followed == nullptr) content.followed = content.newest.get();
+    content.standings = standing_of(record, content.at);
+    std::map<std::string, std::int64_t> last;
+    for (const auto& [task, summary] : content.summaries) last[task] = summary.last_attempt;
+    content.next = recommend(*content.followed, content.standings, last, device);
+    look_for_remedy(store, session, last, content);
+    content.unread = database::Reviews(store).unread(session);
+    return content;
+}
+
+}  // namespace
 
 HomePage::HomePage(Context& context) : Page(context, "home_page") {
     auto* body = new QWidget;
@@ -45,54 +87,63 @@ HomePage::HomePage(Context& context) : Page(context, "home_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
+    reading_ = new StoreReading(context, this);
 }
 
 void HomePage::enter() {
     const database::Session& session = context().session();
     greeting_->setText(tr("Hello, %1").arg(text(session.display_name())));
-    std::vector<database::CohortRow> rows;
-    context().guarded([&] {
-        std::vector<std::string> ids;
-        for (const TaskDefinition& task : context().services().tasks()) ids.push_back(task.id);
-        rows = database::Reports(context().store()).person_table(session, session.person_id(), ids);
-    });
-    standings_.clear();
-    followed_ = &context().services().curriculum();
-    context().guarded([&] {
-        const PersonRecord record =
-            database::Standings(context().store())
-                .record(session, session.person_id(), context().services().curriculum());
-        const std::int64_t now = context().store().now();  // one moment: a move may come into force at any
-        followed_ = curriculum_at(record.assignments, now);
-        standings_ = standing_of(record, now);
-    });
-    const Summaries summaries = summarise(rows);
     goals_->show_person(session.person_id());
-    fill_next(summaries);  // focuses its button
     fill_interrupted();
-    fill_comments();
-    fill_tasks(summaries);
+    if (go_ != nullptr) go_->setFocus();
+    used_before_ = window()->focusWidget();
+    load();
 }
 
-Recommendation HomePage::next_of(const Summaries& summaries, std::string& latest_attempt) {
-    std::map<std::string, std::int64_t> last;
-    for (const auto& [task, summary] : summaries) last[task] = summary.last_attempt;
-    Recommendation next =
-        recommend(*followed_, standings_, last, context().services().device_in_use().device_class);
-    const CurriculumTask* task = followed_->find(next.task);
-    if (next.reason != RecommendationReason::longest_ago || task == nullptr || task->remedies.empty())
-        return next;
-    const auto standing = std::find_if(standings_.begin(), standings_.end(),
-                                       [&](const TaskStanding& one) { return one.task == next.task; });
-    const std::int64_t first = standing == standings_.end() ? 0 : standing->first_attempt;
-    context().guarded([&] {
-        const database::Session& session = context().session();
-        const database::PersonProgress progress =
-            database::Reports(context().store()).person_progress(session, session.person_id(), next.task);
-        next = with_remedy(next, *followed_, history_of(progress, *task, first), last, pass_mark);
-        latest_attempt = latest_counting(progress, *task, first);
-    });
-    return next;
+void HomePage::leave() {
+    reading_->stop();
+}
+
+void HomePage::load() {
+    const auto say = [this](const QString& line) {
+        clear_layout(next_);
+        QLabel* words = make_label(line, "muted");
+        words->setObjectName(QStringLiteral("home_reading"));
+        next_->addWidget(words);
+    };
+    if (content_.followed == nullptr) {
+        say(tr("Reading your attempts …"));
+        comments_card_->hide();
+        others_heading_->hide();
+    }
+    // Another version may be published while it is read.
+    const auto newest = std::make_shared<const Curriculum>(context().services().curriculum());
+    std::vector<std::string> tasks;
+    for (const TaskDefinition& task : context().services().tasks()) tasks.push_back(task.id);
+    reading_->begin(
+        [newest, tasks, device = context().services().device_in_use().device_class](
+            const database::Store& store, const database::Session& session) {
+            return read_content(store, session, newest, tasks, device);
+        },
+        [this](HomeContent content) { show_content(std::move(content)); },
+        [this, say](const QString& why) {
+            content_ = {};
+            say(why);
+        });
+}
+
+void HomePage::show_content(HomeContent content) {
+    // Who has used the keyboard since keeps it; behind the lock it is not taken.
+    const bool untouched = isVisible() && window()->focusWidget() == used_before_.data();
+    {
+        const KeptFocus focus(this);
+        const KeptPlaces places(this);
+        content_ = std::move(content);
+        fill_next();
+        fill_comments();
+        fill_tasks();
+    }
+    if (untouched && go_ != nullptr) go_->setFocus();
 }
 
 /// Leads to what the remedy asks for.
@@ -124,16 +175,16 @@ QPushButton* HomePage::remedy_button(const Recommendation& next, const std::stri
     return go;
 }
 
-void HomePage::fill_next(const Summaries& summaries) {
+void HomePage::fill_next() {
     clear_layout(next_);
-    std::string latest_attempt;
-    const Recommendation next = next_of(summaries, latest_attempt);
-    const CurriculumStage* stage = followed_->find_stage(next.stage);
+    go_.clear();
+    const Recommendation& next = content_.next;
+    const CurriculumStage* stage = content_.followed->find_stage(next.stage);
     const bool remedy = next.reason == RecommendationReason::remedy;
     const QString why =
         remedy ? remedy_reason_text(next, context().task_title(next.task), context().services().tasks())
                : reason_text(next, stage == nullptr ? QString() : asset_text(stage->title),
-                             context().services().device_in_use().device_class, context().store().now());
+                             context().services().device_in_use().device_class, content_.at);
     next_->addWidget(make_label(tr("Recommended next"), "muted"));
     if (next.reason == RecommendationReason::nothing) {
         next_->addWidget(make_label(why, "heading"));
@@ -146,14 +197,14 @@ void HomePage::fill_next(const Summaries& summaries) {
     next_->addWidget(reason);
     QPushButton* go = nullptr;
     if (remedy) {
-        go = remedy_button(next, latest_attempt);
+        go = remedy_button(next, content_.latest_attempt);
     } else {
         go = make_button(tr("Open the briefing"), "next_briefing", "primary");
         connect(go, &QPushButton::clicked, this,
                 [this, id = text(next.task)] { emit context().briefing_wanted(id); });
     }
     next_->addWidget(go, 0, Qt::AlignLeft);
-    go->setFocus();
+    go_ = go;
 }
 
 void HomePage::fill_interrupted() {
@@ -181,8 +232,7 @@ void HomePage::fill_interrupted() {
 
 void HomePage::fill_comments() {
     clear_layout(comments_);
-    std::vector<database::Comment> unread;
-    context().guarded([&] { unread = database::Reviews(context().store()).unread(context().session()); });
+    const std::vector<database::Comment>& unread = content_.unread;
     comments_card_->setVisible(!unread.empty());
     comments_->addWidget(make_label(tr("Unread comments: %1").arg(unread.size()), "heading"));
     for (const database::Comment& comment : unread) {
@@ -199,16 +249,16 @@ void HomePage::fill_comments() {
     }
 }
 
-void HomePage::fill_tasks(const Summaries& summaries) {
-    const Curriculum& curriculum = *followed_;
-    const auto summary_of = [&](const std::string& task) {
-        const auto found = summaries.find(task);
-        return found == summaries.end() ? TaskSummary() : found->second;
+void HomePage::fill_tasks() {
+    const Curriculum& curriculum = *content_.followed;
+    const auto summary_of = [this](const std::string& task) {
+        const auto found = content_.summaries.find(task);
+        return found == content_.summaries.end() ? TaskSummary() : found->second;
     };
     std::vector<Ladder::Stage> stages;
     for (const CurriculumStage& stage : curriculum.stages) {
         Ladder::Stage shown{tr("%1 · %2").arg(text(stage.id), asset_text(stage.title)), {}};
-        for (const TaskStanding& standing : standings_) {
+        for (const TaskStanding& standing : content_.standings) {
             const CurriculumTask& task = *curriculum.find(standing.task);
             if (task.stage != stage.id || context().task(task.task) == nullptr) continue;
             shown.steps.push_back({task.task, task.after, standing.standing != Standing::locked,

@@ -3,11 +3,15 @@
 // card for each task.
 #pragma once
 
+#include <QPointer>
 #include <map>
+#include <memory>
 
 #include "assessment/curriculum/recommendation.h"
 #include "assessment/curriculum/standing.h"
+#include "database/records/reviews.h"
 #include "ui/page/context.h"
+#include "ui/trainee/next_task.h"
 
 class QFrame;
 class QGridLayout;
@@ -19,24 +23,36 @@ namespace fulcrum::ui {
 
 class GoalsCard;
 class Ladder;
-struct TaskSummary;
+class StoreReading;
+
+/// What the page shows of a trainee's attempts.
+struct HomeContent {
+    std::shared_ptr<const Curriculum> newest;
+    const Curriculum* followed = nullptr;  ///< version of it that the trainee follows
+    std::vector<TaskStanding> standings;
+    std::map<std::string, TaskSummary> summaries;  ///< by task
+    Recommendation next;
+    std::string latest_attempt;  ///< that counts, where the recommendation is a remedy
+    std::vector<database::Comment> unread;
+    std::int64_t at = 0;  ///< UTC ms, when it was read
+};
 
 class HomePage : public Page {
     Q_OBJECT
   public:
     explicit HomePage(Context& context);
     void enter() override;
+    void leave() override;
 
   private:
-    /// By task.
-    using Summaries = std::map<std::string, TaskSummary>;
-    void fill_next(const Summaries& summaries);
-    /// What to do about a plateau, where the curriculum names it.
-    Recommendation next_of(const Summaries& summaries, std::string& latest_attempt);
+    /// Reads in the background; what is shown stays until then.
+    void load();
+    void show_content(HomeContent content);
+    void fill_next();
     QPushButton* remedy_button(const Recommendation& next, const std::string& latest_attempt);
     void fill_interrupted();
     void fill_comments();
-    void fill_tasks(const Summaries& summaries);
+    void fill_tasks();
     /// `standing`: null for a task that does not belong to the curriculum.
     QFrame* task_card(const std::string& task_id, const TaskStanding* standing, const TaskSummary& summary);
 
@@ -47,8 +63,10 @@ class HomePage : public Page {
     Ladder* ladder_;
     QLabel* others_heading_;
     QGridLayout* cards_;
-    const Curriculum* followed_ = nullptr;  ///< version that who is signed in follows
-    std::vector<TaskStanding> standings_;
+    StoreReading* reading_;
+    HomeContent content_;            ///< `followed` is null until it was read
+    QPointer<QPushButton> go_;       ///< leads to what is recommended
+    QPointer<QWidget> used_before_;  ///< had the keyboard when the page was entered
 };
 
 }  // namespace fulcrum::ui

@@ -294,7 +294,7 @@ TEST_F(RatingPages, WhatAnEducatorReleasesMakesTheTraineeProficient) {
     const std::string id = record();
     const auto at_home = [&] {
         act_as(*tara);
-        QCoreApplication::processEvents();  // new widgets appear in the next turn of the event loop
+        wait_until_read(*window);
         EXPECT_EQ(window->current_page()->objectName(), "home_page");
         return page_text();
     };

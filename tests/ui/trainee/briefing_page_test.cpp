@@ -134,6 +134,7 @@ TEST_F(Briefing, PictureOfTheSceneIsDrawnOnceAndKept) {
     EXPECT_TRUE(QFileInfo::exists(file)) << file.toStdString();
     EXPECT_TRUE(picture().accessibleName().contains("A2"));
     click(*window, "rail_home");
+    wait_until_read(*window);
     open("A2");
     wait_for_picture();
     EXPECT_EQ(services.worlds_built, 1) << "kept";
@@ -143,6 +144,7 @@ TEST_F(Briefing, PictureOfTheSceneIsDrawnOnceAndKept) {
     broken.write("not a picture");
     broken.close();
     click(*window, "rail_home");
+    wait_until_read(*window);
     open("A2");
     wait_for_picture();
     EXPECT_EQ(services.worlds_built, 2);
@@ -159,6 +161,7 @@ TEST_F(Briefing, ChoosesTheVariantPractisedLeastAndAnotherIsAChoiceAway) {
     EXPECT_EQ(variants->currentData().toString(), "standard");
     record(75, 3.1);
     click(*window, "rail_home");
+    wait_until_read(*window);
     open("A2");
     EXPECT_EQ(variants->currentData().toString(), "deep");
     EXPECT_TRUE(variants->itemText(0).contains("attempts: 1")) << variants->itemText(0).toStdString();
@@ -192,6 +195,7 @@ TEST_F(Briefing, AsksTheDeviceForTheVariantOfThisTask) {
     EXPECT_TRUE(find<QLabel>(*window, "mode_note")->text().contains("3D Systems Touch"));
     // A1 has no variant of this name, and only a scope, which this device does not move.
     click(*window, "rail_home");
+    wait_until_read(*window);
     open("A1");
     EXPECT_FALSE(sees(*window, "message_text"));
     const QString note = find<QLabel>(*window, "mode_note")->text();

@@ -87,7 +87,7 @@ class OnAPlateau : public ::testing::Test {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
         window->start();
         window->context().set_session(sessions.at(Role::trainee));
-        QCoreApplication::processEvents();
+        wait_until_read(*window);
     }
     QString reason() { return find<QLabel>(*window, "next_reason")->text(); }
     void keep(const QString& name) {
@@ -139,6 +139,7 @@ TEST_F(OnAPlateau, APartIsPractisedFromItsGoalOnAndThenTheTaskIsNextAgain) {
     EXPECT_TRUE(find<QAbstractButton>(*window, "mode_practice")->isChecked());
     record(30, AttemptMode::practice);
     click(*window, "rail_home");
+    wait_until_read(*window);
     EXPECT_FALSE(reason().contains("levels off")) << reason().toStdString();
     EXPECT_TRUE(sees(*window, "next_briefing"));
 }

@@ -14578,6 +14578,10 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::HomePage</name>
     <message>
+        <source>Reading your attempts …</source>
+        <translation>Ihre Versuche werden gelesen …</translation>
+    </message>
+    <message>
         <source>Other exercises</source>
         <translation>Weitere Aufgaben</translation>
     </message>

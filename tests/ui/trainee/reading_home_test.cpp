@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages about a trainee's own attempts: the window answers while they are read, and who uses the keyboard
+// keeps it.
+#include <QComboBox>
+#include <QPushButton>
+
+#include "tests/ui/held_work.h"
+#include "tests/ui/screens.h"
+#include "ui/language/language.h"
+#include "ui/shell/idle_watch.h"
+
+namespace fulcrum::ui::window_test {
+namespace {
+
+class ReadingHome : public Screens {
+  protected:
+    ~ReadingHome() override { use_language(Language::english); }
+    /// At home, which is not read yet.
+    void sign_in_now() {
+        window->context().set_session(sessions.at(Role::trainee));
+        QCoreApplication::processEvents();
+        ASSERT_EQ(window->current_page()->objectName(), "home_page");
+    }
+    void activate() {
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    }
+    QString used() {
+        return window->focusWidget() == nullptr ? QString() : window->focusWidget()->objectName();
+    }
+};
+
+TEST_F(ReadingHome, WhatIsRecommendedAppearsWhenItIsReadAndHasTheKeyboard) {
+    open(QSize(1280, 800));
+    HeldWork held;
+    sign_in_now();
+    EXPECT_EQ(find<QLabel>(*window, "home_reading")->text(), "Reading your attempts …");
+    EXPECT_FALSE(sees(*window, "next_briefing"));
+    EXPECT_FALSE(sees(*window, "briefing_A2"));
+    held.release();
+    settle();
+    EXPECT_FALSE(sees(*window, "home_reading"));
+    EXPECT_TRUE(sees(*window, "briefing_A2"));
+    EXPECT_EQ(used(), "next_briefing");
+}
+
+TEST_F(ReadingHome, StaysAsItWasUntilItIsReadAgain) {
+    open(QSize(1280, 800));
+    sign_in(Role::trainee);
+    activate();
+    HeldWork held;
+    go_to_now("rail_home");
+    EXPECT_TRUE(sees(*window, "next_briefing"));
+    EXPECT_FALSE(sees(*window, "home_reading"));
+    find<QPushButton>(*window, "briefing_A2")->setFocus();
+    held.release();
+    settle();
+    EXPECT_EQ(used(), "briefing_A2");
+}
+
+TEST_F(ReadingHome, EndsWithThePageTheSessionAndTheLanguage) {
+    open(QSize(1280, 800));
+    {
+        HeldWork held;
+        sign_in_now();
+        go_to_now("rail_settings");
+        go_to_now("rail_home");
+        window->set_theme(Theme::dark);
+        window->set_theme(Theme::light);
+        window->set_language(Language::german);
+        window->context().sign_out();
+        held.release();
+        settle();
+        EXPECT_TRUE(error_shown().isEmpty()) << error_shown().toStdString();
+        window->set_language(Language::english);
+    }
+    HeldWork held;
+    sign_in_now();
+    QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock");
+    ASSERT_TRUE(sees(*window, "unlock_password"));
+    QWidget* const locked = window->focusWidget();
+    held.release();
+    settle();
+    EXPECT_EQ(window->focusWidget(), locked) << "not by what was read behind the lock";
+    EXPECT_NE(window->findChild<QPushButton*>("next_briefing"), nullptr);
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::window_test
