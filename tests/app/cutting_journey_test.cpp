@@ -156,6 +156,7 @@ class CuttingJourney : public Window {
         QTest::keyClick(tasks, Qt::Key_Home);
         for (int i = 0; i < wanted; ++i) QTest::keyClick(tasks, Qt::Key_Down);
         EXPECT_EQ(tasks->currentIndex(), wanted);
+        wait_until_read(window);
         EXPECT_GT(find<QTableWidget>(window, "progress_table")->rowCount(), 0) << task;
     }
 

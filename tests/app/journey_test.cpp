@@ -224,6 +224,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     expect_replays(first.meta.id);
     const QString by_trainee = folder.filePath("tara.csv");
     click(window, "rail_progress");
+    wait_until_read(window);
     page.step("progress", "The trainee's progress");
     save_report("export_person", by_trainee);
     find_row(*find<QTableWidget>(window, "progress_table"), {first_state, first_time, first_points});

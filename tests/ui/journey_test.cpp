@@ -227,10 +227,12 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     services.control.complete = true;
     wait_for_debrief();
     click(window, "rail_progress");
+    wait_until_read(window);
     auto* chosen = find<QComboBox>(window, "progress_task");
     EXPECT_EQ(chosen->currentData().toString(), "B1");  // the newest attempt's
     chosen->setCurrentIndex(chosen->findData("A2"));
     emit chosen->activated(chosen->currentIndex());
+    wait_until_read(window);
     keep_picture(window, "09-progress");
     EXPECT_EQ(find<QTableWidget>(window, "progress_table")->rowCount(), 2);
     switch_user();

@@ -14,9 +14,11 @@
 #include "ui/charts/attempt_chart.h"
 #include "ui/charts/chart_frame.h"
 #include "ui/page/background_job.h"
+#include "ui/page/store_reading.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
 #include "ui/style/flow_row.h"
+#include "ui/style/kept_places.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/trainee/certificate_card.h"
@@ -79,6 +81,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->addWidget(certificates_);
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
+    summary_->setObjectName(QStringLiteral("progress_summary"));
     card_layout(card)->addWidget(summary_);
     curve_ = make_label({});
     curve_->setObjectName(QStringLiteral("learning_curve"));
@@ -113,6 +116,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1100));
+    reading_ = new StoreReading(context, this);
     show_begun_reports(context, this, job_);
 }
 
@@ -136,6 +140,7 @@ QLayout* ProgressPage::make_choices() {
         row->add(named, 1, with_text(230));
         connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
             if (box == metric_) {
+                wanted_metric_ = metric_->currentData().toString();
                 draw();
             } else {
                 load();
@@ -164,6 +169,10 @@ void ProgressPage::enter() {
     fill_choices();
     load();
     task_->setFocus();
+}
+
+void ProgressPage::leave() {
+    reading_->stop();
 }
 
 void ProgressPage::fill_choices() {
@@ -226,13 +235,10 @@ const database::MetricRow* ProgressPage::find_row(const database::ProgressPoint&
 void ProgressPage::load() {
     person_id_ = plain(person_->currentData().toString());
     task_id_ = plain(task_->currentData().toString());
-    progress_.reset();
-    if (!person_id_.empty() && !task_id_.empty()) {
-        context().guarded([&] {
-            progress_ = database::Reports(context().store())
-                            .person_progress(context().session(), person_id_, task_id_);
-        });
-    }
+    reading_->stop();
+    if (progress_ && (progress_->person_id != person_id_ || progress_->task_id != task_id_ ||
+                      !reading_->read_in_this_role()))
+        progress_.reset();
     export_->setVisible(
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
     export_->propose(person_->currentText());
@@ -246,7 +252,29 @@ void ProgressPage::load() {
     title_->setText(person_id_ == context().session().person_id()
                         ? tr("My progress")
                         : tr("Progress of %1").arg(person_->currentText()));
-    const QString before = metric_->currentData().toString();
+    if (!person_id_.empty() && !task_id_.empty())
+        reading_->begin(
+            [person = person_id_, task = task_id_](const database::Store& store,
+                                                   const database::Session& session) {
+                return database::Reports(store).person_progress(session, person, task);
+            },
+            [this](database::PersonProgress progress) {
+                const KeptPlaces places(this);
+                progress_ = std::move(progress);
+                show_progress();
+            },
+            [this](const QString& why) {
+                progress_.reset();
+                show_progress();
+                summary_->setText(why);
+            });
+    if (progress_)
+        summary_->setText(tr("Reading the attempts …"));
+    else
+        show_progress();
+}
+
+void ProgressPage::show_progress() {
     metric_->clear();
     metric_->addItem(tr("Points"), QStringLiteral("points"));
     std::set<QString> seen;
@@ -268,7 +296,7 @@ void ProgressPage::load() {
             }
         }
     }
-    metric_->setCurrentIndex(std::max(0, metric_->findData(before)));
+    metric_->setCurrentIndex(std::max(0, metric_->findData(wanted_metric_)));
     draw();
     fill_table();
 }
@@ -313,8 +341,11 @@ void ProgressPage::draw() {
             drawn.series.push_back(std::move(shown));
         }
     }
-    summary_->setText(
-        tr("%1 · %3 of %2 counting attempts passed").arg(task_->currentText()).arg(counting).arg(passed));
+    summary_->setText(reading_->reads() ? tr("Reading the attempts …")
+                                        : tr("%1 · %3 of %2 counting attempts passed")
+                                              .arg(task_->currentText())
+                                              .arg(counting)
+                                              .arg(passed));
     add_experts(drawn, key);
     explain_->setVisible(key != QLatin1String("points"));
     if (drawn.limit) drawn.limit_name = tr("limit");

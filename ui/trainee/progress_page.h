@@ -28,6 +28,7 @@ class JobBar;
 class CurriculumCard;
 class GoalsCard;
 class StandingCard;
+class StoreReading;
 class TaskHeader;
 
 class ProgressPage : public Page {
@@ -36,6 +37,7 @@ class ProgressPage : public Page {
     explicit ProgressPage(Context& context);
     void show_person(const std::string& person_id, const std::string& task_id);
     void enter() override;
+    void leave() override;
     /// Writes the shown person's report on a worker thread; `exported` says when it is there.
     void export_to(const QString& path, ReportFormat format);
 
@@ -47,7 +49,10 @@ class ProgressPage : public Page {
     void fill_choices();
     /// Of the person's newest attempt; "": none, or the session may not read attempts.
     std::string newest_task() const;
+    /// Reads the attempts in the background; what is shown of the same person and task stays until then.
     void load();
+    /// Metrics, chart and table of what was read.
+    void show_progress();
     /// Id, hand and tissue; a version that is not the newest of those that occur follows them. Values of two
     /// versions are never in one curve.
     QString key_of(const database::MetricRow& metric) const;
@@ -62,6 +67,8 @@ class ProgressPage : public Page {
 
     std::string person_id_, task_id_;
     std::optional<database::PersonProgress> progress_;
+    StoreReading* reading_;
+    QString wanted_metric_;          ///< chosen by a person, whether the shown task has it or not
     std::map<QString, int> newest_;  ///< version of each metric, by id, hand and tissue
     QLabel *title_, *summary_, *curve_;
     QComboBox *person_, *task_, *metric_;

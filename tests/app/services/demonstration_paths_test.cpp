@@ -91,6 +91,7 @@ class DemonstrationPaths : public Window {
     }
     /// From the person's attempts at the task to the debrief of this one.
     void open_attempt(const std::string& id) {
+        wait_until_read(window);
         auto* attempts = find<QTableWidget>(window, "progress_table");
         bring(*attempts);
         int row = 0;
@@ -370,6 +371,7 @@ TEST_F(DemonstrationPractice, ATraineePractisesAfterTheBriefingAndSeesTheDebrief
     EXPECT_FALSE(sees(window, "comment_text"));
     expect_replays(attempt.meta.id);
     click(window, "rail_progress");
+    wait_until_read(window);
     expect_page("progress_page");
     auto* attempts = find<QTableWidget>(window, "progress_table");
     const QString newest = QString::fromStdString(attempt.meta.id);

@@ -176,6 +176,7 @@ TEST_F(WindowAccess, ListsShowThePeopleAndCohortsThatTheTableAllows) {
 void WindowAccess::expect_progress(const Target& target, const std::string& cell, const QString& folder) {
     if (sees(*window, "close_message")) click(*window, "close_message");
     emit window->context().progress_wanted(QString::fromStdString(target.person), "A2");
+    wait_until_read(*window);
     auto* shown = static_cast<ProgressPage*>(window->current_page());
     const bool readable = allowed(Operation::read_progress, target);
     auto* person = shown->findChild<QComboBox*>("progress_person");
@@ -314,7 +315,7 @@ TEST_F(WindowAccess, RoleThatWasWithdrawnSinceThePageWasOpenedStaysWithdrawn) {
 /// The names of all widgets visible on the pages of a role, including a debrief if the role may open one.
 void WindowAccess::look_everywhere(std::set<std::string>& seen) {
     const auto look = [&] {
-        settle();
+        wait_until_read(*window);
         for (QWidget* widget : window->findChildren<QWidget*>()) {
             if (widget->isVisible() && !widget->objectName().isEmpty())
                 seen.insert(widget->objectName().toStdString());

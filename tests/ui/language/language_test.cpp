@@ -228,6 +228,7 @@ class GermanWindow : public ::testing::Test {
     ~GermanWindow() override { use_language(Language::english); }
     /// No visible label or button has an English text that has another one in German.
     void expect_german(const char* page) {
+        wait_until_read(*window);
         int seen = 0;
         const auto look = [&](const QString& shown, const QObject& where) {
             if (shown.isEmpty()) return;
@@ -257,6 +258,7 @@ TEST_F(GermanWindow, ShowsSignInHomeBriefingsAndProgressInGerman) {
         expect_german((std::string("german-briefing-") + task).c_str());
     }
     click(*window, "rail_progress");
+    wait_until_read(*window);
     expect_german("german-progress");
 }
 

@@ -165,6 +165,7 @@ TEST_F(Corrections, APersonsReportIsWrittenInTheBackgroundAndCanBeStopped) {
     record(*tara);
     act_as(*tara);
     click(*window, "rail_progress");
+    wait_until_read(*window);
     auto* page = static_cast<ProgressPage*>(window->current_page());
     QTemporaryDir folder;
     const QString path = folder.filePath("tara.pdf");

@@ -91,6 +91,7 @@ class ProgressWithHistory : public ::testing::Test {
         window->start();
         window->context().set_session(sessions.at(role));
         click(*window, "rail_progress");
+        wait_until_read(*window);
         return *static_cast<ProgressPage*>(window->current_page());
     }
     void keep(const QString& name) {
@@ -222,6 +223,7 @@ TEST_F(ProgressWithHistory, IsThePageOfTheTask) {
     click(*window, "explain_progress");
     EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
     click(*window, "rail_progress");
+    wait_until_read(*window);
     click(*window, "task_briefing");
     EXPECT_EQ(window->current_page()->objectName(), "briefing_page");
     click(*window, "briefing_progress");
@@ -246,6 +248,7 @@ TEST_F(ProgressWithHistory, ACompletedStageHasACertificateWithACheckCode) {
     type(*window, "export_path", folder.filePath("progress.pdf"));
     click(*window, "rail_home");
     click(*window, "rail_progress");
+    wait_until_read(*window);
     const QString words = find<QLabel>(*window, "certificate_words")->text();
     const QString code = words.section("Check code ", 1).left(19);
     click(*window, "save_certificate");
@@ -282,6 +285,7 @@ TEST_F(ProgressWithHistory, ACertificateSaysOfWhichVersionItIsAfterAMove) {
     type(*window, "export_path", folder.filePath("progress.pdf"));
     click(*window, "rail_home");
     click(*window, "rail_progress");
+    wait_until_read(*window);
     const QString words = find<QLabel>(*window, "certificate_words")->text();
     EXPECT_TRUE(words.contains("under rectal@1, before the move to rectal@3. Check code " + code))
         << words.toStdString();
@@ -304,6 +308,7 @@ TEST_F(ProgressWithHistory, ANameWithASlashIsNotAFolderForTheCertificate) {
     type(*window, "export_path", folder.filePath("progress.pdf"));
     click(*window, "rail_home");
     click(*window, "rail_progress");
+    wait_until_read(*window);
     click(*window, "save_certificate");
     const QString path = folder.filePath("Certificate A Tara A B Trainee.pdf");
     ASSERT_TRUE(QFileInfo::exists(path)) << find<QLabel>(*window, "message_text")->text().toStdString();

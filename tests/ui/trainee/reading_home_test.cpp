@@ -32,6 +32,7 @@ class ReadingHome : public Screens {
 
 TEST_F(ReadingHome, WhatIsRecommendedAppearsWhenItIsReadAndHasTheKeyboard) {
     open(QSize(1280, 800));
+    activate();
     HeldWork held;
     sign_in_now();
     EXPECT_EQ(find<QLabel>(*window, "home_reading")->text(), "Reading your attempts …");
@@ -83,6 +84,46 @@ TEST_F(ReadingHome, EndsWithThePageTheSessionAndTheLanguage) {
     settle();
     EXPECT_EQ(window->focusWidget(), locked) << "not by what was read behind the lock";
     EXPECT_NE(window->findChild<QPushButton*>("next_briefing"), nullptr);
+}
+
+TEST_F(ReadingHome, ProgressIsReadInTheBackgroundAndTheMetricStaysChosen) {
+    open(QSize(1280, 800));
+    perform();
+    HeldWork held;
+    go_to_now("rail_progress");
+    auto* task = find<QComboBox>(*window, "progress_task");
+    ASSERT_EQ(task->currentData().toString(), "A2") << "of the newest attempt";
+    auto* table = find<QTableWidget>(*window, "progress_table");
+    EXPECT_EQ(table->rowCount(), 0);
+    EXPECT_EQ(find<QLabel>(*window, "progress_summary")->text(), "Reading the attempts …");
+    const auto choose = [&](QComboBox* box, const QString& data) {
+        box->setCurrentIndex(box->findData(data));
+        emit box->activated(box->currentIndex());
+    };
+    choose(task, "B1");
+    choose(task, "A2");
+    held.release();
+    settle();
+    EXPECT_EQ(table->rowCount(), 1) << "of the task that was chosen last";
+    auto* metric = find<QComboBox>(*window, "progress_metric");
+    ASSERT_GT(metric->count(), 1);
+    const QString other = metric->itemData(1).toString();
+    choose(metric, other);
+    choose(task, "B1");
+    settle();
+    EXPECT_EQ(table->rowCount(), 0);
+    choose(task, "A2");
+    settle();
+    EXPECT_EQ(table->rowCount(), 1);
+    EXPECT_EQ(metric->currentData().toString(), other);
+    HeldWork again;
+    go_to_now("rail_home");
+    go_to_now("rail_progress");
+    EXPECT_EQ(table->rowCount(), 1) << "until it is read again";
+    window->context().sign_out();
+    again.release();
+    settle();
+    EXPECT_TRUE(error_shown().isEmpty()) << error_shown().toStdString();
 }
 
 }  // namespace

@@ -16615,6 +16615,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 <context>
     <name>fulcrum::ui::ProgressPage</name>
     <message>
+        <source>Reading the attempts …</source>
+        <translation>Die Versuche werden gelesen …</translation>
+    </message>
+    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
