@@ -14,6 +14,7 @@
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
+#include "ui/page/store_reading.h"
 #include "ui/services/device_in_scene.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
@@ -126,6 +127,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1000));
+    reading_ = new StoreReading(context, this);
 }
 
 /// The scene in which the task is performed.
@@ -219,6 +221,10 @@ void BriefingPage::set_task(const std::string& task_id, const std::string& varia
 void BriefingPage::enter() {
     fill();
     start_->setFocus();
+}
+
+void BriefingPage::leave() {
+    reading_->stop();
 }
 
 /// The goals that practice can begin at; the choice made for this task stays.
@@ -344,7 +350,8 @@ void BriefingPage::show_variant(const TaskDefinition& task) {
                                : tr("Chosen because you have practised it least."));
     show_modes(task);
     picture_->show_task(task, variant());
-    judged_->open(task, limits(), own_values());
+    judged_->open(task, limits(), {});
+    read_own_values();
     show_notes();
 }
 
@@ -356,18 +363,21 @@ std::vector<JudgedLimit> BriefingPage::limits() {
     return judged;
 }
 
-std::vector<database::MetricRow> BriefingPage::own_values() {
-    std::vector<database::MetricRow> values;
-    const database::Session& session = context().session();
+void BriefingPage::read_own_values() {
+    reading_->stop();
     if (!context().allowed(database::Operation::read_progress,
-                           database::Subject::person(session.person_id())))
-        return values;
-    context().guarded([&] {
-        values = last_values(
-            database::Reports(context().store()).person_progress(session, session.person_id(), task_id_),
-            device_class_);
-    });
-    return values;
+                           database::Subject::person(context().session().person_id())))
+        return;
+    reading_->begin(
+        [of = task_id_, device = device_class_](const database::Store& store,
+                                                const database::Session& session) {
+            return last_values(database::Reports(store).person_progress(session, session.person_id(), of),
+                               device);
+        },
+        [this](const std::vector<database::MetricRow>& values) {
+            if (!values.empty()) judged_->show_own(limits(), values);
+        },
+        [](const QString&) {});
 }
 
 namespace {

@@ -17,6 +17,7 @@ namespace fulcrum::ui {
 
 class JudgedCard;
 class ScenePicture;
+class StoreReading;
 
 class BriefingPage : public Page {
     Q_OBJECT
@@ -26,6 +27,7 @@ class BriefingPage : public Page {
     void set_task(const std::string& task_id, const std::string& variant = {}, int goal = 0,
                   bool ghost = false);
     void enter() override;
+    void leave() override;
 
   private:
     QLayout* make_beginning();
@@ -44,8 +46,8 @@ class BriefingPage : public Page {
     /// What an attempt at this task and variant would be made with.
     DeviceInUse device();
     std::vector<JudgedLimit> limits();
-    /// Of the last attempt of who is signed in.
-    std::vector<database::MetricRow> own_values();
+    /// Of the last attempt of who is signed in, in the background: the limits are shown without them first.
+    void read_own_values();
     void show_notes();
     void show_fidelity_note();
     void fill_beginnings(const TaskDefinition& task);
@@ -56,6 +58,7 @@ class BriefingPage : public Page {
     QVBoxLayout* steps_;
     ScenePicture* picture_;
     JudgedCard* judged_;
+    StoreReading* reading_;
     QRadioButton *assessed_, *practice_;
     QLabel* begin_words_;
     QLabel *variant_words_, *variant_note_;

@@ -24,6 +24,10 @@ class JudgedCard : public QFrame {
     /// `own`: the metrics of the trainee's last scored attempt with this device; may be empty.
     void open(const TaskDefinition& task, const std::vector<JudgedLimit>& limits,
               const std::vector<database::MetricRow>& own);
+    /// The same limits with these values; bars or list stay shown.
+    void show_own(const std::vector<JudgedLimit>& limits, const std::vector<database::MetricRow>& own) {
+        fill_bars(limits, own);
+    }
 
   signals:
     void metric_chosen(const QString& metric_id);

@@ -271,6 +271,7 @@ TEST_F(Briefing, LimitsAreBarsWithTheExpertsRangeAndTheTraineesLastValue) {
     record(140, 5.5);
     record(75, 3.1);
     open("A2");
+    wait_until_read(*window);
     ASSERT_TRUE(wait_for([&] { return bar(metric_text("time")) != nullptr; }));
     LimitBar* time = bar(metric_text("time"));
     const LimitBarData& data = time->data();

@@ -59,6 +59,26 @@ TEST_F(ReadingHome, StaysAsItWasUntilItIsReadAgain) {
     EXPECT_EQ(used(), "briefing_A2");
 }
 
+TEST_F(ReadingHome, ABriefingShowsItsLimitsBeforeOnesLastValues) {
+    open(QSize(1280, 800));
+    perform();
+    HeldWork held;
+    emit window->context().briefing_wanted("A2");
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(sees(*window, "judged_bars"));
+    EXPECT_TRUE(find<QPushButton>(*window, "start_attempt")->isEnabled());
+    click(*window, "judged_list_toggle");
+    held.release();
+    settle();
+    EXPECT_TRUE(sees(*window, "judged_list")) << "what was chosen while it was read";
+    HeldWork again;
+    emit window->context().briefing_wanted("A2");
+    window->context().sign_out();
+    again.release();
+    settle();
+    EXPECT_TRUE(error_shown().isEmpty()) << error_shown().toStdString();
+}
+
 TEST_F(ReadingHome, EndsWithThePageTheSessionAndTheLanguage) {
     open(QSize(1280, 800));
     {
