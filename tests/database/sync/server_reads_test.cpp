@@ -339,9 +339,7 @@ void ServerReads::expect_refusals() const {
                 row.ask({there, account, about});
                 ADD_FAILURE() << row.name << " as " << login << " was answered; " << row.why;
             } catch (const AccessDenied& error) {
-                EXPECT_EQ(error.why(),
-                          "the programme server is only read here; do it at a station, with its own store")
-                    << row.name << " as " << login;
+                EXPECT_EQ(error.why(), DenialReason::server_only_read) << row.name << " as " << login;
             }
         }
         // Values of tissues are the site's own, so the server has none.
