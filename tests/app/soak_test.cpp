@@ -3,9 +3,10 @@
 // haptic device (a fake of libHD) behind fulcrum-hapticd. Eight seconds by default; FULCRUM_SOAK_S=600 runs
 // ten minutes, and each of the two once more while operators keep all cores busy. FULCRUM_SOAK_PAGE=
 // docs/results writes the pages of all four (soak_page.h).
+#include <QProcess>
+
 #include <signal.h>
 #include <unistd.h>
-#include <QProcess>
 
 #include <atomic>
 #include <chrono>
