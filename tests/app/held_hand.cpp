@@ -113,8 +113,9 @@ void HeldHand::push(int h) {
     use(h, wanted);
     if (!device_.moves[h]) {
         keep_pointer_in(*theatre_.view());
+        if (theatre_.session() == nullptr) return;  // it ended there
         events_ += bring_by_mouse(theatre_, handle(h), handle_of(wish_.hand[h]),
-                                  session.scene().instrument(static_cast<Hand>(h))->trocar);
+                                  theatre_.session()->scene().instrument(static_cast<Hand>(h))->trocar);
     } else if (device_.is_pushed) {  // again and again: a cap that sends nothing is let go
         device_.put(h, DeviceRig::turned(handle_of(wish_.hand[h]) - handle(h)));
         ++events_;

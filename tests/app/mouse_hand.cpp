@@ -78,7 +78,8 @@ bool MouseHand::work_until(const std::function<bool()>& done, int milliseconds) 
         QTest::qWait(8);
         if (theatre_.session() == nullptr || done()) return true;
         keep_pointer_in(*theatre_.view());
-        if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
+        if (theatre_.session() == nullptr || theatre_.session()->phase() != ui::AttemptPhase::running)
+            continue;
         think();
         jaws();
         buttons();

@@ -20,9 +20,10 @@ bool WorkingHand::work_until(const std::function<bool()>& done, int milliseconds
         if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
         think();
         if (tick_ == 0) continue;  // it wants nothing yet
-        for (int h = 0; h < hand_count; ++h)
+        // A mouse that is moved lets the window work: the attempt can end there.
+        for (int h = 0; h < hand_count && theatre_.session() != nullptr; ++h)
             if (theatre_.session()->scene().instrument(static_cast<Hand>(h)) != nullptr) push(h);
-        scope();
+        if (theatre_.session() != nullptr) scope();
     }
     let_go();
     return false;
