@@ -97,7 +97,7 @@ void enter_hands(const HandsRow& row) {
         "is not pushed by the force that a device renders. Each attempt is made in practice mode, and each "
         "record is replayed bit for bit. Held are keys (with Shift) and mouse buttons by the events that the "
         "window gets; of two mice and of the controller their buttons, and triggers from a tenth on; of the "
-        "others closed jaws and buttons.");
+        "others closed jaws and buttons. In the first steps only those of mouse and keyboard are counted.");
     const std::string missing = kinds_not_measured(rows);
     if (!missing.empty()) page.paragraph("Not measured at this commit: " + missing + ".");
     lab::ResultTable table;
