@@ -3,6 +3,7 @@
 
 #include <QAbstractItemView>
 #include <QGridLayout>
+#include <QPointer>
 #include <QScrollArea>
 #include <algorithm>
 #include <cstddef>
@@ -35,24 +36,25 @@ std::vector<PlacedItem> items_of(QLayout& layout) {
     return items;
 }
 
-void collect(QWidget* widget, Widgets& found);
+void collect(QWidget* widget, const QWidget* from, Widgets& found);
 
-void collect_items(QLayout& layout, Widgets& found) {
+void collect_items(QLayout& layout, const QWidget* from, Widgets& found) {
     for (const PlacedItem& placed : items_of(layout)) {
         if (QWidget* const widget = placed.item->widget())
-            collect(widget, found);
+            collect(widget, from, found);
         else if (QLayout* const inner = placed.item->layout())
-            collect_items(*inner, found);
+            collect_items(*inner, from, found);
     }
 }
 
 /// The widget and all that is visible in it: what its layout holds, then from top to bottom what it places
-/// itself (tabs, scroll areas, fields in tables).
-void collect(QWidget* widget, Widgets& found) {
-    if (!widget->isVisible()) return;
+/// itself (tabs, scroll areas, fields in tables). Of what is hidden only the way to `from`: Qt asks for the
+/// next control while it hides the one that has the keyboard.
+void collect(QWidget* widget, const QWidget* from, Widgets& found) {
+    if (!widget->isVisible() && widget != from && !widget->isAncestorOf(from)) return;
     found.push_back(widget);
     const auto known = static_cast<std::ptrdiff_t>(found.size());
-    if (widget->layout() != nullptr) collect_items(*widget->layout(), found);
+    if (widget->layout() != nullptr) collect_items(*widget->layout(), from, found);
     Widgets others;
     for (QObject* const child : widget->children()) {
         if (!child->isWidgetType()) continue;
@@ -63,11 +65,12 @@ void collect(QWidget* widget, Widgets& found) {
     std::stable_sort(others.begin(), others.end(), [](const QWidget* a, const QWidget* b) {
         return a->y() != b->y() ? a->y() < b->y() : a->x() < b->x();
     });
-    for (QWidget* const one : others) collect(one, found);
+    for (QWidget* const one : others) collect(one, from, found);
 }
 
 bool is_stop(const QWidget& widget) {
-    return widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0 && widget.focusProxy() == nullptr;
+    return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0 &&
+           widget.focusProxy() == nullptr;
 }
 
 /// Qt scrolls only the area that the keyboard comes from.
@@ -83,9 +86,9 @@ void reveal(QWidget& widget) {
 }  // namespace
 
 bool focus_in_reading_order(QWidget& all, bool next) {
-    Widgets found;
-    collect(&all, found);
     const QWidget* const from = all.window()->focusWidget();
+    Widgets found;
+    collect(&all, from, found);
     const auto count = static_cast<std::ptrdiff_t>(found.size());
     std::ptrdiff_t at = std::find(found.begin(), found.end(), from) - found.begin();
     if (at == count && next) at = -1;  // from nowhere: to the first, or to the last
@@ -93,8 +96,9 @@ bool focus_in_reading_order(QWidget& all, bool next) {
         const std::ptrdiff_t place = (at + (next ? step : -step) + 2 * count) % count;
         QWidget* const one = found[static_cast<std::size_t>(place)];
         if (one == from || !is_stop(*one)) continue;
+        const QPointer<QWidget> kept(one);  // the field that is left may fill its page again
         one->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
-        reveal(*one);
+        if (!kept.isNull()) reveal(*one);
         return true;
     }
     return false;

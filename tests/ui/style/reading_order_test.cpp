@@ -68,6 +68,26 @@ TEST_F(ReadingOrder, WhatIsHiddenOrDisabledIsLeftOut) {
     EXPECT_FALSE(focus_in_reading_order(window, true)) << "there is no other";
 }
 
+/// The window of the program: Qt asks it for the next control, also when the one with the keyboard is hidden.
+class AskedByQt : public QWidget {
+  protected:
+    bool focusNextPrevChild(bool next) override { return focus_in_reading_order(*this, next); }
+};
+
+TEST_F(ReadingOrder, WhereTheControlIsHiddenTheOneBehindItGetsTheKeyboard) {
+    AskedByQt asked;
+    auto* column = new QVBoxLayout(&asked);
+    for (const char* name : {"first", "second", "third"}) column->addWidget(button(name));
+    asked.show();
+    asked.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&asked));
+    auto* second = asked.findChild<QPushButton*>("second");
+    second->setFocus();
+    second->hide();
+    ASSERT_NE(asked.focusWidget(), nullptr);
+    EXPECT_EQ(asked.focusWidget()->objectName(), "third");
+}
+
 TEST_F(ReadingOrder, WhatIsReachedFromOutsideItsAreaIsScrolledIntoView) {
     auto* column = static_cast<QVBoxLayout*>(window.layout());
     auto* body = new QWidget;
