@@ -69,11 +69,12 @@ QPushButton[role="link"] { background: transparent; border: none; color: @accent
 QPushButton[role="link"]:hover, QPushButton[role="link"]:focus { text-decoration: underline; border: none; }
 QPushButton[role="card"] { background: @card; border: 1px solid @line; border-radius: 10px; padding: 14px; text-align: left; }
 QPushButton[role="card"]:focus, QPushButton[role="card"]:hover { border: 2px solid @accent; padding: 13px; }
-QLineEdit, QPlainTextEdit, QTextEdit, QComboBox, QSpinBox, QDoubleSpinBox { background: @window; border: 1px solid @line; border-radius: 6px; padding: 6px 8px; selection-background-color: @accent; selection-color: @accent_text; }
-QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid @accent; padding: 5px 7px; }
+QLineEdit, QPlainTextEdit, QTextEdit, QComboBox, QSpinBox, QDoubleSpinBox, QDateEdit { background: @window; border: 1px solid @line; border-radius: 6px; padding: 6px 8px; selection-background-color: @accent; selection-color: @accent_text; }
+QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QDateEdit:focus { border: 2px solid @accent; padding: 5px 7px; }
 QLabel:focus { background: @raised; }
 QComboBox::drop-down { border: none; width: 24px; }
-QComboBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px; height: 12px; }
+QDateEdit::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow, QDateEdit::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px; height: 12px; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 22px; border: none; background: transparent; }
 QAbstractSpinBox::up-arrow { image: url(:/style/icons/arrow_up_@theme.svg); width: 10px; height: 10px; }
 QAbstractSpinBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 10px; height: 10px; }

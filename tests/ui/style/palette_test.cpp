@@ -7,11 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDateEdit>
 #include <QEvent>
 #include <QFrame>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
+#include <QVBoxLayout>
 #include <QtTest>
 #include <vector>
 
@@ -126,6 +129,28 @@ TEST(ThemeSwitch, StylesEachWidgetOnceHoweverManyAreAroundIt) {
     apply_theme(*qApp, Theme::light);
     EXPECT_EQ(label->times, 2);
     EXPECT_EQ(label->palette().color(QPalette::WindowText), palette_of(Theme::light).muted);
+}
+
+TEST(StyleSheet, AFieldForADayShowsTheKeyboardAsOtherFieldsDo) {
+    apply_theme(*qApp, Theme::light);
+    QWidget window;
+    auto* column = new QVBoxLayout(&window);
+    auto* day = new QDateEdit;
+    day->setCalendarPopup(true);
+    auto* words = new QLineEdit;
+    column->addWidget(day);
+    column->addWidget(words);
+    window.show();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    const auto edge = [](QWidget* field) {
+        return field->grab().toImage().pixelColor(0, field->height() / 2).name().toStdString();
+    };
+    for (QWidget* field : {static_cast<QWidget*>(day), static_cast<QWidget*>(words)}) {
+        field->setFocus();
+        EXPECT_EQ(edge(field), palette_of(Theme::light).accent.name().toStdString());
+    }
+    EXPECT_EQ(edge(day), palette_of(Theme::light).line.name().toStdString());
 }
 
 }  // namespace
