@@ -2,6 +2,7 @@
 #include "ui/dashboards/limits_page.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDir>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -12,6 +13,7 @@
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "sim_core/scene/fidelity.h"
 #include "sim_core/scene/standard_names.h"
 #include "ui/charts/chart_frame.h"
 #include "ui/dashboards/limit_rows.h"
@@ -30,6 +32,11 @@ constexpr std::size_t least_values = 8;  // for a spread that means something
 
 bool same_key(const BenchmarkKey& a, const BenchmarkKey& b) {
     return benchmark_name(a) == benchmark_name(b);
+}
+
+QString fidelity_title(const std::string& name) {
+    const NameRow<FidelityLevel>* row = find_row(fidelity_levels, name);
+    return row == nullptr ? text(name) : QCoreApplication::translate("fulcrum::fidelity", row->title);
 }
 
 }  // namespace
@@ -157,7 +164,7 @@ void LimitsPage::choose_task() {
     for (const BenchmarkSet& set : in_force_) {
         QStringList parts{device_class_text(set.device_class)};
         if (set.variant_family != standard_variant) parts << variant_title(task(), set.variant_family);
-        if (set.fidelity != standard_fidelity) parts << text(set.fidelity);
+        if (set.fidelity != standard_fidelity) parts << fidelity_title(set.fidelity);
         keys_->addItem(parts.join(QStringLiteral(" · ")));
     }
     for (int row = 0; row < keys_->count(); ++row)
