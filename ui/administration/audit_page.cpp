@@ -193,7 +193,8 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
     for (const database::AuditEntry& entry : entries) {
         const int row = table_->rowCount();
         table_->insertRow(row);
-        const QString cells[] = {local_time(entry.time),  text(entry.actor_name),
+        const QString actor = entry.actor_id == entry.station_id ? tr("Station") : text(entry.actor_name);
+        const QString cells[] = {local_time(entry.time),  actor,
                                  role_text(entry.role),   audit_operation_text(entry.operation),
                                  text(entry.person_name), audit_details_text(entry.operation, entry.payload)};
         for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));

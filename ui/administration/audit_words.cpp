@@ -160,6 +160,13 @@ constexpr WordsOf members[] = {
     {"verifier", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "verifier")},
 };
 
+constexpr WordsOf stored_answers[] = {
+    {"yes", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "yes")},
+    {"no", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "no")},
+    {"on", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "on")},
+    {"off", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "off")},
+};
+
 /// Names separated by commas or spaces.
 QString roles_text(const QString& stored) {
     QStringList shown;
@@ -181,10 +188,11 @@ QString value_text(const std::string& operation, const std::string& name, const 
         const auto* const state = find_row(attempt_states, plain(stored));
         return state == nullptr ? stored : attempt_state(state->kind);
     }
-    if (operation != "person.set_active" && operation != "store.create") return stored;
-    if (stored == QLatin1String("yes")) return QCoreApplication::translate("fulcrum::ui::audit", "yes");
-    if (stored == QLatin1String("no")) return QCoreApplication::translate("fulcrum::ui::audit", "no");
-    return stored;
+    if (operation != "person.set_active" && operation != "store.create" &&
+        operation != "setting.sign_in_picker")
+        return stored;
+    const QString answer = words_in(stored_answers, plain(stored), "fulcrum::ui::audit");
+    return answer.isEmpty() ? stored : answer;
 }
 
 }  // namespace
@@ -205,6 +213,8 @@ QString audit_member_text(const std::string& name) {
 }
 
 QString audit_details_text(const std::string& operation, const std::string& payload) {
+    if (payload == "payload erased")
+        return QCoreApplication::translate("fulcrum::ui::audit", "payload erased");
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
     if (!document.isObject()) return text(payload);
     const QJsonObject stored = document.object();

@@ -38,6 +38,7 @@ QString role_text(const std::string& role) {
     if (role == "educator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "educator"));
     if (role == "director") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "director"));
     if (role == "administrator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "administrator"));
+    if (role == "station") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "station"));
     return QString::fromStdString(role);
 }
 

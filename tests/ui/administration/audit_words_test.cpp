@@ -73,6 +73,9 @@ TEST(AuditWords, DetailsAreInTheReadersLanguage) {
     EXPECT_EQ(details("person.rename", {{"before", "yes"}}), "vorher: yes") << "a name stays a name";
     EXPECT_EQ(details("attempt.begin", {{"mode", "assessed"}, {"task", "A2"}}),
               "Modus: " + mode_text(AttemptMode::assessed).toStdString() + "; Aufgabe: A2");
+    EXPECT_EQ(details("setting.sign_in_picker", {{"after", "on"}}), "nachher: ein");
+    EXPECT_EQ(audit_details_text("person.rename", "payload erased"), "Inhalt gelöscht");
+    EXPECT_EQ(role_text("station"), "Arbeitsplatz") << "what the station does by itself";
     int untranslated = 0;
     for (const std::string& name : names) untranslated += audit_member_text(name) == text(name) ? 1 : 0;
     use_language(Language::english);

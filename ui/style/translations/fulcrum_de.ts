@@ -11879,6 +11879,10 @@ und %1 weitere</translation>
             <numerusform>%n Einträge gezeigt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Station</source>
+        <translation>Arbeitsplatz</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::BenchmarkPage</name>
@@ -19960,6 +19964,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>no</source>
         <translation>nein</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>payload erased</source>
+        <translation>Inhalt gelöscht</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::certificate</name>
@@ -20905,6 +20921,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Nothing has happened yet. To confirm, choose: %1</source>
         <translation>Noch ist nichts geschehen. Zur Bestätigung wählen: %1</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>Arbeitsplatz</translation>
     </message>
 </context>
 <context>
