@@ -64,7 +64,9 @@ const QSet<QString>& data_words() {
         "dora", "Spring", "Department", "of", "Surgery", "University", "Hospital",
         // Names.
         "Fulcrum", "English", "Deutsch", "PDF", "CSV", "XLSX", "JSON", "OpenIGTLink", "OpenGL",
-        "peg-transfer",
+        "peg-transfer", "postgresql", "USB", "JIGSAWS", "PerkTutor", "ROSMA",
+        // The stages' titles in a draft, where they are edited as they are stored.
+        "Instruments", "Tissue", "Dissection",
         // Units.
         "mm", "ms", "mL", "mJ", "mN", "Nm", "Ns", "kPa", "Pa", "Hz", "min", "MiB", "kB", "MB"};
     return words;
@@ -127,7 +129,10 @@ class MarkedTexts : public Screens {
         for (const QString& said : Heard::lines()) take(said, screen + ", announced");
         Heard::lines().clear();
         for (const QWidget* widget : window->findChildren<QWidget*>()) {
-            if (widget->objectName().startsWith("qt_")) continue;
+            // Qt's own parts: Qt translates what they say.
+            if (widget->objectName().startsWith("qt_") ||
+                qobject_cast<const QTabBar*>(widget->parentWidget()) != nullptr)
+                continue;
             const QString place =
                 screen + ", " + widget->metaObject()->className() + ' ' + widget->objectName();
             for (const QString& shown : texts_of(*widget)) take(shown, place);
