@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QDateEdit>
+#include <QDialog>
 #include <QEvent>
 #include <QFrame>
 #include <QImage>
@@ -20,6 +21,7 @@
 
 #include "tests/ui/colour_vision.h"
 #include "ui/style/standing_badge.h"
+#include "ui/style/widgets.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
@@ -151,6 +153,36 @@ TEST(StyleSheet, AFieldForADayShowsTheKeyboardAsOtherFieldsDo) {
         EXPECT_EQ(edge(field), palette_of(Theme::light).accent.name().toStdString());
     }
     EXPECT_EQ(edge(day), palette_of(Theme::light).line.name().toStdString());
+}
+
+TEST(ThemeSwitch, ReachesWhatIsHiddenWithTheRoleAndTheSizeOfTextThatAreInForce) {
+    apply_theme(*qApp, Theme::light);
+    QWidget window, never_shown;
+    QDialog dialog(&window);
+    std::vector<QLabel*> labels;
+    for (QWidget* place : {&window, &never_shown, static_cast<QWidget*>(&dialog)}) {
+        labels.push_back(new QLabel(QStringLiteral("words"), place));
+        labels.back()->setProperty("role", "muted");
+        labels.back()->ensurePolished();
+    }
+    auto* title = new QLabel(QStringLiteral("words"), &never_shown);
+    title->setProperty("role", "title");
+    title->ensurePolished();
+    EXPECT_DOUBLE_EQ(title->font().pointSizeF(), 20);
+    const auto shown = [](const QLabel* label) { return label->palette().color(QPalette::WindowText); };
+    apply_theme(*qApp, Theme::dark);
+    for (const QLabel* label : labels) EXPECT_EQ(shown(label), palette_of(Theme::dark).muted);
+    set_role(labels[1], "good");
+    EXPECT_EQ(shown(labels[1]), palette_of(Theme::dark).good);
+    apply_theme(*qApp, Theme::light);
+    EXPECT_EQ(shown(labels[0]), palette_of(Theme::light).muted);
+    EXPECT_EQ(shown(labels[1]), palette_of(Theme::light).good);
+    EXPECT_EQ(shown(labels[2]), palette_of(Theme::light).muted);
+    apply_text_size(*qApp, 200);
+    EXPECT_DOUBLE_EQ(title->font().pointSizeF(), 40);
+    EXPECT_EQ(shown(labels[2]), palette_of(Theme::light).muted);
+    apply_text_size(*qApp, 100);
+    EXPECT_DOUBLE_EQ(title->font().pointSizeF(), 20);
 }
 
 }  // namespace
