@@ -342,6 +342,9 @@ inline void say(Answer& to, const ExpertCandidate& one) {
 inline void say(Answer& to, const CriticalError& error) {
     to.all(error.event, error.hand, error.tissue, error.time_s);
 }
+inline void say(Answer& to, const StaleScore& one) {
+    to.all(one.attempt_id, one.person_id, one.person_name, one.task_id, one.why, one.passed);
+}
 inline void say(Answer& to, const TimeInterval& interval) {
     to.all(interval.begin, interval.end);
 }
