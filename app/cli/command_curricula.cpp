@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/installed_curriculum.h"
+#include "app/cli/placed_assets.h"
 #include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "sim_core/numerics/input_error.h"
@@ -42,8 +43,8 @@ int run_list(const Arguments& arguments) {
     std::map<std::string, int> people;
     if (arguments.has("--db")) {
         const database::Store store = open_store(arguments, false);
-        Curricula(store).check(newest);
-        people = Curricula(store).people();
+        check_followed(store, newest);
+        people = Curricula(store).people(newest);
     }
     json versions = json::array();
     const auto add = [&](const Curriculum& one) {
@@ -74,6 +75,12 @@ json to_json(const CurriculumChange& change) {
             {"after", change.only_before ? json() : json(standing_name(change.after))}};
 }
 
+std::string login_of(const database::Store& store, const database::Session& session,
+                     const std::string& person) {
+    const auto found = database::People(store).find(session, person);
+    return found ? found->login : person;
+}
+
 int run_move(const Arguments& arguments) {
     if (!arguments.has("--to"))
         throw UsageError("--to", QT_TRANSLATE_NOOP("errors", "is missing"),
@@ -87,23 +94,32 @@ int run_move(const Arguments& arguments) {
     const database::Session session = person_session(arguments, store);
     const Curriculum newest = installed_curriculum();
     const Curricula curricula(store);
-    curricula.check(newest);
-    const std::vector<std::string> people = chosen_people(arguments, store, session);
-    json rows = json::array();
-    for (const std::string& person : people) {
+    check_followed(store, newest);
+    std::vector<std::string> people;
+    json rows = json::array(), left_out = json::array();
+    for (const std::string& person : chosen_people(arguments, store, session)) {
+        if (const std::string name = curricula.missing(session, person, newest);
+            !name.empty() && arguments.has("--cohort")) {
+            left_out.push_back({{"person", login_of(store, session, person)}, {"from", name}});
+            continue;
+        }
+        people.push_back(person);
         json changes = json::array();
         for (const CurriculumChange& change : curricula.preview(session, person, newest, to))
             changes.push_back(to_json(change));
-        const auto found = database::People(store).find(session, person);
-        rows.push_back({{"person", found ? found->login : person},
+        rows.push_back({{"person", login_of(store, session, person)},
                         {"from", curricula.followed(session, person, newest).back().name},
                         {"changes", changes}});
     }
     const int moved = dry ? 0 : curricula.move(session, people, newest, to, *arguments.value("--reason"));
     if (arguments.has("--json")) {
-        print_json({{"to", to}, {"dry_run", dry}, {"moved", moved}, {"people", rows}});
+        print_json(
+            {{"to", to}, {"dry_run", dry}, {"moved", moved}, {"people", rows}, {"left_out", left_out}});
         return 0;
     }
+    for (const json& row : left_out)
+        std::cerr << row["person"].get<std::string>() << ": "
+                  << line_of(database::not_here_words(row["from"].get<std::string>())) << '\n';
     for (const json& row : rows) {
         std::cout << row["person"].get<std::string>() << ": " << row["from"].get<std::string>() << " to "
                   << to;

@@ -16,13 +16,9 @@ std::vector<database::PlacedAsset> place_assets(const database::Store& store) {
         store, {assets_folder(), all_installed_tasks(), load_forms(asset_path("forms"))});
 }
 
-bool take_over_accepted(const database::Store& store) {
-    bool new_curriculum = false;
-    for (const database::PlacedAsset& one : place_assets(store)) {
-        new_curriculum = new_curriculum || (!one.refused && one.file.name.rfind("curricula/", 0) == 0);
+void take_over_accepted(const database::Store& store) {
+    for (const database::PlacedAsset& one : place_assets(store))
         if (one.refused) std::cerr << one.file.name << ": " << line_of(*one.refused) << '\n';
-    }
-    return new_curriculum;
 }
 
 std::optional<Curriculum> newer_curriculum(const database::Store& store, const Curriculum& known) {
@@ -36,6 +32,11 @@ std::optional<Curriculum> newer_curriculum(const database::Store& store, const C
         return std::nullopt;
     database::Curricula(store).check(now);
     return now;
+}
+
+void check_followed(const database::Store& store, const Curriculum& installed) {
+    for (const database::MissingCurriculum& one : database::Curricula(store).check(installed))
+        std::cerr << line_of(one.words()) << "; " << line_of(database::not_here_hint()) << '\n';
 }
 
 void print_placed(const std::vector<database::PlacedAsset>& placed) {

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <list>
 #include <map>
-#include <mutex>
 #include <random>
 
 #include "app/cli/command_line.h"
@@ -23,6 +22,7 @@
 #include "app/services/device_list.h"
 #include "app/services/devices.h"
 #include "app/services/expert_attempt.h"
+#include "app/services/ghosts.h"
 #include "app/services/replay_source.h"
 #include "app/services/sending.h"
 #include "app/services/sounds.h"
@@ -72,8 +72,8 @@ class Services : public ui::ApplicationServices {
         if (!demo && !database::ServerAddress::is_address(path) && database::Store::exists(path))
             database::require_quick_check(path);
         auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
-        if (!demo && !opened->is_server() && take_over_accepted(*opened))
-            curricula_.push_back(installed_curriculum());
+        // Also where its file was put there since, by another program of the station.
+        if (auto newer = newer_curriculum(*opened, curriculum())) curricula_.push_back(std::move(*newer));
         database::Curricula(*opened).check(curriculum());
         if (!demo && !opened->is_read_only()) database::erase_listed(*opened);
         store_ = std::move(opened);
@@ -132,8 +132,11 @@ class Services : public ui::ApplicationServices {
                              QT_TRANSLATE_NOOP("errors", "choose practice"));
         LoadedTask loaded = load_site_task(*store_, request.session, {request.task_id, request.variant, {}});
         if (request.assessed) require_assessable(loaded.task, request.device_class);
+        if (request.assessed)
+            database::Curricula(*store_).require_here(request.session, request.session.person_id(),
+                                                      curriculum());
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
-        const std::vector<database::AssetFile> unknown =
+        const auto unknown =
             database::AcceptedAssets(*store_).unknown(assets_of(request.session, loaded, limits));
         if (request.assessed && !unknown.empty())
             throw InputError({QT_TRANSLATE_NOOP("errors", "task %1"), loaded.task.id}, "",
@@ -150,7 +153,7 @@ class Services : public ui::ApplicationServices {
         live.limits = limits;
         if (request.ghost) live.seed = demonstration_seed;
         if (live.seed == 0) live.seed = draw_seed();
-        if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
+        if (request.ghost) live.make_ghost = ghosts_.maker(live.loaded);
         live.meta = attempt_meta(live.loaded, live.seed,
                                  request.assessed ? AttemptMode::assessed : AttemptMode::practice,
                                  request.device_class, request.device, limits);
@@ -327,28 +330,6 @@ class Services : public ui::ApplicationServices {
     std::string program_version() const override { return version_line(); }
 
   private:
-    /// Ghosts that were made, by scene and task; kept while the program runs.
-    struct Ghosts {
-        std::mutex mutex;
-        std::map<std::string, std::shared_ptr<const GhostPath>> made;
-    };
-    std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>&)> ghost_maker(
-        const LoadedTask& loaded) const {
-        return [loaded, ghosts = ghosts_](const std::atomic<bool>& stop) {
-            const std::string key = loaded.task.id + '\n' + loaded.scene_text;
-            {
-                const std::lock_guard<std::mutex> lock(ghosts->mutex);
-                if (const auto found = ghosts->made.find(key); found != ghosts->made.end())
-                    return found->second;
-            }
-            auto made =
-                make_ghost(loaded.scene, loaded.task, demonstration_seed, [&stop] { return !stop.load(); });
-            const std::lock_guard<std::mutex> lock(ghosts->mutex);
-            if (made != nullptr) ghosts->made[key] = made;
-            return made;
-        };
-    }
-
     std::unique_ptr<ui::AttemptSession> begin(LiveRequest live) {
         in_advance_.stop();
         live.tap = sending_.begin(live.loaded.scene, live.seed);
@@ -386,7 +367,7 @@ class Services : public ui::ApplicationServices {
         live.session = request.session;
         live.limits = limits;
         live.bring = std::move(bring);
-        if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
+        if (request.ghost) live.make_ghost = ghosts_.maker(live.loaded);
         return begin(std::move(live));
     }
     std::unique_ptr<ui::AttemptSession> begin_at_moment(const ui::AttemptRequest& request) {
@@ -459,7 +440,7 @@ class Services : public ui::ApplicationServices {
     FramesInAdvance in_advance_;
     std::map<std::string, std::weak_ptr<void>> open_replays_;  ///< by attempt
     bool frames_swept_ = false;  ///< once for each store opened: frames whose attempts are gone
-    std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
+    Ghosts ghosts_{demonstration_seed};
     Sending sending_;
     Sounds sounds_;
     Devices devices_{device_from_environment().empty() ? Devices::chosen() : device_from_environment()};

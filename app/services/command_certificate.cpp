@@ -6,11 +6,11 @@
 
 #include "app/cli/attempt_document.h"
 #include "app/cli/installed_curriculum.h"
+#include "app/cli/placed_assets.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
 #include "database/records/certificates.h"
-#include "database/records/curricula.h"
 #include "database/rows/attempt_records.h"
 #include "ui/reports/certificate.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 Curriculum curriculum(const database::Store& store) {
     Curriculum installed = installed_curriculum();
-    database::Curricula(store).check(installed);
+    check_followed(store, installed);
     return installed;
 }
 

@@ -5,12 +5,12 @@
 
 #include "app/cli/attempt_document.h"
 #include "app/cli/installed_curriculum.h"
+#include "app/cli/placed_assets.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/task/task.h"
-#include "database/records/curricula.h"
 #include "ui/reports/report.h"
 #include "ui/reports/report_xapi.h"
 
@@ -73,7 +73,7 @@ int run_report(const Arguments& arguments) {
     std::vector<TaskDefinition> tasks;
     for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
     const Curriculum curriculum = installed_curriculum();
-    database::Curricula(store).check(curriculum);
+    check_followed(store, curriculum);
     request.curriculum = &curriculum;
     const std::vector<std::string> files = ui::write_report(store, session, request, tasks, version_line());
     return report_files(arguments, files);

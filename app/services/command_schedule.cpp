@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/installed_curriculum.h"
+#include "app/cli/placed_assets.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/task/task.h"
-#include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "database/schedules/schedules.h"
 #include "ui/reports/scheduled_reports.h"
@@ -104,7 +104,7 @@ int run_due(const Arguments& arguments) {
     std::vector<TaskDefinition> tasks;
     for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
     const Curriculum curriculum = installed_curriculum();
-    database::Curricula(store).check(curriculum);
+    check_followed(store, curriculum);
     const ui::ScheduledRun run =
         ui::run_schedules(store, session, {tasks, curriculum, version_line()}, {}, {});
     json failed = json::array();

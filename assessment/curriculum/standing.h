@@ -72,6 +72,7 @@ struct StandingOverride {
 struct CurriculumAssignment {
     std::int64_t time = 0;  ///< UTC ms
     const Curriculum* curriculum = nullptr;
+    std::string missing = {};  ///< followed version that is not installed, `curriculum` is in its place
 };
 
 struct PersonRecord {

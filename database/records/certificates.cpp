@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "assessment/curriculum/standing.h"
+#include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
@@ -95,15 +96,16 @@ bool has_more(const Certificate& certificate, const std::vector<Certificate>& be
     });
 }
 
-}  // namespace
-
-std::vector<Certificate> certificates(const Store& store, const Session& session,
-                                      const std::string& person_id, const Curriculum& newest) {
+/// As certificates(). `missing`: a version that the person follows and that is not installed; then none.
+std::vector<Certificate> made_of(const Store& store, const Session& session, const std::string& person_id,
+                                 const Curriculum& newest, std::string& missing) {
     const PersonRecord record = Standings(store).record(session, person_id, newest);
     const std::int64_t at = store.now();  // one moment: a move may come into force at any
     if (store.is_demo()) return {};
     const std::optional<Person> person = People(store).find(session, person_id);
     if (!person || person->kind != PersonKind::real) return {};
+    missing = missing_in(record.assignments, at);
+    if (!missing.empty()) return {};
     const std::vector<Period> periods = periods_of(record.assignments, at);
     std::vector<Certificate> made;
     for (const Period& period : periods) {
@@ -138,14 +140,37 @@ std::vector<Certificate> certificates(const Store& store, const Session& session
     return made;
 }
 
+}  // namespace
+
+std::vector<Certificate> certificates(const Store& store, const Session& session,
+                                      const std::string& person_id, const Curriculum& newest) {
+    std::string missing;
+    std::vector<Certificate> made = made_of(store, session, person_id, newest, missing);
+    if (!missing.empty())
+        throw StoreError(StoreErrorKind::bad_value, not_here_words(missing), not_here_hint());
+    return made;
+}
+
 std::optional<Certificate> find_certificate(const Store& store, const Session& session,
                                             const std::string& code, const Curriculum& curriculum) {
     const std::string wanted = plain_code(code);
+    int unknown = 0;
     for (const Person& person : People(store).list(session)) {
         if (!store.allowed(session, Operation::read_progress, Subject::person(person.id))) continue;
-        for (Certificate& one : certificates(store, session, person.id, curriculum))
+        std::string missing;
+        for (Certificate& one : made_of(store, session, person.id, curriculum, missing))
             if (plain_code(one.code) == wanted) return std::move(one);
+        if (!missing.empty()) ++unknown;
     }
+    // It may be one of theirs.
+    if (unknown > 0)
+        throw StoreError(StoreErrorKind::bad_value,
+                         {QT_TRANSLATE_NOOP("errors",
+                                            "no certificate with this code was found, but of people who "
+                                            "follow a curriculum that is not at this station none can be "
+                                            "looked at (how many: %1)"),
+                          unknown},
+                         not_here_hint());
     return std::nullopt;
 }
 

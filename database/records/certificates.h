@@ -37,11 +37,13 @@ struct Certificate {
 /// Of the stages that a person has completed under each version that the person has followed, the oldest
 /// first, in the order of its stages. None where an earlier certificate has all of its tasks: of the same
 /// stage after a move, for example. None in the demonstration and for synthetic people, none for a stage with
-/// a relapsed task. Checked as read_progress. Throws AccessDenied, StoreError.
+/// a relapsed task. Checked as read_progress. Throws AccessDenied, StoreError (also where a version that the
+/// person follows is not at this station).
 std::vector<Certificate> certificates(const Store& store, const Session& session,
                                       const std::string& person_id, const Curriculum& curriculum);
 /// The certificate with this code, among the people whose progress the session may read; capitals, spaces and
-/// hyphens of `code` do not matter. Throws as certificates().
+/// hyphens of `code` do not matter. Throws AccessDenied, StoreError (also where it is not found, and people
+/// follow a version that is not at this station: it may be theirs).
 std::optional<Certificate> find_certificate(const Store& store, const Session& session,
                                             const std::string& code, const Curriculum& curriculum);
 

@@ -11,6 +11,7 @@ namespace {
 void add_plan(CohortDashboard& dashboard, const std::vector<PersonStandings>& people, std::int64_t today) {
     for (std::size_t p = 0; p < people.size(); ++p) {
         const PersonStandings& person = people[p];
+        if (person.not_here) continue;  // how many tasks are done is not known
         if (!person.begun) {
             dashboard.not_begun.push_back({p});
             continue;

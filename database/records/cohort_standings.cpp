@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "assessment/scoring/score.h"
+#include "database/records/curricula.h"
 
 namespace fulcrum::database {
 namespace {
@@ -66,7 +67,9 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     record.assignments = followed;
     if (followed.empty()) record.assignments.push_back({0, &curriculum});
     const Curriculum& own = *curriculum_at(record.assignments, at);
-    person.curriculum = own.name();
+    const std::string missing = missing_in(record.assignments, at);
+    person.curriculum = missing.empty() ? own.name() : missing;
+    person.not_here = !missing.empty();
     std::map<std::int64_t, int> days;
     std::int64_t last_practice = 0;
     std::map<std::string_view, std::vector<const AttemptSummary*>> counting;  // by task
@@ -84,6 +87,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     }
     for (const auto& [day, count] : days) person.days.push_back({day, count});
     for (const OverrideRow& row : overrides) record.overrides.push_back(row.decision);
+    if (person.not_here) record = {};  // what another version would say of it is not the standing
     const std::vector<TaskStanding> standings = standing_of(record, at);
     PointsByTask points;
     for (const CurriculumTask& shown : curriculum.tasks) {
@@ -115,7 +119,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                               task.recent.end() - static_cast<std::ptrdiff_t>(most_recent));
         person.tasks.push_back(std::move(task));
     }
-    person.concerns = concerns_of(standings, points, last_practice, pass_mark, at);
+    if (!person.not_here) person.concerns = concerns_of(standings, points, last_practice, pass_mark, at);
     return person;
 }
 
@@ -133,6 +137,7 @@ std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people
                           event > 0});
         };
         for (const PersonStandings& person : people) {
+            if (person.not_here) continue;
             const PersonTask& task = person.tasks[t];
             ++one.people[task.standing.standing];
             if (task.standing.provisional && task.standing.standing != Standing::due) ++one.provisional;

@@ -45,7 +45,10 @@ struct PracticeDay {
 
 struct PersonStandings {
     std::string person_id, login, name;
-    std::string curriculum;         ///< version that the person follows, "rectal@2"
+    std::string curriculum;  ///< version that the person follows, "rectal@2"
+    /// That version is not at this station: nothing can be said of the standing. `tasks` are all locked then,
+    /// and there are no concerns.
+    bool not_here = false;
     std::vector<PersonTask> tasks;  ///< of the curriculum, in its order
     std::vector<PracticeDay> days;  ///< oldest first
     /// The first day with an attempt at a task of ours, as PracticeDay::day; none: not begun. What was

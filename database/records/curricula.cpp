@@ -2,6 +2,7 @@
 #include "database/records/curricula.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "database/records/attempt_query.h"
@@ -91,7 +92,10 @@ std::vector<CurriculumAssignment> assignments_of(const std::vector<FollowedCurri
     std::vector<CurriculumAssignment> result;
     for (const FollowedCurriculum& one : followed) {
         const Curriculum* version = newest.version_named(one.name);
-        result.push_back({one.since, version == nullptr ? &newest : version});
+        if (version == nullptr)
+            result.push_back({one.since, &newest, one.name});
+        else
+            result.push_back({one.since, version});
     }
     return result;
 }
@@ -127,6 +131,36 @@ bool is_text_of(const Store& store, const std::string& name, const Curriculum& v
 
 }  // namespace
 
+Sentence MissingCurriculum::words() const {
+    return {QT_TRANSLATE_NOOP("errors",
+                              "the curriculum %2 is not installed, but people follow it (how many: %1)"),
+            people, name};
+}
+
+Sentence not_here_words(const std::string& name) {
+    return {QT_TRANSLATE_NOOP("errors",
+                              "nothing can be said of a standing: the person follows the curriculum %1, "
+                              "which is not at this station"),
+            name};
+}
+
+Sentence not_here_hint() {
+    return QT_TRANSLATE_NOOP("errors",
+                             "exchange with the programme server, or install it (a newer version of the "
+                             "program, or the file that was published at another station)");
+}
+
+std::string missing_in(const std::vector<CurriculumAssignment>& assignments, std::int64_t at) {
+    std::string name;
+    std::int64_t since = std::numeric_limits<std::int64_t>::min();
+    for (const CurriculumAssignment& one : assignments) {
+        if (one.missing.empty() || one.time > at || one.time < since) continue;
+        name = one.missing;
+        since = one.time;
+    }
+    return name;
+}
+
 bool decides_curriculum(const AttemptSummary& attempt, bool is_copy) {
     return !is_external_task(attempt.meta.task_id) && attempt.voided_at == 0 && !is_copy;
 }
@@ -160,8 +194,20 @@ const Curriculum& Curricula::in_force(const Session& session, const std::string&
     return *curriculum_at(assignments(session, person_id, newest), store_.now());
 }
 
+std::string Curricula::missing(const Session& session, const std::string& person_id,
+                               const Curriculum& newest) const {
+    return missing_in(assignments(session, person_id, newest), store_.now());
+}
+
+void Curricula::require_here(const Session& session, const std::string& person_id,
+                             const Curriculum& newest) const {
+    const std::string name = missing(session, person_id, newest);
+    if (!name.empty()) throw StoreError(StoreErrorKind::bad_value, not_here_words(name), not_here_hint());
+}
+
 std::vector<CurriculumChange> Curricula::preview(const Session& session, const std::string& person_id,
                                                  const Curriculum& newest, const std::string& to) const {
+    require_here(session, person_id, newest);
     const std::int64_t now = store_.now();
     PersonRecord record = Standings(store_).record(session, person_id, newest);
     const std::vector<TaskStanding> before = standing_of(record, now);
@@ -187,8 +233,10 @@ std::vector<CurriculumChange> Curricula::preview(const Session& session, const s
 
 int Curricula::move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
                     const std::string& to, const std::string& reason) const {
-    for (const std::string& person : people)
+    for (const std::string& person : people) {
         store_.require(educator, Operation::decide_standing, Subject::person(person));
+        require_here(educator, person, newest);
+    }
     require_version(newest, to);
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
         throw StoreError(StoreErrorKind::bad_value,
@@ -222,7 +270,7 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
     return moved;
 }
 
-std::map<std::string, int> Curricula::people() const {
+std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
     // Each row is one entry of a person; somebody who was entered twice has two, which belong to one person.
     struct Decision {
         std::int64_t moved = -1, begun = -1;  // time of the last move, of the first attempt; -1: none
@@ -257,25 +305,19 @@ std::map<std::string, int> Curricula::people() const {
         }
     }
     std::map<std::string, int> result;
-    for (const auto& [person, decision] : decisions) ++result[decision.curriculum];
+    for (const auto& [person, decision] : decisions)
+        ++result[followed_first(decision.curriculum, newest).name];
     return result;
 }
 
-void Curricula::check(const Curriculum& newest) const {
-    for (const auto& [name, count] : people()) {
-        if (name.empty()) continue;
+std::vector<MissingCurriculum> Curricula::check(const Curriculum& newest) const {
+    std::vector<MissingCurriculum> not_here;
+    for (const auto& [name, count] : people(newest)) {
         const Curriculum* version = newest.version_named(name);
-        if (version == nullptr)
-            throw InputError(
-                "assets/curricula", "",
-                {QT_TRANSLATE_NOOP("errors",
-                                   "the curriculum %2 is not installed, but people follow it (how many: %1)"),
-                 count, name},
-                QT_TRANSLATE_NOOP(
-                    "errors",
-                    "put its file back next to the newer one (one that was published at another "
-                    "station: `fulcrum assets place`); people stay on their version until an "
-                    "educator moves them"));
+        if (version == nullptr) {
+            not_here.push_back({name, count});
+            continue;
+        }
         if (!version->text.empty() && !is_text_of(store_, name, *version))
             throw InputError(
                 "curricula/" + version->file, "/version",
@@ -288,6 +330,7 @@ void Curricula::check(const Curriculum& newest) const {
                     "a version in use is never edited: restore this file, write the change to a new file "
                     "with /version raised, and move people with fulcrum curriculum move"));
     }
+    return not_here;
 }
 
 }  // namespace fulcrum::database

@@ -13,6 +13,7 @@
 #include "assessment/curriculum/standing.h"
 #include "database/rows/attempt_records.h"
 #include "database/store/store.h"
+#include "sim_core/numerics/sentence.h"
 
 namespace fulcrum::database {
 
@@ -22,6 +23,20 @@ struct FollowedCurriculum {
     std::string moved_by;    ///< display name; "": nobody, it is the first one
     std::string reason;      ///< of the move
 };
+
+/// A version that people follow and that has no file at this station. It may have come with an exchange, from
+/// a station that is newer or that keeps what it publishes: no fault of this one.
+struct MissingCurriculum {
+    std::string name;  ///< "rectal@1001"
+    int people = 0;    ///< how many follow it
+    Sentence words() const;
+};
+/// Why nothing can be said of the standing of a person who follows this version.
+Sentence not_here_words(const std::string& name);
+/// What to do about it.
+Sentence not_here_hint();
+/// The newest version up to `at` that is not installed; empty: all are. `at`: UTC ms.
+std::string missing_in(const std::vector<CurriculumAssignment>& assignments, std::int64_t at);
 
 /// What a move changes in one task.
 struct CurriculumChange {
@@ -42,7 +57,7 @@ class Curricula {
     std::vector<FollowedCurriculum> followed(const Session& session, const std::string& person_id,
                                              const Curriculum& newest) const;
     /// The same for standing_of(). They point into `newest`. A version that is not installed: `newest` in its
-    /// place (check() reports it).
+    /// place, and CurriculumAssignment::missing names it.
     std::vector<CurriculumAssignment> assignments(const Session& session, const std::string& person_id,
                                                   const Curriculum& newest) const;
     /// The same of every member of a cohort whose attempts were read. `begun_with`: by person, what the first
@@ -53,21 +68,26 @@ class Curricula {
     /// The version that the person follows now: a move whose time lies ahead is not yet in force.
     const Curriculum& in_force(const Session& session, const std::string& person_id,
                                const Curriculum& newest) const;
+    /// The version that the person follows, or has followed, and that is not installed; empty: all are. Of
+    /// the person's standing nothing can be said then. Checked as read_progress.
+    std::string missing(const Session& session, const std::string& person_id, const Curriculum& newest) const;
+    /// Throws StoreError where there is one.
+    void require_here(const Session& session, const std::string& person_id, const Curriculum& newest) const;
     /// What moving the person to this version would change, the tasks that stay as they are left out.
-    /// Changes nothing. Throws AccessDenied, StoreError (no such version).
+    /// Changes nothing. Throws AccessDenied, StoreError (no such version, the person's own is not installed).
     std::vector<CurriculumChange> preview(const Session& session, const std::string& person_id,
                                           const Curriculum& newest, const std::string& to) const;
     /// Moves people, except those who follow `to` already. All or nobody. `reason`: 1 to 4,000 characters.
     /// Returns how many were moved. Checked for each person as decide_standing. Throws AccessDenied,
-    /// StoreError.
+    /// StoreError, as preview() does.
     int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
              const std::string& to, const std::string& reason) const;
     /// How many people with such attempts or a move follow each version; somebody who was entered twice is
-    /// one.
-    std::map<std::string, int> people() const;
-    /// Throws InputError where a version that somebody follows is not installed, or its file is not the one
-    /// that attempts were made with.
-    void check(const Curriculum& newest) const;
+    /// one, and attempts that name no version are of the one that followed() gives.
+    std::map<std::string, int> people(const Curriculum& newest) const;
+    /// Throws InputError where the file of a version that somebody follows is not the one that attempts were
+    /// made with. Returns those that are not installed: everybody else can work.
+    std::vector<MissingCurriculum> check(const Curriculum& newest) const;
 
   private:
     const Store& store_;

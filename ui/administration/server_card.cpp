@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "database/records/curricula.h"
 #include "database/sync/enrolment.h"
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
@@ -160,6 +161,8 @@ void ServerCard::run(const QString& line,
             *result = work(options);
         },
         [this, result] {
+            // What came is in force from now on, not from the next start.
+            if (result->complete) context_.guarded([&] { context_.services().look_for_curriculum(); });
             emit ended();
             show_link();
             show_result(*result);
@@ -222,6 +225,11 @@ void ServerCard::show_result(const database::SyncResult& result) {
     if (std::abs(result.clock_ahead_s) > database::clock_tolerance_s)
         lines << tr("The clocks of station and server differ by %1 s: set this one.")
                      .arg(std::llround(std::abs(result.clock_ahead_s)));
+    context_.guarded([&] {
+        const Curriculum& newest = context_.services().curriculum();
+        for (const database::MissingCurriculum& one : database::Curricula(context_.store()).check(newest))
+            lines << QStringLiteral("▲ ") + sentence_text(one.words());
+    });
     for (const Sentence& conflict : result.conflicts) lines << QStringLiteral("▲ ") + sentence_text(conflict);
     result_->setText(lines.join(QLatin1Char('\n')));
     result_->show();

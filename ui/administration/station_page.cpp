@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "database/records/curricula.h"
 #include "database/store/signing_keys.h"
 #include "ui/administration/server_card.h"
 #include "ui/administration/stations_card.h"
@@ -28,6 +29,9 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     place_ = make_label({}, "muted");
     place_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     layout->addWidget(place_);
+    curricula_ = make_label({});
+    curricula_->setObjectName(QStringLiteral("curricula_not_here"));
+    layout->addWidget(curricula_);
     bar_ = new JobBar;
     connect(bar_, &JobBar::cancelled, this, &StationPage::ended);
     layout->addWidget(bar_);
@@ -161,8 +165,21 @@ void StationPage::change_key() {
     }
 }
 
+void StationPage::show_curricula() {
+    QStringList lines;
+    context().guarded([&] {
+        const Curriculum& newest = context().services().curriculum();
+        for (const database::MissingCurriculum& one : database::Curricula(context().store()).check(newest))
+            lines << QStringLiteral("▲ ") + sentence_text(one.words());
+    });
+    if (!lines.isEmpty()) lines << sentence_text(database::not_here_hint());
+    curricula_->setText(lines.join(QLatin1Char('\n')));
+    curricula_->setVisible(!lines.isEmpty());
+}
+
 void StationPage::enter() {
     show_keys();
+    show_curricula();
     server_->show_link();
     stations_->look();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
@@ -199,7 +216,9 @@ void StationPage::free_buttons() {
 
 void StationPage::ended() {
     free_buttons();
-    if (isVisible()) stations_->look();
+    if (!isVisible()) return;
+    stations_->look();
+    show_curricula();
 }
 
 void StationPage::check() {

@@ -33,6 +33,8 @@ class StationPage : public Page {
     QFrame* build_check();
     QFrame* build_backup();
     QFrame* build_key();
+    /// Versions of the curriculum that people follow and that are not here.
+    void show_curricula();
     void show_keys();
     void change_key();
     void ask_backup();
@@ -42,7 +44,7 @@ class StationPage : public Page {
     void ended();
     void free_buttons();
 
-    QLabel *place_, *verdict_;
+    QLabel *place_, *curricula_, *verdict_;
     QTableWidget *items_, *keys_;
     QFrame* key_card_;
     QLineEdit* key_reason_;

@@ -20,6 +20,7 @@
 #include "ui/page/station_note.h"
 #include "ui/page/store_reading.h"
 #include "ui/reports/export_row.h"
+#include "ui/reports/not_here_words.h"
 #include "ui/reports/report_export.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/kept_places.h"
@@ -260,7 +261,8 @@ void CohortPage::show_table(database::CohortTable table, const Curriculum& curri
         line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     }
     line_text += tr(" · Only attempts that count. Types of device are not combined.");
-    summary_->setText(line_text);
+    const QString not_here = not_here_line(data_->standings);
+    summary_->setText(not_here.isEmpty() ? line_text : line_text + QStringLiteral("\n▲ ") + not_here);
     QStringList sets;
     for (const std::string& set : data_->benchmark_sets) sets << text(set);
     versions_->setText(tr("Benchmark sets: %1\nMetrics: %2")

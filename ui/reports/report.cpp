@@ -82,7 +82,7 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
 const TaskStanding* standing_in(const database::CohortTable& table, const std::string& person_id,
                                 const std::string& task_id) {
     for (const database::PersonStandings& person : table.standings) {
-        if (person.person_id != person_id) continue;
+        if (person.person_id != person_id || person.not_here) continue;
         for (const database::PersonTask& task : person.tasks)
             if (task.standing.task == task_id) return &task.standing;
     }

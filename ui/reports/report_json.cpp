@@ -162,6 +162,7 @@ Json rating_state_json(const TaskStanding& standing) {
 Json standings_json(const database::PersonStandings& person) {
     Json tasks = Json::array(), concerns = Json::array();
     for (const database::PersonTask& task : person.tasks) {
+        if (person.not_here) break;
         const TaskStanding& standing = task.standing;
         tasks.push_back({{"task", standing.task},
                          {"standing", row_of(standing_names, standing.standing).name},
@@ -187,6 +188,7 @@ Json standings_json(const database::PersonStandings& person) {
     return {{"person_id", person.person_id},
             {"login", person.login},
             {"curriculum", person.curriculum},
+            {"curriculum_is_here", !person.not_here},
             {"name", person.name},
             {"last_attempt", time_or_null(person.last_attempt)},
             {"tasks", std::move(tasks)},

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ui/charts/attempt_chart.h"
+#include "ui/reports/not_here_words.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/rating_words.h"
 #include "ui/reports/report_dashboard.h"
@@ -212,6 +213,10 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         sheet.to(top + height);
     }
     sheet.skip(4);
+    if (report.standings && report.standings->not_here) {
+        sheet.font(8.5);
+        sheet.paragraph(not_here_line({*report.standings}));
+    }
     const auto turn = [&] {
         footer(sheet, report.provenance, n);
         head();
@@ -344,6 +349,15 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         for (std::size_t t = 0; t < cells.size(); ++t)
             cell_lines(sheet, name_width + static_cast<double>(t) * task_width, task_width, cells[t]);
         sheet.to(top + height);
+    }
+    const QString not_here = not_here_line(report.table.standings);
+    if (!not_here.isEmpty()) {
+        if (sheet.y() + 4 * sheet.line_height() > bottom_of(sheet)) {
+            footer(sheet, report.provenance, n);
+            head();
+        }
+        sheet.font(8.5);
+        sheet.paragraph(not_here);
     }
     footer(sheet, report.provenance, n);
 }

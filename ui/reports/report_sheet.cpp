@@ -33,7 +33,7 @@ const std::vector<SheetColumn>& cohort_columns() {
         {"standing", "-",
          "standing in the curriculum over the device classes that count there: locked, open, attempted, "
          "passed, awaiting_rating, proficient, maintained, due, relapsed; empty: the task does not belong to "
-         "it"},
+         "it, or nothing can be said, since the person follows a version that is not at the station"},
         {"proficient_since_utc", "-", "when proficiency was declared, ISO 8601 UTC; empty: it was not"},
         {"next_check_utc", "-", "when the next retention check is due, ISO 8601 UTC"},
         {"metric_versions", "-", "metric@version of every metric behind the values"},

@@ -8,6 +8,7 @@
 #include <QWindow>
 #include <typeinfo>
 
+#include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "ui/administration/people_page.h"
 #include "ui/language/error_text.h"
@@ -222,6 +223,9 @@ void MainWindow::start() {
                          error.kind() == database::StoreErrorKind::not_a_store);
     } catch (const database::SignInRefused& error) {
         show_trouble(error_text(error), {}, false);
+    } catch (const std::exception& error) {
+        // A file that cannot be used, such as a curriculum that was edited: also this has to be read.
+        show_trouble(error_text(error), {}, false);
     }
 }
 
@@ -355,10 +359,22 @@ void MainWindow::session_changed() {
         show_sign_in();
         return;
     }
+    look_for_followed();
     show_session();
     if (const auto draft = drafts_.take(context_.session())) page<CurriculumPage>()->take_up(*draft);
     context_.score_interrupted();
     if (current_page() != page<FirstStartPage>()) show_home();
+}
+
+/// An exchange of another program (`fulcrum sync`) may have brought it since.
+void MainWindow::look_for_followed() {
+    const std::string& person = context_.session().person_id();
+    if (!context_.allowed(database::Operation::read_progress, database::Subject::person(person))) return;
+    context_.guarded([&] {
+        const Curriculum& newest = context_.services().curriculum();
+        if (!database::Curricula(context_.store()).missing(context_.session(), person, newest).empty())
+            context_.services().look_for_curriculum();
+    });
 }
 
 void MainWindow::show_session() {

@@ -78,6 +78,8 @@ class MainWindow : public QMainWindow {
     /// draft of a curriculum and a one-time password that is shown are kept.
     void rebuild();
     void session_changed();
+    /// The version of the curriculum that the person follows, where it is not installed.
+    void look_for_followed();
     /// Who is signed in, in which roles, and the pages for that.
     void show_session();
     void show_page(Page* page);

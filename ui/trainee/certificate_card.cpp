@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "database/records/certificates.h"
+#include "database/records/curricula.h"
 #include "ui/reports/certificate.h"
 #include "ui/reports/export_row.h"
 #include "ui/style/standing_badge.h"
@@ -38,13 +39,24 @@ void CertificateCard::show_person(const std::string& person_id, const QString& f
     clear_layout(lines_);
     const database::Subject subject = database::Subject::person(person_id);
     std::vector<database::Certificate> made;
+    std::string missing;
     if (!person_id.empty() && context_.allowed(database::Operation::read_progress, subject) &&
         context_.allowed(database::Operation::export_person, subject))
         context_.guarded([&] {
-            made = database::certificates(context_.store(), context_.session(), person_id,
-                                          context_.services().curriculum());
+            const Curriculum& newest = context_.services().curriculum();
+            missing = database::Curricula(context_.store()).missing(context_.session(), person_id, newest);
+            if (missing.empty())
+                made = database::certificates(context_.store(), context_.session(), person_id, newest);
         });
-    setVisible(!made.empty());
+    setVisible(!made.empty() || !missing.empty());
+    if (!missing.empty()) {
+        QLabel* words = make_label(tr("No certificate: the curriculum %1, which is followed, is not at this "
+                                      "station.")
+                                       .arg(text(missing)),
+                                   "muted");
+        words->setObjectName(QStringLiteral("no_certificate"));
+        lines_->addWidget(words);
+    }
     for (const database::Certificate& one : made) {
         auto* row = new QHBoxLayout;
         const QString stage = text(one.stage), title = asset_text(one.stage_title),

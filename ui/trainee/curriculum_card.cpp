@@ -80,9 +80,10 @@ void CurriculumCard::fill() {
     if (followed.empty()) return;
     const database::FollowedCurriculum& now = followed.back();
     const Curriculum* version = newest.version_named(now.name);
-    QLabel* name = make_label(tr("Curriculum: %1, version %2")
-                                  .arg(version == nullptr ? text(now.name) : asset_text(version->title))
-                                  .arg(version == nullptr ? 0 : version->version));
+    QLabel* name = make_label(
+        version == nullptr
+            ? tr("Curriculum: %1").arg(text(now.name))
+            : tr("Curriculum: %1, version %2").arg(asset_text(version->title)).arg(version->version));
     name->setObjectName(QStringLiteral("curriculum_name"));
     lines_->addWidget(name);
     for (const database::FollowedCurriculum& one : followed)
@@ -91,6 +92,19 @@ void CurriculumCard::fill() {
                 tr("Moved to %1 by %2 on %3: %4")
                     .arg(text(one.name), text(one.moved_by), date_text(one.since), text(one.reason)),
                 "muted"));
+    std::string missing;
+    context_.guarded([&] {
+        missing = database::Curricula(context_.store()).missing(context_.session(), person_id_, newest);
+    });
+    if (!missing.empty()) {
+        QLabel* words = make_label(QStringLiteral("▲ %1\n%2")
+                                       .arg(sentence_text(database::not_here_words(missing)),
+                                            sentence_text(database::not_here_hint())));
+        words->setObjectName(QStringLiteral("curriculum_not_here"));
+        lines_->addWidget(words);
+        choice_->hide();
+        return;
+    }
     if (now.name != newest.name())
         lines_->addWidget(make_label(tr("There is a newer version, %1. Each person stays on their version "
                                         "until an educator moves them.")

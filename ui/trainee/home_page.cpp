@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "assessment/scoring/score.h"
+#include "database/records/curricula.h"
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "ui/page/store_reading.h"
@@ -48,11 +49,14 @@ HomeContent read_content(const database::Store& store, const database::Session& 
     content.at = store.now();  // one moment: a move may come into force at any
     content.followed = curriculum_at(record.assignments, content.at);
     if (content.followed == nullptr) content.followed = content.newest.get();
-    content.standings = standing_of(record, content.at);
+    content.missing = database::missing_in(record.assignments, content.at);
+    if (content.missing.empty()) content.standings = standing_of(record, content.at);
     std::map<std::string, std::int64_t> last;
     for (const auto& [task, summary] : content.summaries) last[task] = summary.last_attempt;
-    content.next = recommend(*content.followed, content.standings, last, device);
-    look_for_remedy(store, session, last, content);
+    if (content.missing.empty()) {
+        content.next = recommend(*content.followed, content.standings, last, device);
+        look_for_remedy(store, session, last, content);
+    }
     content.unread = database::Reviews(store).unread(session);
     return content;
 }
@@ -178,6 +182,15 @@ QPushButton* HomePage::remedy_button(const Recommendation& next, const std::stri
 void HomePage::fill_next() {
     clear_layout(next_);
     go_.clear();
+    if (!content_.missing.empty()) {
+        QLabel* words = make_label(tr("You follow the curriculum %1, which is not at this station. Your "
+                                      "standing cannot be shown here, and only practice is possible until "
+                                      "an administrator exchanges with the programme server or installs it.")
+                                       .arg(text(content_.missing)));
+        words->setObjectName(QStringLiteral("curriculum_not_here"));
+        next_->addWidget(words);
+        return;
+    }
     const Recommendation& next = content_.next;
     const CurriculumStage* stage = content_.followed->find_stage(next.stage);
     const bool remedy = next.reason == RecommendationReason::remedy;
@@ -270,7 +283,8 @@ void HomePage::fill_tasks() {
     clear_layout(cards_);
     int index = 0;
     for (const TaskDefinition& task : context().services().tasks()) {
-        if (curriculum.find(task.id) != nullptr) continue;
+        // Without standings all are offered for practice.
+        if (content_.missing.empty() && curriculum.find(task.id) != nullptr) continue;
         cards_->addWidget(task_card(task.id, nullptr, summary_of(task.id)), index / 2, index % 2);
         ++index;
     }

@@ -29,6 +29,8 @@ class StoreReading;
 struct HomeContent {
     std::shared_ptr<const Curriculum> newest;
     const Curriculum* followed = nullptr;  ///< version of it that the trainee follows
+    /// A version that the trainee follows and that is not at this station; then there are no standings.
+    std::string missing;
     std::vector<TaskStanding> standings;
     std::map<std::string, TaskSummary> summaries;  ///< by task
     Recommendation next;

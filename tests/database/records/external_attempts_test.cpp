@@ -99,7 +99,8 @@ TEST_F(External, ChangesNoStandingAndNoCurriculum) {
     for (const TaskStanding& one : standing_of(record, noon)) EXPECT_EQ(one.attempts, 0) << one.task;
     EXPECT_EQ(Curricula(*programme.store).in_force(educator, eve, curriculum).name(), before)
         << "the first attempt at a task of ours says which version is followed";
-    for (const auto& [name, people] : Curricula(*programme.store).people()) EXPECT_NE(name, "") << people;
+    for (const auto& [name, people] : Curricula(*programme.store).people(curriculum))
+        EXPECT_NE(name, "") << people;
 }
 
 TEST_F(External, IsVoidedReassignedAndImportedAgain) {

@@ -168,7 +168,8 @@ inline constexpr Read answered[] = {
      }},
     {"Curricula::people",
      [](const Asked& q) {
-         return sees_everything(q) ? said(Curricula(q.store).people()) : std::string(hidden);
+         return sees_everything(q) ? said(Curricula(q.store).people(q.about.curriculum))
+                                   : std::string(hidden);
      }},
     {"Curricula::preview",
      [](const Asked& q) {

@@ -3345,8 +3345,16 @@
         <translation>nennen Sie eines von diesen: %1</translation>
     </message>
     <message>
-        <source>put its file back next to the newer one (one that was published at another station: `fulcrum assets place`); people stay on their version until an educator moves them</source>
-        <translation>legen Sie seine Datei wieder neben die neuere (eine, die an einer anderen Station veröffentlicht wurde: `fulcrum assets place`); Personen bleiben auf ihrer Version, bis ein Ausbilder sie umstellt</translation>
+        <source>nothing can be said of a standing: the person follows the curriculum %1, which is not at this station</source>
+        <translation>zu einem Stand lässt sich nichts sagen: Die Person folgt dem Curriculum %1, das an dieser Station fehlt</translation>
+    </message>
+    <message>
+        <source>exchange with the programme server, or install it (a newer version of the program, or the file that was published at another station)</source>
+        <translation>gleichen Sie mit dem Server des Programms ab oder installieren Sie es (eine neuere Version von Fulcrum oder die Datei, die an einer anderen Station veröffentlicht wurde)</translation>
+    </message>
+    <message>
+        <source>no certificate with this code was found, but of people who follow a curriculum that is not at this station none can be looked at (how many: %1)</source>
+        <translation>kein Zertifikat mit diesem Code gefunden; die der Personen, deren Curriculum an dieser Station fehlt, lassen sich aber nicht ansehen (Anzahl: %1)</translation>
     </message>
     <message>
         <source>a version in use is never edited: restore this file, write the change to a new file with /version raised, and move people with fulcrum curriculum move</source>
@@ -12248,6 +12256,10 @@ und %1 weitere</translation>
 <context>
     <name>fulcrum::ui::CertificateCard</name>
     <message>
+        <source>No certificate: the curriculum %1, which is followed, is not at this station.</source>
+        <translation>Kein Zertifikat: Das Curriculum %1, dem gefolgt wird, fehlt an dieser Station.</translation>
+    </message>
+    <message>
         <source>Stage %1, %2, completed on %3. Check code %4.</source>
         <translation>Stufe %1, %2, abgeschlossen am %3. Prüfcode %4.</translation>
     </message>
@@ -12949,6 +12961,10 @@ Kennzahlen: %2</translation>
 </context>
 <context>
     <name>fulcrum::ui::CurriculumCard</name>
+    <message>
+        <source>Curriculum: %1</source>
+        <translation>Curriculum: %1</translation>
+    </message>
     <message>
         <source>%1: no longer part of it (now: %2)</source>
         <translation>%1: gehört nicht mehr dazu (jetzt: %2)</translation>
@@ -14581,6 +14597,10 @@ Kennzahlen: %2</translation>
 </context>
 <context>
     <name>fulcrum::ui::HomePage</name>
+    <message>
+        <source>You follow the curriculum %1, which is not at this station. Your standing cannot be shown here, and only practice is possible until an administrator exchanges with the programme server or installs it.</source>
+        <translation>Sie folgen dem Curriculum %1, das an dieser Station fehlt. Ihr Stand lässt sich hier nicht zeigen, und nur Üben ist möglich, bis ein Administrator mit dem Server des Programms abgleicht oder es installiert.</translation>
+    </message>
     <message>
         <source>Reading your attempts …</source>
         <translation>Ihre Versuche werden gelesen …</translation>
@@ -17149,6 +17169,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 </context>
 <context>
     <name>fulcrum::ui::ReportTexts</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nothing can be said of the standing of people who follow a version of the curriculum that is not at this station: %1.</source>
+        <translation>Nichts lässt sich zum Stand von Personen sagen, deren Version des Curriculums an dieser Station fehlt: %1.</translation>
+    </message>
     <message>
         <source>DEMONSTRATION</source>
         <translation>VORFÜHRUNG</translation>
