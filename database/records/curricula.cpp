@@ -247,8 +247,11 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
     int moved = 0;
     Transaction transaction(connection);
     for (const std::string& person : people) {
-        const std::string from = history(connection, person, newest).back().name;
+        const FollowedCurriculum last = history(connection, person, newest).back();
+        const std::string& from = last.name;
         if (from == to) continue;
+        // After one that was made at a station whose clock is ahead, which it would not replace else.
+        const std::int64_t time = std::max(now, last.since + 1);
         const std::string id = random_uuid();
         Query(connection,
               "INSERT INTO curriculum_move (id, person_id, curriculum, author_id, time, reason) VALUES "
@@ -257,7 +260,7 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
             .bind(person)
             .bind(to)
             .bind(educator.person_id())
-            .bind(now)
+            .bind(time)
             .bind(reason)
             .run();
         Audit(store_).append(

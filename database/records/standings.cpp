@@ -28,9 +28,13 @@ PersonRecord Standings::record(const Session& session, const std::string& person
     AttemptFilter filter;
     filter.person_id = person_id;
     filter.limit = -1;
+    const std::int64_t now = store_.now();
     for (const AttemptSummary& attempt : query_attempts(store_, session, filter)) {
         if (!counted_once(attempt)) continue;
         record.attempts.push_back(counted_attempt(attempt));
+        // A void of a station whose clock is ahead counts from its arrival, as in lists and reports.
+        CountedAttempt& counted = record.attempts.back();
+        if (counted.voided_at > now) counted.voided_at = counted.time;
     }
     for (const OverrideRow& row : overrides(session, person_id)) record.overrides.push_back(row.decision);
     if (asks_for_ratings(curriculum)) record.ratings = released_ratings(store_.connection(), person_id);

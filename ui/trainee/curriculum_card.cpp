@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "database/records/curricula.h"
 #include "ui/style/standing_badge.h"
@@ -78,7 +79,11 @@ void CurriculumCard::fill() {
         followed = database::Curricula(context_.store()).followed(context_.session(), person_id_, newest);
     });
     if (followed.empty()) return;
-    const database::FollowedCurriculum& now = followed.back();
+    // A move of a station whose clock is ahead is not in force yet.
+    const std::int64_t at = context_.store().now();
+    const auto coming = std::find_if(followed.begin() + 1, followed.end(),
+                                     [&](const database::FollowedCurriculum& one) { return one.since > at; });
+    const database::FollowedCurriculum& now = *(coming - 1);
     const Curriculum* version = newest.version_named(now.name);
     QLabel* name = make_label(
         version == nullptr
@@ -105,13 +110,18 @@ void CurriculumCard::fill() {
         choice_->hide();
         return;
     }
+    for (auto one = coming; one != followed.end(); ++one)
+        lines_->addWidget(make_label(tr("▲ The move to %1 comes into force on %2: the clock of the station "
+                                        "where it was made is ahead of this one.")
+                                         .arg(text(one->name), local_time(one->since))));
     if (now.name != newest.name())
         lines_->addWidget(make_label(tr("There is a newer version, %1. Each person stays on their version "
                                         "until an educator moves them.")
                                          .arg(newest.version),
                                      "muted"));
     const auto add = [&](const Curriculum& one) {
-        if (one.name() != now.name) versions_->addItem(tr("version %1").arg(one.version), text(one.name()));
+        if (one.name() != followed.back().name)
+            versions_->addItem(tr("version %1").arg(one.version), text(one.name()));
     };
     add(newest);
     for (const Curriculum& one : newest.older) add(one);

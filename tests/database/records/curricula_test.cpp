@@ -169,6 +169,30 @@ TEST(Curricula, AMoveAheadOfTheClockIsFollowedFromItsTimeOn) {
     EXPECT_EQ(in_force(), "rectal@2");
 }
 
+TEST(Curricula, AMoveAfterOneThatIsAheadOfTheClockIsTheLast) {
+    const Followers one;
+    one.programme.record("ann");
+    const std::vector<std::string> ann = {one.programme.id("ann")};
+    one.programme.clock.set_forward_s(3600);
+    ASSERT_EQ(one.curricula.move(one.educator, ann, one.newest, "rectal@2", "new"), 1);
+    one.programme.clock.set_forward_s(-3000);
+    EXPECT_EQ(one.curricula.move(one.educator, ann, one.newest, "rectal@1", "she stays"), 1);
+    one.programme.clock.set_forward_s(3001);
+    EXPECT_EQ(one.curricula.in_force(one.educator, ann[0], one.newest).name(), "rectal@1");
+}
+
+TEST(Curricula, AVoidAheadOfTheClockCountsFromItsArrival) {
+    const Followers one;
+    const std::string voided = one.programme.record("ann");
+    one.programme.clock.set_forward_s(3600);
+    one.programme.attempts().void_attempt(one.educator, voided, "the wrong person");
+    one.programme.clock.set_forward_s(-3000);
+    const PersonRecord record =
+        Standings(*one.programme.store).record(one.educator, one.programme.id("ann"), one.newest);
+    for (const TaskStanding& task : standing_of(record, one.programme.store->now()))
+        EXPECT_EQ(task.attempts, 0) << task.task;
+}
+
 TEST(Curricula, AnybodyEnteredTwiceIsCountedOnce) {
     const Followers one;
     const PersonMerge merge(*one.programme.store);

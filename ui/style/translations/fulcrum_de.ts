@@ -12962,6 +12962,10 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::CurriculumCard</name>
     <message>
+        <source>▲ The move to %1 comes into force on %2: the clock of the station where it was made is ahead of this one.</source>
+        <translation>▲ Die Umstellung auf %1 gilt ab %2: Die Uhr der Station, an der sie gemacht wurde, geht gegenüber dieser vor.</translation>
+    </message>
+    <message>
         <source>Curriculum: %1</source>
         <translation>Curriculum: %1</translation>
     </message>
