@@ -35,8 +35,9 @@ std::string passed_on_name(const std::string& text);
 /// place of one with a lower version, which is kept in the folder "superseded". Of several of one version the
 /// one that was accepted first counts, and before one that nobody accepted, such as the program's own; a
 /// curriculum that is in place already stays, and is named. A set with a higher version stays. Attempts that
-/// have begun keep what they began with; curricula count from the next start of a window, or when its page of
-/// the curriculum is opened. Empty where nothing had to be done. Throws StoreError.
+/// have begun keep what they began with; curricula count from the next start of a window, or when an exchange
+/// ends in it, its page of the curriculum is opened, or somebody who follows one that it lacks signs in.
+/// Empty where nothing had to be done. Throws StoreError.
 std::vector<PlacedAsset> place_accepted_assets(const Store& store, const AssetPlace& place);
 
 }  // namespace fulcrum::database
