@@ -106,6 +106,9 @@ struct TaskStanding {
     std::int64_t first_attempt = 0;      ///< UTC ms, of those that count; 0: none
     std::int64_t first_pass = 0;         ///< UTC ms; 0: none
     std::int64_t last_attempt = 0;       ///< UTC ms, of those that count; 0: none
+
+    /// The proficiency in force is an educator's decision, not what the rule gave.
+    bool declared_by_decision() const { return by_override && declared_at != 0; }
 };
 
 /// Days after the declaration on which a retention check is due; after the last one every 182 days.

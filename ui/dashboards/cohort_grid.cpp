@@ -243,9 +243,10 @@ class Legend : public QWidget {
             TaskStanding one;
             one.standing = row.kind;
             shown_.push_back(one);
-            if (row.kind != Standing::passed) continue;
-            one.provisional = true;
-            shown_.push_back(one);
+            one.provisional = row.kind == Standing::passed;
+            one.by_override = row.kind == Standing::proficient;
+            one.declared_at = one.by_override ? 1 : 0;
+            if (one.provisional || one.by_override) shown_.push_back(one);
         }
         QStringList words;
         for (const TaskStanding& one : shown_) words << standing_name(one);

@@ -24,6 +24,7 @@
 #include "ui/reports/report_export.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/kept_places.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -107,7 +108,9 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     foot_ = make_label(
         tr("✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points "
            "and the number of attempts that count, with the type of device used last of those that have any; "
-           "+1: with one type of device more. The tool tip shows all, also where the arrow keys lead."),
+           "+1: with one type of device more. *: proficient by decision of an educator. The tool tip shows "
+           "all, "
+           "also where the arrow keys lead."),
         "muted");
     layout->addWidget(foot_);
     show_versions_ = make_button(tr("Show versions of limits and metrics"), "show_versions", "link");
@@ -321,6 +324,7 @@ void CohortPage::show_rows() {
             if (QTableWidgetItem* cell = table_->item(line_of, column))
                 if (const int more = cell->data(more_classes_role).toInt(); more > 0)
                     cell->setText(cell->text() + QStringLiteral(" +%1").arg(more));
+    mark_decisions();
     // No column is narrower than a word of its heading: with many tasks the table scrolls sideways.
     QFont bold = table_->font();
     bold.setWeight(QFont::DemiBold);
@@ -332,6 +336,28 @@ void CohortPage::show_rows() {
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     fit();
+}
+
+/// Who is proficient by decision of an educator need not have passed at all.
+void CohortPage::mark_decisions() {
+    std::map<std::pair<QString, QString>, QString> decided;
+    for (const database::PersonStandings& person : data_->standings)
+        for (const database::PersonTask& task : person.tasks)
+            if (task.standing.declared_by_decision())
+                decided[{text(person.person_id), text(task.standing.task)}] = standing_name(task.standing);
+    if (decided.empty()) return;
+    for (int line = 0; line < table_->rowCount(); ++line) {
+        const QString person = table_->item(line, 0)->data(Qt::UserRole).toString();
+        for (int column = 1; column < table_->columnCount(); ++column) {
+            QTableWidgetItem* cell = table_->item(line, column);
+            if (cell == nullptr) continue;
+            const auto found = decided.find({person, cell->data(Qt::UserRole).toString()});
+            if (found == decided.end()) continue;
+            cell->setText(QStringLiteral("* ") + cell->text());
+            cell->setToolTip(found->second + QStringLiteral("\n") + cell->toolTip());
+            cell->setData(Qt::AccessibleTextRole, cell->toolTip());
+        }
+    }
 }
 
 void CohortPage::show_concerns() {

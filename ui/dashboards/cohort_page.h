@@ -46,6 +46,7 @@ class CohortPage : public Page {
     void show_table(database::CohortTable table, const Curriculum& curriculum);
     void show_rows();
     void show_concerns();
+    void mark_decisions();
     void fit();
     void show_foot();
 

@@ -65,6 +65,16 @@ void paint_triangle(QPainter& painter, const QRectF& disc, const Palette& p) {
     painter.drawPolygon(QPolygonF({disc.topLeft(), disc.topRight(), {disc.center().x(), disc.bottom()}}));
 }
 
+/// A diamond at the corner: decided by an educator.
+void paint_decision(QPainter& painter, const QRectF& box, double line, const Palette& p) {
+    const double half = 0.19 * box.width();
+    const QPointF centre(box.right() - half, box.bottom() - half);
+    painter.setPen(QPen(p.card, 0.7 * line));
+    painter.setBrush(p.accent);
+    painter.drawPolygon(QPolygonF({centre - QPointF(0, half), centre + QPointF(half, 0),
+                                   centre + QPointF(0, half), centre - QPointF(half, 0)}));
+}
+
 }  // namespace
 
 void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& standing) {
@@ -124,6 +134,7 @@ void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& st
             paint_triangle(painter, disc, p);
             break;
     }
+    if (standing.declared_by_decision()) paint_decision(painter, box, line, p);
     painter.restore();
 }
 
@@ -132,7 +143,9 @@ QString date_text(std::int64_t utc_ms) {
                               say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "d MMM yyyy")));
 }
 
-QString standing_name(const TaskStanding& standing) {
+namespace {
+
+QString name_without_decision(const TaskStanding& standing) {
     if (standing.standing == Standing::passed && standing.provisional)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed (provisional)"));
     if (standing.standing == Standing::due && standing.overdue)
@@ -140,7 +153,7 @@ QString standing_name(const TaskStanding& standing) {
     return QCoreApplication::translate("fulcrum::standings", row_of(standing_names, standing.standing).title);
 }
 
-QString standing_text(const TaskStanding& standing) {
+QString text_without_decision(const TaskStanding& standing) {
     switch (standing.standing) {
         case Standing::locked: {
             QStringList tasks;
@@ -172,6 +185,22 @@ QString standing_text(const TaskStanding& standing) {
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "relapsed"));
     }
     return {};
+}
+
+}  // namespace
+
+QString standing_name(const TaskStanding& standing) {
+    const QString name = name_without_decision(standing);
+    return standing.declared_by_decision()
+               ? say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%1 (decision)")).arg(name)
+               : name;
+}
+
+QString standing_text(const TaskStanding& standing) {
+    const QString words = text_without_decision(standing);
+    return standing.declared_by_decision()
+               ? say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%1, by decision of an educator")).arg(words)
+               : words;
 }
 
 const char* standing_role(Standing standing) {

@@ -12,10 +12,11 @@ namespace fulcrum::ui {
 
 /// Locked: a padlock; open: a ring; attempted: a ring with a dot; passed: a tick in a ring (provisional: the
 /// ring dashed); awaiting rating: a ring with three dots; proficient: a filled disc with a tick; maintained:
-/// the same with a second ring; due: a clock; relapsed: a triangle. Colours of the theme in force.
+/// the same with a second ring; due: a clock; relapsed: a triangle. Proficient by decision of an educator: a
+/// diamond at the corner as well. Colours of the theme in force.
 void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& standing);
 
-/// One or two words: "locked", "passed (provisional)", "check overdue".
+/// A few words: "locked", "passed (provisional)", "check overdue", "proficient (decision)".
 QString standing_name(const TaskStanding& standing);
 /// "passed (provisional)", "locked until you are proficient in B1, B2", in the second person.
 QString standing_text(const TaskStanding& standing);

@@ -20,6 +20,7 @@
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
 #include "tests/ui/large_store.h"
+#include "ui/dashboards/cohort_grid.h"
 #include "ui/dashboards/concern_words.h"
 #include "ui/dashboards/overview_view.h"
 #include "ui/page/background_job.h"
@@ -328,6 +329,15 @@ TEST(CohortCells, ATraineeWhoHasOnlyPractisedHasNotAttemptedTheTask) {
     row.state = database::TaskState::attempted;
     row.attempts = 2;
     EXPECT_EQ(cohort_cell_mark(row).toStdString(), "○ 2");
+}
+
+TEST(CohortCells, TheGridSaysThatAProficiencyIsAnEducatorsDecision) {
+    database::PersonTask task;
+    task.standing.standing = Standing::proficient;
+    task.standing.declared_at = 1;
+    EXPECT_EQ(grid_cell_text("Ann", "A2", task).toStdString(), "Ann, A2: proficient.");
+    task.standing.by_override = true;
+    EXPECT_EQ(grid_cell_text("Ann", "A2", task).toStdString(), "Ann, A2: proficient (decision).");
 }
 
 TEST(OverviewWords, NameTheShareAndTheDaysWithTheirIntervals) {

@@ -148,6 +148,27 @@ TEST(Report, CsvAndJsonContainTheSameValues) {
     EXPECT_EQ(json["provenance"]["programme"], "Surgery");
 }
 
+TEST(Report, ShowsThatAProficiencyIsAnEducatorsDecision) {
+    CohortReport report = cohort();
+    for (const char* id : {"p1", "p2"}) {
+        database::PersonStandings person;
+        person.person_id = id;
+        database::PersonTask task;
+        task.standing.task = "A2";
+        task.standing.standing = Standing::proficient;
+        task.standing.declared_at = 1'763'600'000'000;
+        task.standing.by_override = person.person_id == "p2";
+        person.tasks.push_back(task);
+        report.table.standings.push_back(person);
+    }
+    const auto rows = read_csv(sheet_csv(cohort_sheet(report)));
+    EXPECT_EQ(cell(rows, 2, "proficient_by_decision"), "0");
+    EXPECT_EQ(cell(rows, 3, "proficient_by_decision"), "1");
+    const nlohmann::json json = nlohmann::json::parse(cohort_json(report));
+    EXPECT_EQ(json["standings"][0]["tasks"][0]["by_decision"], false);
+    EXPECT_EQ(json["standings"][1]["tasks"][0]["by_decision"], true);
+}
+
 TEST(Report, TablesDoNotDependOnTheLanguage) {
     const CohortReport report = cohort();
     const std::string csv = sheet_csv(cohort_sheet(report)), json = cohort_json(report),

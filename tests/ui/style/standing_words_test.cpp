@@ -15,6 +15,21 @@ TEST(StandingWords, DoNotPromiseThatPassesOnProvisionalLimitsCompleteACheck) {
     EXPECT_TRUE(standing_detail(check).contains("An educator can decide"));
 }
 
+TEST(StandingWords, SayThatAnEducatorDecidedAboutTheProficiency) {
+    TaskStanding decided;
+    decided.standing = Standing::maintained;
+    decided.declared_at = 1'763'600'000'000;
+    EXPECT_EQ(standing_name(decided), "maintained");
+    EXPECT_EQ(standing_text(decided), "proficient, last check passed");
+    decided.by_override = true;
+    EXPECT_EQ(standing_name(decided), "maintained (decision)");
+    EXPECT_EQ(standing_text(decided), "proficient, last check passed, by decision of an educator");
+    TaskStanding unlocked;
+    unlocked.standing = Standing::open;
+    unlocked.by_override = true;
+    EXPECT_EQ(standing_name(unlocked), "open") << "nothing was declared";
+}
+
 TEST(StandingWords, AskForOneMorePassWhereThoseFromBeforeAMoveAreEnough) {
     TaskStanding moved;
     moved.standing = Standing::passed;

@@ -12480,8 +12480,8 @@ und %1 weitere</translation>
         <translation>Handlungsbedarf (%1)</translation>
     </message>
     <message>
-        <source>✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points and the number of attempts that count, with the type of device used last of those that have any; +1: with one type of device more. The tool tip shows all, also where the arrow keys lead.</source>
-        <translation>✓ bestanden, (✓) mit vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht. Danach die besten Punkte und die Anzahl der Versuche, die zählen, mit der zuletzt benutzten Art von Gerät, für die es solche gibt; +1: eine weitere Art von Gerät. Der Tooltip zeigt alle, auch dort, wohin die Pfeiltasten führen.</translation>
+        <source>✓ passed, (✓) passed with provisional limits, ○ attempted, – not attempted. Then the best points and the number of attempts that count, with the type of device used last of those that have any; +1: with one type of device more. *: proficient by decision of an educator. The tool tip shows all, also where the arrow keys lead.</source>
+        <translation>✓ bestanden, (✓) mit vorläufigen Grenzwerten bestanden, ○ versucht, – nicht versucht. Danach die besten Punkte und die Anzahl der Versuche, die zählen, mit der zuletzt benutzten Art von Gerät, für die es solche gibt; +1: eine weitere Art von Gerät. *: sicher beherrscht durch Entscheidung eines Ausbilders. Der Tooltip zeigt alle, auch dort, wohin die Pfeiltasten führen.</translation>
     </message>
     <message>
         <source>Show versions of limits and metrics</source>
@@ -20715,6 +20715,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 </context>
 <context>
     <name>fulcrum::ui::standing</name>
+    <message>
+        <source>%1 (decision)</source>
+        <translation>%1 (Entscheidung)</translation>
+    </message>
+    <message>
+        <source>%1, by decision of an educator</source>
+        <translation>%1, durch Entscheidung eines Ausbilders</translation>
+    </message>
     <message>
         <source>d MMM yyyy</source>
         <translation>d. MMM yyyy</translation>
