@@ -11,6 +11,7 @@ namespace {
 void add_plan(CohortDashboard& dashboard, const std::vector<PersonStandings>& people, std::int64_t today) {
     for (std::size_t p = 0; p < people.size(); ++p) {
         const PersonStandings& person = people[p];
+        if (!person.active) continue;
         if (person.not_here) continue;  // how many tasks are done is not known
         if (!person.begun) {
             dashboard.not_begun.push_back({p});
@@ -48,6 +49,7 @@ void add_checks(CohortDashboard& dashboard, const std::vector<PersonStandings>& 
         dashboard.checks.push_back({CheckSlot::Kind::ahead, today + 7 * w, today + 7 * w + 6, {}});
     dashboard.checks.push_back({CheckSlot::Kind::later, today + 7 * dashboard_weeks_ahead, 0, {}});
     for (std::size_t p = 0; p < people.size(); ++p) {
+        if (!people[p].active) continue;
         for (const PersonTask& task : people[p].tasks) {
             const TaskStanding& standing = task.standing;
             if (standing.next_check == 0) continue;
@@ -71,6 +73,7 @@ void add_stages(CohortDashboard& dashboard, const std::vector<PersonStandings>& 
     for (const CurriculumStage& stage : curriculum.stages) {
         StageStep begun{stage.id, false, {}}, done{stage.id, true, {}};
         for (std::size_t p = 0; p < people.size(); ++p) {
+            if (!people[p].active) continue;
             int tasks = 0, tried = 0, finished = 0;
             for (const PersonTask& task : people[p].tasks) {
                 const CurriculumTask* of = curriculum.find(task.standing.task);
@@ -108,7 +111,8 @@ CohortDashboard dashboard_of(const std::vector<PersonStandings>& people, const C
     CohortDashboard dashboard;
     dashboard.plan_weeks = std::clamp(options.plan_weeks, 1, longest_plan_weeks);
     if (people.empty()) return dashboard;
-    dashboard.people = static_cast<int>(people.size());
+    dashboard.people = static_cast<int>(
+        std::count_if(people.begin(), people.end(), [](const PersonStandings& one) { return one.active; }));
     dashboard.tasks = static_cast<int>(people.front().tasks.size());
     dashboard.overview = overview_of(people, options.at);
     const std::int64_t today = day_at(options.at, options.utc_offset_min);

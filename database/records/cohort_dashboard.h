@@ -52,6 +52,7 @@ struct StageStep {
     std::vector<DashboardPerson> people;
 };
 
+/// People whose account is deactivated are in pass rates, times and practice, and in nothing else.
 struct CohortDashboard {
     int people = 0, tasks = 0, plan_weeks = 0;
     std::vector<PlanPoint> plan;             ///< in the order of the standings

@@ -52,13 +52,13 @@ std::map<std::string, Decisions> decisions_in(
 std::vector<PersonName> members_of(const Store& store, const std::string& cohort_id) {
     Query rows(
         store.connection(),
-        "SELECT p.id, p.login, p.display_name, p.kind FROM cohort_member m "
+        "SELECT p.id, p.login, p.display_name, p.kind, p.active FROM cohort_member m "
         "JOIN person p ON p.id = m.person_id WHERE m.cohort_id = ? ORDER BY p.display_name, p.login_key");
     rows.bind(cohort_id);
     std::vector<PersonName> people;
     while (rows.next())
         people.push_back({rows.text(0), rows.text(1), rows.text(2),
-                          person_kind_of(rows.text(3), rows.text(0)) != PersonKind::real});
+                          person_kind_of(rows.text(3), rows.text(0)) != PersonKind::real, rows.flag(4)});
     return people;
 }
 
@@ -148,9 +148,9 @@ CohortTable CohortSource::table(const CohortTableOptions& options) {
             continue;
         }
         shown.push_back(&person);
+        ++(person.person.active ? table.people : table.deactivated);
         if (options.tasks.empty()) add_tasks(table.tasks, person.attempts);
     }
-    table.people = static_cast<int>(shown.size());
     // A screen names the sets, and a report every file.
     Provenance provenance(
         store_, belongs_to_cohort("a.person_id"), cohort_id_,

@@ -139,8 +139,9 @@ std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people
         for (const PersonStandings& person : people) {
             if (person.not_here) continue;
             const PersonTask& task = person.tasks[t];
-            ++one.people[task.standing.standing];
-            if (task.standing.provisional && task.standing.standing != Standing::due) ++one.provisional;
+            if (person.active) ++one.people[task.standing.standing];
+            if (person.active && task.standing.provisional && task.standing.standing != Standing::due)
+                ++one.provisional;
             if (task.first_attempt == 0) continue;
             ++one.attempted;
             if (task.first_pass > 0) ++one.passed;

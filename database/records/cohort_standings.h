@@ -56,6 +56,8 @@ struct PersonStandings {
     std::optional<std::int64_t> begun;
     std::vector<Concern> concerns;  ///< in the order of ConcernKind
     std::int64_t last_attempt = 0;  ///< UTC ms, of any kind; 0: none
+    /// False: the account is deactivated. In no figure of the present: n, plan, stages, checks, concerns.
+    bool active = true;
 };
 
 /// What a person's attempts and decisions of educators give at `at`. `attempts`: of any kind, not voided, in
@@ -70,10 +72,12 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
 /// One task over the people of a cohort.
 struct TaskOverview {
     std::string task;
-    std::map<Standing, int> people;  ///< in each standing, provisional passes among the passed
-    int provisional = 0;             ///< people whose every pass is by provisional limits
-    int attempted = 0, passed = 0;   ///< people with an attempt that counts, with a pass
-    Share share;                     ///< passed of attempted
+    std::map<Standing, int> people;  ///< active, in each standing, provisional passes among the passed
+    int provisional = 0;             ///< active people whose every pass is by provisional limits
+    /// People with an attempt that counts, with a pass; also those who were deactivated since, as in the
+    /// curves: what they performed stays.
+    int attempted = 0, passed = 0;
+    Share share;  ///< passed of attempted
     /// Days from the first attempt that counts to the first pass and the first declaration, whatever relapse
     /// came later; who is not there yet is censored at `at`.
     SurvivalMedian days_to_pass, days_to_proficiency;

@@ -45,13 +45,15 @@ struct CohortRow {
     std::string best_attempt_id;
     std::int64_t last_attempt = 0;   ///< UTC ms, any attempt; 0 none
     std::vector<RatedForm> ratings;  ///< released forms of its attempts; in exports only
+    bool active = true;              ///< false: the account is deactivated
 };
 
 struct CohortTable {
     std::string cohort_id, cohort_name;
     std::int64_t as_of = 0;                    ///< UTC ms
     std::vector<std::string> tasks;            ///< columns, in order
-    int people = 0;                            ///< n
+    int people = 0;                            ///< n, without the deactivated
+    int deactivated = 0;                       ///< people with rows who cannot sign in any more
     int left_out_synthetic = 0;                ///< people of the cohort left out
     std::vector<CohortRow> rows;               ///< by name, then task, then device class
     std::string curriculum;                    ///< "rectal@1"; empty: no standings were asked for

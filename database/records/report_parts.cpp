@@ -13,13 +13,13 @@
 namespace fulcrum::database {
 
 PersonName name_of(const Store& store, const std::string& person_id) {
-    Query row(store.connection(), "SELECT id, login, display_name, kind FROM person WHERE id = ?");
+    Query row(store.connection(), "SELECT id, login, display_name, kind, active FROM person WHERE id = ?");
     row.bind(person_id);
     if (!row.next())
         throw StoreError(StoreErrorKind::not_found, {QT_TRANSLATE_NOOP("errors", "no person %1"), person_id},
                          QT_TRANSLATE_NOOP("errors", "list the people and name one of them"));
     return {row.text(0), row.text(1), row.text(2),
-            person_kind_of(row.text(3), row.text(0)) != PersonKind::real};
+            person_kind_of(row.text(3), row.text(0)) != PersonKind::real, row.flag(4)};
 }
 
 namespace {
@@ -109,6 +109,7 @@ std::vector<CohortRow> rows_of(const PersonSource& source, const std::vector<std
             row.person_id = person.id;
             row.login = person.login;
             row.name = person.name;
+            row.active = person.active;
             row.task_id = task;
             row.device_class = device_class;
             row.ratings = rated_forms(rated[device_class]);
@@ -142,6 +143,9 @@ PersonStandings standings_of(const PersonSource& source, const Curriculum& curri
     standings.person_id = source.person.id;
     standings.login = source.person.login;
     standings.name = source.person.name;
+    standings.active = source.person.active;
+    // A person who cannot sign in can end none of them.
+    if (!standings.active) standings.concerns.clear();
     return standings;
 }
 

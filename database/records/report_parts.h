@@ -17,6 +17,7 @@ namespace fulcrum::database {
 struct PersonName {
     std::string id, login, name;
     bool synthetic = false;
+    bool active = true;
 };
 
 /// Throws not_found.

@@ -260,6 +260,7 @@ void CohortPage::show_table(database::CohortTable table, const Curriculum& curri
     show_concerns();
     show_rows();
     QString line_text = tr("%n people", nullptr, static_cast<int>(data_->people));
+    if (data_->deactivated > 0) line_text += tr(" · deactivated: %1").arg(data_->deactivated);
     if (data_->left_out_synthetic > 0) {
         line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     }
@@ -294,7 +295,7 @@ void CohortPage::show_rows() {
             person = row.person_id;
             line = table_->rowCount();
             table_->insertRow(line);
-            auto* name = make_cell(text(row.name));
+            auto* name = make_cell(person_text(row.name, row.active));
             name->setData(Qt::UserRole, text(row.person_id));
             table_->setItem(line, 0, name);
         }

@@ -181,6 +181,7 @@ void DashboardPage::show_table(database::CohortTable table, const Curriculum& cu
     show_pictures();
     pictures_holder_->show();
     QString words = tr("%n people", nullptr, data_->people);
+    if (data_->deactivated > 0) words += tr(" · deactivated: %1").arg(data_->deactivated);
     if (data_->left_out_synthetic > 0)
         words += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     words +=

@@ -42,6 +42,7 @@ Json row_json(const database::CohortRow& row) {
     return {{"person_id", row.person_id},
             {"login", row.login},
             {"name", row.name},
+            {"active", row.active},
             {"task", row.task_id},
             {"device_class",
              row.device_class ? Json(row_of(device_classes, *row.device_class).name) : Json(nullptr)},
@@ -190,6 +191,7 @@ Json standings_json(const database::PersonStandings& person) {
             {"curriculum", person.curriculum},
             {"curriculum_is_here", !person.not_here},
             {"name", person.name},
+            {"active", person.active},
             {"last_attempt", time_or_null(person.last_attempt)},
             {"tasks", std::move(tasks)},
             {"concerns", std::move(concerns)}};
@@ -284,6 +286,7 @@ std::string cohort_json(const CohortReport& report) {
     Json document = {{"report", "cohort"},
                      {"cohort", {{"id", report.table.cohort_id}, {"name", report.table.cohort_name}}},
                      {"n", report.table.people},
+                     {"deactivated", report.table.deactivated},
                      {"left_out_synthetic", report.table.left_out_synthetic},
                      {"provenance", provenance_json(report.provenance)}};
     document["tasks"] = Json::array();

@@ -280,6 +280,8 @@ QString cohort_line(const CohortReport& report) {
     return join_with_dots(
         {ReportTexts::tr("data up to %1").arg(local_time(report.provenance.as_of)),
          ReportTexts::tr("people: n = %1").arg(report.table.people),
+         report.table.deactivated > 0 ? ReportTexts::tr("deactivated: %1").arg(report.table.deactivated)
+                                      : QString(),
          devices.size() == 1 ? device_class_text(*devices.begin()) : QString(),
          left_out > 0 ? ReportTexts::tr("%1 synthetic people left out").arg(left_out) : QString()});
 }
@@ -293,10 +295,10 @@ void dashboard_page(Sheet& sheet, const CohortReport& report) {
 }
 
 void cohort_pages(Sheet& sheet, const CohortReport& report) {
-    std::vector<std::pair<std::string, std::string>> people;
+    std::vector<std::pair<std::string, QString>> people;
     for (const database::CohortRow& row : report.table.rows) {
         if (people.empty() || people.back().first != row.person_id)
-            people.emplace_back(row.person_id, row.name);
+            people.emplace_back(row.person_id, person_text(row.name, row.active));
     }
     const double name_width = sheet.width() * 0.22;
     const double task_width =
@@ -345,7 +347,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
             sheet.font(8.5);
         }
         const double top = sheet.y();
-        sheet.cell(0, name_width, text(name));
+        sheet.cell(0, name_width, name);
         for (std::size_t t = 0; t < cells.size(); ++t)
             cell_lines(sheet, name_width + static_cast<double>(t) * task_width, task_width, cells[t]);
         sheet.to(top + height);

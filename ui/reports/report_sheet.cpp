@@ -45,8 +45,9 @@ const std::vector<SheetColumn>& cohort_columns() {
         {"program_sha256", "-", "SHA-256 of the program that wrote this"},
         {"tamper_evidence", "-",
          "whether an edit of the store by its owner would be evident, and where to read more"},
-        {"n_people", "1", "people in the table"},
+        {"n_people", "1", "people in the table, without those who are deactivated"},
         {"synthetic", "1", "1: the store is the demonstration, every person is synthetic"},
+        {"active", "1", "0: the account of the person is deactivated"},
     };
     return columns;
 }
@@ -271,7 +272,8 @@ DataSheet cohort_sheet(const CohortReport& report) {
              word_cell(report.provenance.program_digest),
              word_cell(tamper_evidence(report.provenance)),
              count_cell(report.table.people),
-             flag_cell(report.provenance.demo)});
+             flag_cell(report.provenance.demo),
+             flag_cell(row.active)});
         for (const auto& [form, form_title] : forms) {
             const database::RatedForm* rated = form_named(row.ratings, form);
             sheet.rows.back().push_back(rated == nullptr ? SheetCell() : count_cell(rated->attempts));

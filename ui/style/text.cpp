@@ -107,6 +107,11 @@ QString limit_source_text(const std::string& line) {
     return shown;
 }
 
+QString person_text(const std::string& name, bool active) {
+    return active ? text(name)
+                  : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 (deactivated)")).arg(text(name));
+}
+
 QString capital(QString words) {
     if (!words.isEmpty()) words[0] = words[0].toUpper();
     return words;

@@ -294,6 +294,22 @@ TEST(CohortDashboard, AnImportedRecordingMovesNeitherThePlanNorTheConcerns) {
     EXPECT_EQ(people[2].concerns[0].kind, ConcernKind::stopped);
 }
 
+TEST(CohortDashboard, LeavesDeactivatedPeopleOutOfAllThatAsksSomebodyToDoSomething) {
+    std::vector<PersonStandings> people = three_people();
+    people[0].active = people[2].active = false;  // ann, whose check is overdue, and cyd
+    const CohortDashboard dashboard = dashboard_of(people, two_stages(), noon());
+    EXPECT_EQ(dashboard.people, 1);
+    ASSERT_EQ(dashboard.plan.size(), 1U);
+    EXPECT_EQ(dashboard.plan[0].person, 1U);
+    EXPECT_TRUE(dashboard.not_begun.empty());
+    for (const CheckSlot& slot : dashboard.checks) EXPECT_TRUE(slot.checks.empty());
+    EXPECT_EQ(dashboard.stages[0].people.size(), 1U) << "A begun";
+    EXPECT_TRUE(dashboard.stages[1].people.empty()) << "A done";
+    EXPECT_EQ(dashboard.overview[0].people.size(), 1U) << "only ben has a standing today";
+    EXPECT_EQ(dashboard.overview[0].attempted, 2) << "what was performed stays";
+    EXPECT_EQ(dashboard.weeks[10].attempts, 1 + 4);
+}
+
 TEST(CohortDashboard, IsEmptyWithoutPeopleAndTakesAnyPlan) {
     const CohortDashboard dashboard = dashboard_of({}, two_stages(), {0, 0, -5});
     EXPECT_EQ(dashboard.people, 0);

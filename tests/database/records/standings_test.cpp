@@ -52,6 +52,35 @@ TEST(Standings, AttemptsCountUntilTheyAreVoided) {
     EXPECT_EQ(standing(programme, curriculum, "B1", begin + 200'000).standing, Standing::locked);
 }
 
+TEST(Standings, OfACohortMarkADeactivatedPersonWhoHasNoConcernAndIsNotInN) {
+    Programme programme;
+    programme.record("ann", true, 71.5);
+    programme.record("ben", true, 80);
+    programme.clock.pass_s(30 * 86400.0);
+    const Curriculum curriculum = rectal();
+    CohortTableOptions options;
+    options.tasks = {"A2"};
+    options.curriculum = &curriculum;
+    const auto read = [&] {
+        return Reports(*programme.store)
+            .cohort_table(programme.session("director"), programme.cohort, options);
+    };
+    CohortTable table = read();
+    EXPECT_EQ(table.people, 2);
+    ASSERT_EQ(table.standings.size(), 2U);
+    for (const PersonStandings& one : table.standings) EXPECT_EQ(one.concerns.size(), 1U) << "stopped";
+    programme.people().set_active(programme.session("administrator"), programme.id("ann"), false);
+    table = read();
+    EXPECT_EQ(table.people, 1);
+    EXPECT_EQ(table.deactivated, 1);
+    ASSERT_EQ(table.standings.size(), 2U);
+    for (const PersonStandings& one : table.standings) {
+        EXPECT_EQ(one.active, one.login != "ann");
+        EXPECT_EQ(one.concerns.empty(), one.login == "ann");
+    }
+    for (const CohortRow& row : table.rows) EXPECT_EQ(row.active, row.login != "ann");
+}
+
 TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     const Programme programme;
     const Curriculum curriculum = rectal();

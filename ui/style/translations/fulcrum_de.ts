@@ -12472,6 +12472,10 @@ und %1 weitere</translation>
         <translation>Es gibt noch keine Gruppe. Die Programmleitung legt Gruppen auf der Seite „Gruppen zuteilen“ an.</translation>
     </message>
     <message>
+        <source> · deactivated: %1</source>
+        <translation> · deaktiviert: %1</translation>
+    </message>
+    <message>
         <source> · synthetic left out: %1</source>
         <translation> · synthetische ausgelassen: %1</translation>
     </message>
@@ -13310,6 +13314,10 @@ Kennzahlen: %2</translation>
             <numerusform>%n Person</numerusform>
             <numerusform>%n Personen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source> · deactivated: %1</source>
+        <translation> · deaktiviert: %1</translation>
     </message>
     <message>
         <source> · synthetic left out: %1</source>
@@ -17622,6 +17630,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Personen: n = %1</translation>
     </message>
     <message>
+        <source>deactivated: %1</source>
+        <translation>deaktiviert: %1</translation>
+    </message>
+    <message>
         <source>%1 synthetic people left out</source>
         <translation>%1 synthetische Personen ausgelassen</translation>
     </message>
@@ -20830,6 +20842,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 </context>
 <context>
     <name>fulcrum::ui::text</name>
+    <message>
+        <source>%1 (deactivated)</source>
+        <translation>%1 (deaktiviert)</translation>
+    </message>
     <message>
         <source>below −5</source>
         <translation>unter −5</translation>
