@@ -48,20 +48,22 @@ void add_checks(CohortDashboard& dashboard, const std::vector<PersonStandings>& 
     for (int w = 0; w < dashboard_weeks_ahead; ++w)
         dashboard.checks.push_back({CheckSlot::Kind::ahead, today + 7 * w, today + 7 * w + 6, {}});
     dashboard.checks.push_back({CheckSlot::Kind::later, today + 7 * dashboard_weeks_ahead, 0, {}});
+    const auto add = [&](std::size_t p, const TaskStanding& standing) {
+        if (standing.next_check == 0) return;
+        const std::int64_t ahead = day_at(standing.next_check, utc_offset_min) - today;
+        std::size_t slot = 0;
+        if (standing.standing == Standing::due)
+            slot = standing.overdue ? 0 : 1;
+        else
+            slot =
+                2 + static_cast<std::size_t>(std::clamp<std::int64_t>(ahead / 7, 0, dashboard_weeks_ahead));
+        dashboard.checks[slot].checks.push_back({p, standing.task, standing.next_check, 0});
+    };
     for (std::size_t p = 0; p < people.size(); ++p) {
         if (!people[p].active) continue;
-        for (const PersonTask& task : people[p].tasks) {
-            const TaskStanding& standing = task.standing;
-            if (standing.next_check == 0) continue;
-            const std::int64_t ahead = day_at(standing.next_check, utc_offset_min) - today;
-            std::size_t slot = 0;
-            if (standing.standing == Standing::due)
-                slot = standing.overdue ? 0 : 1;
-            else
-                slot = 2 + static_cast<std::size_t>(
-                               std::clamp<std::int64_t>(ahead / 7, 0, dashboard_weeks_ahead));
-            dashboard.checks[slot].checks.push_back({p, standing.task, standing.next_check, 0});
-        }
+        for (const PersonTask& task : people[p].tasks) add(p, task.standing);
+        // Of the version that the person follows: a newer one that lacks the task does not end its checks.
+        for (const PersonTask& task : people[p].own_tasks) add(p, task.standing);
     }
     for (CheckSlot& slot : dashboard.checks)
         std::stable_sort(slot.checks.begin(), slot.checks.end(),

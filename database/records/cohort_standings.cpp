@@ -36,6 +36,25 @@ std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummar
     return found;
 }
 
+/// `counting`: as for of_task(). `points`: gets those of the device class used last.
+PersonTask person_task(const TaskStanding& standing, const CurriculumTask& of,
+                       const std::vector<const AttemptSummary*>& counting, std::vector<double>& points) {
+    PersonTask task;
+    task.standing = standing;
+    task.first_attempt = standing.first_attempt;
+    task.first_pass = standing.first_pass;
+    if (standing.attempts == 0) return task;  // what was performed while the task was locked does not count
+    for (const AttemptSummary* attempt : of_task(counting, of, standing.first_attempt)) {
+        task.device_class = attempt->meta.device_class;
+        if (attempt->points) points.push_back(*attempt->points);
+        task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,
+                               attempt->provisional, attempt->points});
+    }
+    if (task.recent.size() > most_recent)
+        task.recent.erase(task.recent.begin(), task.recent.end() - static_cast<std::ptrdiff_t>(most_recent));
+    return task;
+}
+
 }  // namespace
 
 bool is_done(const PersonTask& task) {
@@ -90,35 +109,19 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     if (person.not_here) record = {};  // what another version would say of it is not the standing
     const std::vector<TaskStanding> standings = standing_of(record, at);
     PointsByTask points;
-    for (const CurriculumTask& shown : curriculum.tasks) {
+    const auto task_of = [&](const std::string& id) {
         const auto found = std::find_if(standings.begin(), standings.end(),
-                                        [&](const TaskStanding& one) { return one.task == shown.task; });
-        PersonTask task;
-        if (found == standings.end()) {
-            task.standing.task = shown.task;
-            person.tasks.push_back(std::move(task));
-            continue;
-        }
-        const TaskStanding& standing = *found;
-        task.standing = standing;
-        task.first_attempt = standing.first_attempt;
-        task.first_pass = standing.first_pass;
-        if (standing.attempts == 0) {  // what was performed while the task was locked does not count
-            person.tasks.push_back(std::move(task));
-            continue;
-        }
-        for (const AttemptSummary* attempt :
-             of_task(counting[standing.task], *own.find(standing.task), standing.first_attempt)) {
-            task.device_class = attempt->meta.device_class;
-            if (attempt->points) points[standing.task].push_back(*attempt->points);
-            task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,
-                                   attempt->provisional, attempt->points});
-        }
-        if (task.recent.size() > most_recent)
-            task.recent.erase(task.recent.begin(),
-                              task.recent.end() - static_cast<std::ptrdiff_t>(most_recent));
-        person.tasks.push_back(std::move(task));
-    }
+                                        [&](const TaskStanding& one) { return one.task == id; });
+        if (found != standings.end())
+            return person_task(*found, *own.find(id), counting[found->task], points[found->task]);
+        PersonTask lacking;
+        lacking.standing.task = id;
+        return lacking;
+    };
+    for (const CurriculumTask& shown : curriculum.tasks) person.tasks.push_back(task_of(shown.task));
+    for (const TaskStanding& one : standings)
+        if (!person.not_here && curriculum.find(one.task) == nullptr)
+            person.own_tasks.push_back(task_of(one.task));
     if (!person.not_here) person.concerns = concerns_of(standings, points, last_practice, pass_mark, at);
     return person;
 }

@@ -50,6 +50,9 @@ struct PersonStandings {
     /// and there are no concerns.
     bool not_here = false;
     std::vector<PersonTask> tasks;  ///< of the curriculum, in its order
+    /// Of the version that the person follows, those that the curriculum lacks: shown in reports and checks,
+    /// in no value over people.
+    std::vector<PersonTask> own_tasks;
     std::vector<PracticeDay> days;  ///< oldest first
     /// The first day with an attempt at a task of ours, as PracticeDay::day; none: not begun. What was
     /// recorded elsewhere and imported is in `days`, and moves neither the plan nor the concerns.
@@ -63,7 +66,7 @@ struct PersonStandings {
 /// What a person's attempts and decisions of educators give at `at`. `attempts`: of any kind, not voided, in
 /// any order. `followed`: the versions of the curriculum that the person has followed, empty: `curriculum`
 /// from the beginning. `ratings`: released ones of these attempts. The tasks are those of `curriculum`; one
-/// that the person's own version lacks is locked. Pure.
+/// that the person's own version lacks is locked; one that only the own version has is in `own_tasks`. Pure.
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
                                  std::int64_t at, const std::vector<CurriculumAssignment>& followed = {},

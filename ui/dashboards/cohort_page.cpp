@@ -343,9 +343,11 @@ void CohortPage::show_rows() {
 void CohortPage::mark_decisions() {
     std::map<std::pair<QString, QString>, QString> decided;
     for (const database::PersonStandings& person : data_->standings)
-        for (const database::PersonTask& task : person.tasks)
-            if (task.standing.declared_by_decision())
-                decided[{text(person.person_id), text(task.standing.task)}] = standing_name(task.standing);
+        for (const auto* tasks : {&person.tasks, &person.own_tasks})
+            for (const database::PersonTask& task : *tasks)
+                if (task.standing.declared_by_decision())
+                    decided[{text(person.person_id), text(task.standing.task)}] =
+                        standing_name(task.standing);
     if (decided.empty()) return;
     for (int line = 0; line < table_->rowCount(); ++line) {
         const QString person = table_->item(line, 0)->data(Qt::UserRole).toString();

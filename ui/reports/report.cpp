@@ -83,8 +83,9 @@ const TaskStanding* standing_in(const database::CohortTable& table, const std::s
                                 const std::string& task_id) {
     for (const database::PersonStandings& person : table.standings) {
         if (person.person_id != person_id || person.not_here) continue;
-        for (const database::PersonTask& task : person.tasks)
-            if (task.standing.task == task_id) return &task.standing;
+        for (const auto* tasks : {&person.tasks, &person.own_tasks})
+            for (const database::PersonTask& task : *tasks)
+                if (task.standing.task == task_id) return &task.standing;
     }
     return nullptr;
 }

@@ -162,9 +162,7 @@ Json rating_state_json(const TaskStanding& standing) {
 
 Json standings_json(const database::PersonStandings& person) {
     Json tasks = Json::array(), concerns = Json::array();
-    for (const database::PersonTask& task : person.tasks) {
-        if (person.not_here) break;
-        const TaskStanding& standing = task.standing;
+    const auto add = [&tasks](const TaskStanding& standing) {
         tasks.push_back({{"task", standing.task},
                          {"standing", row_of(standing_names, standing.standing).name},
                          {"provisional", standing.provisional},
@@ -176,7 +174,9 @@ Json standings_json(const database::PersonStandings& person) {
                          {"rating", rating_state_json(standing)},
                          {"proficient_since", time_or_null(standing.declared_at)},
                          {"next_check", time_or_null(standing.next_check)}});
-    }
+    };
+    for (const database::PersonTask& task : person.tasks) add(task.standing);
+    for (const database::PersonTask& task : person.own_tasks) add(task.standing);
     for (const Concern& concern : person.concerns) {
         Json one = {{"kind", row_of(concern_names, concern.kind).name},
                     {"task", or_null(concern.task)},

@@ -294,6 +294,32 @@ TEST(CohortDashboard, AnImportedRecordingMovesNeitherThePlanNorTheConcerns) {
     EXPECT_EQ(people[2].concerns[0].kind, ConcernKind::stopped);
 }
 
+TEST(CohortDashboard, HasTheChecksOfTasksThatOnlyThePersonsOwnVersionHas) {
+    Curriculum older = two_stages();
+    for (CurriculumTask& task : older.tasks) {
+        task.rule = parse_pass_rule("row:2");
+        task.device_classes = {DeviceClass::haptic};
+    }
+    Curriculum newest = older;
+    newest.version = 2;
+    newest.tasks.erase(newest.tasks.begin());  // A1
+    const std::vector<AttemptSummary> attempts = {counting_attempt(dashboard_today - 100, true),
+                                                  counting_attempt(dashboard_today - 99, true),
+                                                  counting_attempt(dashboard_today - 1, true)};
+    const std::vector<CurriculumAssignment> followed = {{0, &older}};
+    const std::vector<PersonStandings> people = {person_standings(attempts, {}, newest, noon().at, followed)};
+    EXPECT_EQ(people[0].tasks.size(), newest.tasks.size()) << "as everybody's";
+    ASSERT_EQ(people[0].own_tasks.size(), 1U);
+    EXPECT_EQ(people[0].own_tasks[0].standing.standing, Standing::due);
+    EXPECT_EQ(people[0].own_tasks[0].recent.size(), 3U);
+    const CohortDashboard dashboard = dashboard_of(people, newest, noon());
+    EXPECT_EQ(dashboard.tasks, 2);
+    ASSERT_EQ(people[0].concerns.size(), 1U);
+    EXPECT_EQ(people[0].concerns[0].kind, ConcernKind::check_overdue);
+    ASSERT_EQ(dashboard.checks[0].checks.size(), 1U) << "one for each such concern";
+    EXPECT_EQ(dashboard.checks[0].checks[0].task, "A1");
+}
+
 TEST(CohortDashboard, LeavesDeactivatedPeopleOutOfAllThatAsksSomebodyToDoSomething) {
     std::vector<PersonStandings> people = three_people();
     people[0].active = people[2].active = false;  // ann, whose check is overdue, and cyd
