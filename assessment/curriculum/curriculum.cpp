@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "assessment/task/task.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 
@@ -195,6 +196,21 @@ const CurriculumStage* Curriculum::find_stage(const std::string& stage) const {
 bool counts(const CurriculumTask& task, DeviceClass used) {
     const std::vector<DeviceClass>& classes = task.device_classes;
     return std::find(classes.begin(), classes.end(), curriculum_class(used)) != classes.end();
+}
+
+void require_counts(const Curriculum& curriculum, const TaskDefinition& task, DeviceClass used) {
+    require_assessable(task, used);
+    const CurriculumTask* found = curriculum.find(task.id);
+    if (found == nullptr || counts(*found, used)) return;
+    std::string named;
+    for (const DeviceClass one : found->device_classes)
+        named += (named.empty() ? "" : ", ") + std::string(row_of(device_classes, one).title);
+    throw InputError({QT_TRANSLATE_NOOP("errors", "task %1"), task.id}, "/device_classes",
+                     {QT_TRANSLATE_NOOP("errors",
+                                        "the curriculum %1 does not count attempts with %2, they are "
+                                        "practice only"),
+                      curriculum.name(), row_of(device_classes, used).title},
+                     {QT_TRANSLATE_NOOP("errors", "practise, or use one of: %1"), named});
 }
 
 Curriculum parse_draft(const std::string& text, const std::string& file) {

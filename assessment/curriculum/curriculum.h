@@ -15,6 +15,8 @@
 
 namespace fulcrum {
 
+struct TaskDefinition;
+
 struct CurriculumStage {
     std::string id;     ///< "A"
     std::string title;  ///< on screens
@@ -69,6 +71,9 @@ constexpr DeviceClass curriculum_class(DeviceClass used) {
 }
 /// Whether attempts with this class of device count for the task.
 bool counts(const CurriculumTask& task, DeviceClass used);
+/// As require_assessable(); also throws InputError where the curriculum counts the task, but not with this
+/// class of device. Not for a task that it lacks: assessed attempts at it serve a site's own limits.
+void require_counts(const Curriculum& curriculum, const TaskDefinition& task, DeviceClass used);
 
 /// Throws InputError with file, place and hint: not valid by the schema, a stage, task or prerequisite that
 /// is not there or named twice, a prerequisite of a later stage, a cycle, a rule that is none, a

@@ -244,21 +244,37 @@ void BriefingPage::fill_beginnings(const TaskDefinition& task) {
     begin_at_->setCurrentIndex(std::max(0, begin_at_->findData(wanted_goal_)));
 }
 
-QString BriefingPage::why_locked() {
+BriefingPage::InCurriculum BriefingPage::in_curriculum(DeviceClass used) {
+    const Curriculum* followed = nullptr;
     std::vector<TaskStanding> standings;
     context().guarded([&] {
         const database::Session& session = context().session();
         if (!context().allowed(database::Operation::read_progress,
                                database::Subject::person(session.person_id())))
             return;
-        standings = standing_of(database::Standings(context().store())
-                                    .record(session, session.person_id(), context().services().curriculum()),
-                                context().store().now());
+        const PersonRecord record =
+            database::Standings(context().store())
+                .record(session, session.person_id(), context().services().curriculum());
+        const std::int64_t now = context().store().now();
+        standings = standing_of(record, now);
+        followed = curriculum_at(record.assignments, now);
     });
+    if (followed == nullptr) return {};
+    const CurriculumTask* counted = followed->find(task_id_);
+    if (counted == nullptr)
+        return {{},
+                tr("This task is not part of your curriculum (%1): assessed attempts are scored, but lead to "
+                   "no proficiency.")
+                    .arg(text(followed->name()))};
     for (const TaskStanding& one : standings)
         if (one.task == task_id_ && one.standing == Standing::locked)
-            return tr("This task is %1. Until then, you can only practise it.").arg(standing_text(one));
-    return {};
+            return {tr("This task is %1. Until then, you can only practise it.").arg(standing_text(one)), {}};
+    if (counts(*counted, used)) return {};
+    QStringList named;
+    for (const DeviceClass one : counted->device_classes) named << device_class_text(one);
+    return {tr("With %1 this task is practice only: your curriculum (%2) counts it with: %3.")
+                .arg(device_class_text(used), text(followed->name()), named.join(QStringLiteral(", "))),
+            {}};
 }
 
 DeviceInUse BriefingPage::device() {
@@ -322,9 +338,9 @@ void BriefingPage::show_modes(const TaskDefinition& task) {
     device_class_ = device.device_class;
     const bool assessable =
         can_be_assessed(task, device.device_class) && device.practice_only == PracticeOnly::no;
-    const QString locked = why_locked();
+    const InCurriculum curriculum = in_curriculum(device.device_class);
     const QString own_files = assessable ? why_files() : QString();
-    assessed_->setEnabled(!demo && assessable && locked.isEmpty() && own_files.isEmpty());
+    assessed_->setEnabled(!demo && assessable && curriculum.refusal.isEmpty() && own_files.isEmpty());
     if (!assessed_->isEnabled()) practice_->setChecked(true);
     begin_at_->setEnabled(practice_->isChecked());
     ghost_->setEnabled(practice_->isChecked());
@@ -335,13 +351,14 @@ void BriefingPage::show_modes(const TaskDefinition& task) {
             ? tr("You hold the scope with mouse and keyboard. F1 shows the keys.")
             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
     const QString with_device = device_words(device).isEmpty() ? hands : device_words(device);
-    mode_note_->setText(demo ? tr("The demonstration accepts practice attempts only.")
-                        : device.practice_only != PracticeOnly::no ? with_device
-                        : !assessable
-                            ? with_device + QStringLiteral(" ") + practice_only(task, device.device_class)
-                        : !own_files.isEmpty() ? with_device + QStringLiteral(" ") + own_files
-                        : !locked.isEmpty()    ? with_device + QStringLiteral(" ") + locked
-                                               : with_device);
+    mode_note_->setText(
+        demo                                       ? tr("The demonstration accepts practice attempts only.")
+        : device.practice_only != PracticeOnly::no ? with_device
+        : !assessable          ? with_device + QStringLiteral(" ") + practice_only(task, device.device_class)
+        : !own_files.isEmpty() ? with_device + QStringLiteral(" ") + own_files
+        : !curriculum.refusal.isEmpty() ? with_device + QStringLiteral(" ") + curriculum.refusal
+        : !curriculum.remark.isEmpty()  ? with_device + QStringLiteral(" ") + curriculum.remark
+                                        : with_device);
 }
 
 void BriefingPage::show_variant(const TaskDefinition& task) {

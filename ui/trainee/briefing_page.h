@@ -39,8 +39,12 @@ class BriefingPage : public Page {
     /// Whether an attempt can count, and why it cannot; sets device_class_.
     void show_modes(const TaskDefinition& task);
     std::string variant() const;
-    /// Why the task does not count yet for who is signed in; empty where it does.
-    QString why_locked();
+    /// What the curriculum that the signed-in person follows says of an assessed attempt now.
+    struct InCurriculum {
+        QString refusal;  ///< why it does not count (yet); empty where it does
+        QString remark;   ///< the task does not belong to it; else empty
+    };
+    InCurriculum in_curriculum(DeviceClass used);
     /// Why the installed files make it practice only; empty where they do not.
     QString why_files();
     /// What an attempt at this task and variant would be made with.

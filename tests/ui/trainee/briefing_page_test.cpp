@@ -184,6 +184,24 @@ TEST_F(Briefing, ChoosesTheVariantPractisedLeastAndAnotherIsAChoiceAway) {
     EXPECT_EQ(practised.count("deep"), 0U);
 }
 
+TEST_F(Briefing, OffersNoAssessedAttemptWithADeviceThatTheFollowedCurriculumDoesNotCount) {
+    Curriculum haptic_only = services.curriculum();
+    for (CurriculumTask& one : haptic_only.tasks)
+        if (one.task == "A2") one.device_classes = {DeviceClass::haptic};
+    services.set_curriculum(std::move(haptic_only));
+    open("A2");
+    EXPECT_FALSE(find<QRadioButton>(*window, "mode_assessed")->isEnabled());
+    EXPECT_TRUE(find<QRadioButton>(*window, "mode_practice")->isChecked());
+    const auto note = [&] { return find<QLabel>(*window, "mode_note")->text(); };
+    EXPECT_TRUE(note().contains("counts it with: haptic")) << note().toStdString();
+    // Not in the curriculum at all: it can be assessed, and the page says what that is worth.
+    click(*window, "rail_home");
+    wait_until_read(*window);
+    open("B0");
+    EXPECT_TRUE(find<QRadioButton>(*window, "mode_assessed")->isEnabled());
+    EXPECT_TRUE(note().contains("not part of your curriculum")) << note().toStdString();
+}
+
 TEST_F(Briefing, AsksTheDeviceForTheVariantOfThisTask) {
     services.in_use.kind = "touch";
     services.in_use.title = "3D Systems Touch";

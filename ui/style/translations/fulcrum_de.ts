@@ -2945,6 +2945,10 @@
         <translation>Versuche mit %1 werden nicht bewertet, sie sind nur Übung</translation>
     </message>
     <message>
+        <source>the curriculum %1 does not count attempts with %2, they are practice only</source>
+        <translation>das Curriculum %1 zählt Versuche mit %2 nicht, sie sind nur Übung</translation>
+    </message>
+    <message>
         <source>practise, or use one of: %1</source>
         <translation>üben Sie, oder verwenden Sie eines von: %1</translation>
     </message>
@@ -12184,6 +12188,14 @@ und %1 weitere</translation>
     <message>
         <source>Translucent instruments show an expert&apos;s next movement and wait for you. The scene is the one in which the expert was simulated.</source>
         <translation>Durchscheinende Instrumente zeigen die nächste Bewegung eines Experten und warten auf Sie. Die Szene ist die, in der der Experte simuliert wurde.</translation>
+    </message>
+    <message>
+        <source>This task is not part of your curriculum (%1): assessed attempts are scored, but lead to no proficiency.</source>
+        <translation>Diese Aufgabe gehört nicht zu Ihrem Curriculum (%1): bewertete Versuche erhalten Punkte, führen aber nicht zu sicherem Beherrschen.</translation>
+    </message>
+    <message>
+        <source>With %1 this task is practice only: your curriculum (%2) counts it with: %3.</source>
+        <translation>Mit %1 ist diese Aufgabe nur Übung: Ihr Curriculum (%2) zählt sie mit: %3.</translation>
     </message>
     <message>
         <source>This task is %1. Until then, you can only practise it.</source>

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An assessed attempt begins with devices only that the curriculum counts which its person follows.
+#include <gtest/gtest.h>
+
+#include <QByteArray>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/services/application.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/database/programme_fixture.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/support.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// With a copy of the assets whose curriculum counts A2 with haptic devices only.
+class CountedDevices : public ::testing::Test {
+  protected:
+    CountedDevices() {
+        const std::filesystem::path assets = folder_ / "assets";
+        std::filesystem::copy(fulcrum::test::source_path("assets"), assets,
+                              std::filesystem::copy_options::recursive);
+        const std::filesystem::path file = assets / "curricula/rectal.json";
+        nlohmann::json curriculum = nlohmann::json::parse(std::ifstream(file));
+        for (nlohmann::json& task : curriculum["tasks"])
+            if (task["task"] == "A2") task["device_classes"] = {"haptic"};
+        std::ofstream(file) << curriculum.dump(1);
+        qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(assets.string()));
+    }
+    ~CountedDevices() override {
+        if (before_.isNull())
+            qunsetenv("FULCRUM_ASSETS");
+        else
+            qputenv("FULCRUM_ASSETS", before_);
+    }
+    fulcrum::test::OwnFolder folder_;
+    QByteArray before_ = qgetenv("FULCRUM_ASSETS");
+};
+
+TEST_F(CountedDevices, AnAssessedAttemptWithAnotherOneIsRefused) {
+    database::test::Programme programme;
+    const database::Session ann = programme.session("ann");
+    programme.store.reset();
+    const auto services = make_services(programme.folder.path().toStdString(), "");
+    services->open_store(false);
+    ui::AttemptRequest request{ann,   "A2",    true, 5,     nullptr, ui::window_device, "mouse and keyboard",
+                               false, nullptr, 0,    false, {}};
+    try {
+        services->start_attempt(request);
+        FAIL() << "it began";
+    } catch (const InputError& error) {
+        EXPECT_EQ(
+            std::string(error.problem()),
+            "the curriculum rectal@3 does not count attempts with mouse and keyboard, they are practice "
+            "only");
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::app
