@@ -157,6 +157,7 @@ class RuleRun {
 class TaskRun {
   public:
     bool unlocked = false, unlocked_by_override = false;
+    std::vector<std::size_t> counted;  ///< as TaskStanding::counted
 
     bool met_ever() const { return first_declared_at_ != 0 || met_provisionally_; }
 
@@ -363,8 +364,8 @@ std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
 
 class Programme {
   public:
-    explicit Programme(const std::vector<ReleasedRating>& ratings) {
-        for (const ReleasedRating& one : ratings) ratings_[one.attempt].push_back(one);
+    explicit Programme(const PersonRecord& record) : attempts_(record.attempts.data()) {
+        for (const ReleasedRating& one : record.ratings) ratings_[one.attempt].push_back(one);
     }
 
     void take(const Entry& entry) {
@@ -375,8 +376,10 @@ class Programme {
                 return one.task->task == entry.attempt->task;
             });
             if (found != tasks_.end() && found->run->unlocked &&
-                counts(*found->task, entry.attempt->device_class))
+                counts(*found->task, entry.attempt->device_class)) {
                 found->run->attempt(*found->task, *entry.attempt, ratings_);
+                found->run->counted.push_back(static_cast<std::size_t>(entry.attempt - attempts_));
+            }
         }
         if (entry.assignment != nullptr || entry.rating != nullptr)
             for (const Followed& one : tasks_) {
@@ -395,6 +398,7 @@ class Programme {
         std::vector<TaskStanding> result;
         for (const Followed& one : tasks_) {
             result.push_back(one.run->standing(*one.task, ratings_, at));
+            result.back().counted = one.run->counted;
             if (result.back().standing == Standing::locked) result.back().waits_for = missing(*one.task);
         }
         return result;
@@ -428,6 +432,7 @@ class Programme {
             one.run->unlocked = one.run->unlocked || missing(*one.task).empty();
     }
 
+    const CountedAttempt* attempts_;  ///< of the record
     std::vector<Followed> tasks_;
     RatingsByAttempt ratings_;
     std::map<std::string, TaskRun> runs_;
@@ -451,14 +456,14 @@ const Curriculum* curriculum_at(const std::vector<CurriculumAssignment>& assignm
 }
 
 std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at) {
-    Programme programme(record.ratings);
+    Programme programme(record);
     for (const Entry& entry : entries_of(record, at)) programme.take(entry);
     return programme.standings_at(at);
 }
 
 std::vector<TaskStanding> standing_in(const PersonRecord& record, std::int64_t at,
                                       const Curriculum& version) {
-    Programme programme(record.ratings);
+    Programme programme(record);
     for (const Entry& entry : entries_of(record, at)) programme.take(entry);
     programme.follow(version);
     return programme.standings_at(at);

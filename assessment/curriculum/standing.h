@@ -14,6 +14,7 @@
 // is rated. docs/METRICS.md, Progress.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -106,6 +107,7 @@ struct TaskStanding {
     std::int64_t first_attempt = 0;      ///< UTC ms, of those that count; 0: none
     std::int64_t first_pass = 0;         ///< UTC ms; 0: none
     std::int64_t last_attempt = 0;       ///< UTC ms, of those that count; 0: none
+    std::vector<std::size_t> counted;    ///< places in PersonRecord::attempts of those that count, by time
 
     /// The proficiency in force is an educator's decision, not what the rule gave.
     bool declared_by_decision() const { return by_override && declared_at != 0; }

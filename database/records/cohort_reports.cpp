@@ -141,8 +141,8 @@ CohortTable CohortSource::table(const CohortTableOptions& options) {
     table.as_of = as_of_;
     table.tasks = options.tasks;
     const bool with_synthetic = options.include_synthetic || store_.is_demo();
-    std::vector<const PersonSource*> shown;
-    for (const PersonSource& person : people_) {
+    std::vector<PersonSource*> shown;
+    for (PersonSource& person : people_) {
         if (person.person.synthetic && !with_synthetic) {
             ++table.left_out_synthetic;
             continue;
@@ -156,13 +156,13 @@ CohortTable CohortSource::table(const CohortTableOptions& options) {
         store_, belongs_to_cohort("a.person_id"), cohort_id_,
         purpose_ == ReportPurpose::exported ? Provenance::Kinds::all : Provenance::Kinds::benchmark_sets,
         copies_);
-    for (const PersonSource* person : shown) {
-        for (CohortRow& row : rows_of(*person, table.tasks)) table.rows.push_back(std::move(row));
-        for (const AttemptSummary& attempt : person->attempts)
-            if (attempt.counting) provenance.add(attempt);
+    for (PersonSource* person : shown) {
         if (options.curriculum != nullptr)
             table.standings.push_back(
                 standings_of(*person, *options.curriculum, table.as_of, decisions_[person->person.id]));
+        for (CohortRow& row : rows_of(*person, table.tasks)) table.rows.push_back(std::move(row));
+        for (const AttemptSummary& attempt : person->attempts)
+            if (attempt.counting) provenance.add(attempt);
     }
     if (options.curriculum != nullptr) table.curriculum = options.curriculum->name();
     provenance.write(table);

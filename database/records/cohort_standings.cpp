@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
 #include <tuple>
 
 #include "assessment/scoring/score.h"
@@ -19,40 +18,41 @@ std::int64_t local_day(const AttemptMeta& meta) {
     return local >= 0 ? local / day_ms : -((-local + day_ms - 1) / day_ms);
 }
 
-/// The attempts that count for one task with the device class used last, oldest first; `counting`: all of
-/// this task that count for any curriculum. A task that is unlocked is never locked again, so what began
-/// before `first`, the first one that the standing counts, was performed while the task was locked.
-std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummary*>& counting,
-                                           const CurriculumTask& task, std::int64_t first) {
-    std::vector<const AttemptSummary*> found;
-    for (const AttemptSummary* attempt : counting)
-        if (attempt->meta.started >= first && counts(task, attempt->meta.device_class))
-            found.push_back(attempt);
-    if (found.empty()) return found;
-    const DeviceClass last = found.back()->meta.device_class;
-    found.erase(std::remove_if(found.begin(), found.end(),
-                               [&](const AttemptSummary* one) { return one->meta.device_class != last; }),
-                found.end());
-    return found;
-}
-
-/// `counting`: as for of_task(). `points`: gets those of the device class used last.
-PersonTask person_task(const TaskStanding& standing, const CurriculumTask& of,
-                       const std::vector<const AttemptSummary*>& counting, std::vector<double>& points) {
+/// `counting`: as PersonRecord::attempts. `points`: gets those of the device class used last. By the attempts
+/// that the standing counted when they were performed: a move changes neither bars nor plateau.
+PersonTask person_task(const TaskStanding& standing, const std::vector<const AttemptSummary*>& counting,
+                       std::vector<double>& points) {
     PersonTask task;
     task.standing = standing;
     task.first_attempt = standing.first_attempt;
     task.first_pass = standing.first_pass;
-    if (standing.attempts == 0) return task;  // what was performed while the task was locked does not count
-    for (const AttemptSummary* attempt : of_task(counting, of, standing.first_attempt)) {
-        task.device_class = attempt->meta.device_class;
-        if (attempt->points) points.push_back(*attempt->points);
-        task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,
-                               attempt->provisional, attempt->points});
+    if (standing.counted.empty()) return task;
+    const DeviceClass last = counting[standing.counted.back()]->meta.device_class;
+    task.device_class = last;
+    for (const std::size_t place : standing.counted) {
+        const AttemptSummary& attempt = *counting[place];
+        if (attempt.meta.device_class != last) continue;
+        if (attempt.points) points.push_back(*attempt.points);
+        task.recent.push_back(
+            {attempt.meta.id, attempt.meta.started, *attempt.passed, attempt.provisional, attempt.points});
     }
     if (task.recent.size() > most_recent)
         task.recent.erase(task.recent.begin(), task.recent.end() - static_cast<std::ptrdiff_t>(most_recent));
     return task;
+}
+
+/// Of `counting`, as PersonRecord::attempts: those at tasks of `followed` that no standing counts.
+std::vector<std::string> uncounted_in(const std::vector<const AttemptSummary*>& counting,
+                                      const std::vector<TaskStanding>& standings,
+                                      const Curriculum& followed) {
+    std::vector<bool> counted(counting.size(), false);
+    for (const TaskStanding& one : standings)
+        for (const std::size_t place : one.counted) counted[place] = true;
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < counting.size(); ++i)
+        if (!counted[i] && followed.find(counting[i]->meta.task_id) != nullptr)
+            ids.push_back(counting[i]->meta.id);
+    return ids;
 }
 
 }  // namespace
@@ -91,11 +91,11 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     person.not_here = !missing.empty();
     std::map<std::int64_t, int> days;
     std::int64_t last_practice = 0;
-    std::map<std::string_view, std::vector<const AttemptSummary*>> counting;  // by task
+    std::vector<const AttemptSummary*> counting;  // as record.attempts
     for (const AttemptSummary* attempt : by_time) {
         if (attempt->counting) {
             record.attempts.push_back(counted_attempt(*attempt));
-            counting[attempt->meta.task_id].push_back(attempt);
+            counting.push_back(attempt);
         }
         const std::int64_t day = local_day(attempt->meta);
         ++days[day];
@@ -112,8 +112,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     const auto task_of = [&](const std::string& id) {
         const auto found = std::find_if(standings.begin(), standings.end(),
                                         [&](const TaskStanding& one) { return one.task == id; });
-        if (found != standings.end())
-            return person_task(*found, *own.find(id), counting[found->task], points[found->task]);
+        if (found != standings.end()) return person_task(*found, counting, points[found->task]);
         PersonTask lacking;
         lacking.standing.task = id;
         return lacking;
@@ -122,7 +121,9 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     for (const TaskStanding& one : standings)
         if (!person.not_here && curriculum.find(one.task) == nullptr)
             person.own_tasks.push_back(task_of(one.task));
-    if (!person.not_here) person.concerns = concerns_of(standings, points, last_practice, pass_mark, at);
+    if (person.not_here) return person;
+    person.uncounted = uncounted_in(counting, standings, own);
+    person.concerns = concerns_of(standings, points, last_practice, pass_mark, at);
     return person;
 }
 

@@ -59,6 +59,9 @@ struct PersonStandings {
     std::optional<std::int64_t> begun;
     std::vector<Concern> concerns;  ///< in the order of ConcernKind
     std::int64_t last_attempt = 0;  ///< UTC ms, of any kind; 0: none
+    /// Attempts that count by themselves, but for no standing of the version that was followed then:
+    /// performed while the task was locked, or with another class of devices. In no value of the task.
+    std::vector<std::string> uncounted;
     /// False: the account is deactivated. In no figure of the present: n, plan, stages, checks, concerns.
     bool active = true;
 };

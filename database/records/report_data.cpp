@@ -36,19 +36,25 @@ PersonStandings Reports::standings(const Session& session, const std::string& pe
     const Operation operation =
         purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
     store_.require(session, operation, Subject::person(person_id));
-    return standings_of(source_of(store_, session, all_of_person(person_id)), curriculum, store_.now(),
+    PersonSource source = source_of(store_, session, all_of_person(person_id));
+    return standings_of(source, curriculum, store_.now(),
                         decisions_of(store_, session, person_id, curriculum));
 }
 
 PersonProgress Reports::person_progress(const Session& session, const std::string& person_id,
-                                        const std::string& task_id, ReportPurpose purpose) const {
+                                        const std::string& task_id, ReportPurpose purpose,
+                                        const Curriculum* curriculum) const {
     const Operation operation =
         purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
     store_.require(session, operation, Subject::person(person_id));
     AttemptFilter filter = all_of_person(person_id);
-    filter.task_id = task_id;
+    // Other tasks decide whether this one was unlocked.
+    if (curriculum == nullptr) filter.task_id = task_id;
     filter.include_voided = true;
     PersonSource source = source_of(store_, session, filter);
+    if (curriculum != nullptr)
+        standings_of(source, *curriculum, store_.now(),
+                     decisions_of(store_, session, person_id, *curriculum));
     source.scores = read_scores_in_force(
         store_.connection(), belongs_to("a.person_id") + " AND a.task_id = ?", {person_id, task_id});
     if (purpose == ReportPurpose::exported)
@@ -78,12 +84,15 @@ PersonData Reports::person_data(const Session& session, const std::string& perso
 }
 
 std::vector<CohortRow> Reports::person_table(const Session& session, const std::string& person_id,
-                                             const std::vector<std::string>& tasks,
-                                             ReportPurpose purpose) const {
+                                             const std::vector<std::string>& tasks, ReportPurpose purpose,
+                                             const Curriculum* curriculum) const {
     const Operation operation =
         purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
     store_.require(session, operation, Subject::person(person_id));
     PersonSource source = source_of(store_, session, all_of_person(person_id));
+    if (curriculum != nullptr)
+        standings_of(source, *curriculum, store_.now(),
+                     decisions_of(store_, session, person_id, *curriculum));
     std::vector<std::string> columns = tasks;
     if (columns.empty()) add_tasks(columns, source.attempts);
     if (purpose == ReportPurpose::exported) source.released = released_forms(store_, session, person_id);

@@ -38,9 +38,11 @@ struct CohortRow {
     std::optional<DeviceClass> device_class;
     TaskState state = TaskState::open;
     bool provisional = false;  ///< every pass is based on provisional limits: "passed (provisional)"
-    int attempts = 0;          ///< counting: assessed, scored, ended by the trainee or the clock
-    int passes = 0;            ///< of these
-    int not_counting = 0;      ///< practice, interrupted, not scored
+    /// Counting: assessed, scored, ended by the trainee or the clock; with a curriculum those that the
+    /// standing of the task counts.
+    int attempts = 0;
+    int passes = 0;        ///< of these
+    int not_counting = 0;  ///< practice, interrupted, not scored, or not counted by the standing
     std::optional<double> best_points;
     std::string best_attempt_id;
     std::int64_t last_attempt = 0;   ///< UTC ms, any attempt; 0 none
@@ -75,6 +77,8 @@ struct ProgressPoint {
     AttemptState state = AttemptState::running;
     std::string variant, fidelity, limits;
     bool counting = false;
+    /// Counts by itself, but no standing counts it: `counting` is false.
+    bool left_out = false;
     bool continues = false;  ///< practice from a state of another attempt or of a demonstration: never scored
     double duration_s = 0;
     std::optional<bool> passed;
@@ -151,9 +155,10 @@ class Reports {
     CohortTable cohort_table(const Session& session, const std::string& cohort_id,
                              const CohortTableOptions& options = {},
                              ReportPurpose purpose = ReportPurpose::screen) const;
+    /// With a curriculum only what its standings count is counting, as in cohort_table.
     PersonProgress person_progress(const Session& session, const std::string& person_id,
-                                   const std::string& task_id,
-                                   ReportPurpose purpose = ReportPurpose::screen) const;
+                                   const std::string& task_id, ReportPurpose purpose = ReportPurpose::screen,
+                                   const Curriculum* curriculum = nullptr) const;
     /// Checked as export_person.
     PersonData person_data(const Session& session, const std::string& person_id,
                            const PersonDataOptions& options) const;
@@ -177,7 +182,8 @@ class Reports {
     /// The rows of cohort_table for one person.
     std::vector<CohortRow> person_table(const Session& session, const std::string& person_id,
                                         const std::vector<std::string>& tasks,
-                                        ReportPurpose purpose = ReportPurpose::screen) const;
+                                        ReportPurpose purpose = ReportPurpose::screen,
+                                        const Curriculum* curriculum = nullptr) const;
 
   private:
     const Store& store_;

@@ -136,10 +136,13 @@ Decisions decisions_of(const Store& store, const Session& session, const std::st
     return decisions;
 }
 
-PersonStandings standings_of(const PersonSource& source, const Curriculum& curriculum, std::int64_t at,
+PersonStandings standings_of(PersonSource& source, const Curriculum& curriculum, std::int64_t at,
                              const Decisions& decisions) {
     PersonStandings standings = person_standings(source.attempts, decisions.overrides, curriculum, at,
                                                  decisions.followed, decisions.ratings);
+    const std::set<std::string> uncounted(standings.uncounted.begin(), standings.uncounted.end());
+    for (AttemptSummary& attempt : source.attempts)
+        if (attempt.counting && uncounted.count(attempt.meta.id) != 0) attempt.counting = false;
     standings.person_id = source.person.id;
     standings.login = source.person.login;
     standings.name = source.person.name;
@@ -175,6 +178,7 @@ PersonProgress progress_of(PersonSource& source, const std::string& task_id, Pro
         point.fidelity = attempt.meta.fidelity;
         point.limits = attempt.meta.limits;
         point.counting = attempt.counting;
+        point.left_out = !attempt.counting && is_counting(attempt);
         point.continues = attempt.meta.origin.has_value();
         point.duration_s = attempt.duration_s;
         point.passed = attempt.passed;
@@ -234,11 +238,11 @@ PersonData data_of(PersonSource& source, const PersonDataOptions& options, const
     data.name = source.person.name;
     data.synthetic = source.person.synthetic;
     const std::vector<std::string> tasks = tasks_with_external(options.tasks, source);
-    if (options.with_rows) {
-        data.rows = rows_of(source, tasks);
-        if (options.curriculum != nullptr)
-            data.standings = standings_of(source, *options.curriculum, at, decisions);
+    if (options.curriculum != nullptr) {
+        PersonStandings standings = standings_of(source, *options.curriculum, at, decisions);
+        if (options.with_rows) data.standings = std::move(standings);
     }
+    if (options.with_rows) data.rows = rows_of(source, tasks);
     for (const std::string& task : tasks) data.progress.push_back(progress_of(source, task, provenance));
     return data;
 }

@@ -57,7 +57,8 @@ struct PersonSource {
 
 /// Tasks in the order given; every task has at least one row.
 std::vector<CohortRow> rows_of(const PersonSource& source, const std::vector<std::string>& tasks);
-PersonStandings standings_of(const PersonSource& source, const Curriculum& curriculum, std::int64_t at,
+/// From then on only what the standings count is counting in the source, for rows and progress.
+PersonStandings standings_of(PersonSource& source, const Curriculum& curriculum, std::int64_t at,
                              const Decisions& decisions);
 /// Takes the scores of this task out of the source.
 PersonProgress progress_of(PersonSource& source, const std::string& task_id, Provenance& provenance);

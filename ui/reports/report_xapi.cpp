@@ -158,7 +158,9 @@ void add_context(JsonText& json, const Parts& parts, DeviceClass device_class,
     json.member(term("state"), row_of(attempt_states, point.state).name);
     json.member(term("fidelity"), point.fidelity).member(term("variant"), point.variant);
     if (!point.limits.empty()) json.member(term("limits"), point.limits);
-    json.member(term("counting"), point.counting).member(term("provisional"), point.provisional);
+    // A statement is sent once: what it says must not change with a move or a void of another attempt.
+    json.member(term("counting"), point.counting || point.left_out)
+        .member(term("provisional"), point.provisional);
     json.member(term("synthetic"), parts.synthetic()).end_object().end_object();
 }
 

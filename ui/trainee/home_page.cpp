@@ -26,15 +26,11 @@ void look_for_remedy(const database::Store& store, const database::Session& sess
     const CurriculumTask* task = content.followed->find(content.next.task);
     if (content.next.reason != RecommendationReason::longest_ago || task == nullptr || task->remedies.empty())
         return;
-    const auto standing =
-        std::find_if(content.standings.begin(), content.standings.end(),
-                     [&](const TaskStanding& one) { return one.task == content.next.task; });
-    const std::int64_t first = standing == content.standings.end() ? 0 : standing->first_attempt;
     const database::PersonProgress progress =
-        database::Reports(store).person_progress(session, session.person_id(), content.next.task);
-    content.next =
-        with_remedy(content.next, *content.followed, history_of(progress, *task, first), last, pass_mark);
-    content.latest_attempt = latest_counting(progress, *task, first);
+        database::Reports(store).person_progress(session, session.person_id(), content.next.task,
+                                                 database::ReportPurpose::screen, content.newest.get());
+    content.next = with_remedy(content.next, *content.followed, history_of(progress), last, pass_mark);
+    content.latest_attempt = latest_counting(progress);
 }
 
 /// `tasks`: that the program has. `device`: what the trainee would use now.
@@ -43,7 +39,8 @@ HomeContent read_content(const database::Store& store, const database::Session& 
                          DeviceClass device) {
     HomeContent content;
     content.newest = std::move(newest);
-    content.summaries = summarise(database::Reports(store).person_table(session, session.person_id(), tasks));
+    content.summaries = summarise(database::Reports(store).person_table(
+        session, session.person_id(), tasks, database::ReportPurpose::screen, content.newest.get()));
     const PersonRecord record =
         database::Standings(store).record(session, session.person_id(), *content.newest);
     content.at = store.now();  // one moment: a move may come into force at any

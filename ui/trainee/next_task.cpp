@@ -29,16 +29,13 @@ QString ago_text(std::int64_t last, std::int64_t now_ms) {
                        : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
 }
 
-/// Those that count since `first`, of the device class used last; empty: none.
-std::vector<const database::ProgressPoint*> counting_points(const database::PersonProgress& progress,
-                                                            const CurriculumTask& task, std::int64_t first) {
+/// Those that count, of the device class used last; empty: none.
+std::vector<const database::ProgressPoint*> counting_points(const database::PersonProgress& progress) {
     std::vector<const database::ProgressPoint*> newest;
-    if (first == 0) return newest;
     for (const database::ProgressSeries& series : progress.series) {
-        if (!counts(task, series.device_class)) continue;
         std::vector<const database::ProgressPoint*> found;
         for (const database::ProgressPoint& point : series.points)
-            if (point.counting && point.started >= first) found.push_back(&point);
+            if (point.counting) found.push_back(&point);
         if (found.empty()) continue;
         if (newest.empty() || found.back()->started >= newest.back()->started) newest = std::move(found);
     }
@@ -62,10 +59,9 @@ std::map<std::string, double> worse_values(const std::vector<database::MetricRow
 
 }  // namespace
 
-TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task,
-                       std::int64_t first) {
+TaskHistory history_of(const database::PersonProgress& progress) {
     TaskHistory history;
-    for (const database::ProgressPoint* point : counting_points(progress, task, first)) {
+    for (const database::ProgressPoint* point : counting_points(progress)) {
         if (point->points) history.points.push_back(*point->points);
         history.values.push_back(worse_values(point->metrics));
         history.last_variant = point->variant;
@@ -74,9 +70,8 @@ TaskHistory history_of(const database::PersonProgress& progress, const Curriculu
     return history;
 }
 
-std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task,
-                            std::int64_t first) {
-    const auto points = counting_points(progress, task, first);
+std::string latest_counting(const database::PersonProgress& progress) {
+    const auto points = counting_points(progress);
     return points.empty() ? std::string() : points.back()->attempt_id;
 }
 

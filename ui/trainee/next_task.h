@@ -22,14 +22,11 @@ struct TaskSummary {
 /// By task; a task without rows is left out.
 std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortRow>& rows);
 
-/// What the curriculum's remedies go by: the series of a device class that counts whose latest attempt is the
-/// newest. `first`: UTC ms, TaskStanding::first_attempt; what began before was performed while the task was
-/// locked; 0: nothing counts.
-TaskHistory history_of(const database::PersonProgress& progress, const CurriculumTask& task,
-                       std::int64_t first);
+/// What the curriculum's remedies go by: of what counts, the series of the device class whose latest attempt
+/// is the newest. `progress`: read with the curriculum.
+TaskHistory history_of(const database::PersonProgress& progress);
 /// The latest attempt of such a history; empty without one.
-std::string latest_counting(const database::PersonProgress& progress, const CurriculumTask& task,
-                            std::int64_t first);
+std::string latest_counting(const database::PersonProgress& progress);
 /// Why a remedy is recommended, and what to do: one sentence.
 QString remedy_reason_text(const Recommendation& next, const QString& task_title,
                            const std::vector<TaskDefinition>& tasks);

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <algorithm>
+#include <memory>
 #include <set>
 
 #include "assessment/metrics/registry.h"
@@ -254,9 +255,11 @@ void ProgressPage::load() {
                         : tr("Progress of %1").arg(person_->currentText()));
     if (!person_id_.empty() && !task_id_.empty())
         reading_->begin(
-            [person = person_id_, task = task_id_](const database::Store& store,
-                                                   const database::Session& session) {
-                return database::Reports(store).person_progress(session, person, task);
+            [person = person_id_, task = task_id_,
+             curriculum = std::make_shared<const Curriculum>(context().services().curriculum())](
+                const database::Store& store, const database::Session& session) {
+                return database::Reports(store).person_progress(
+                    session, person, task, database::ReportPurpose::screen, curriculum.get());
             },
             [this](database::PersonProgress progress) {
                 const KeptPlaces places(this);

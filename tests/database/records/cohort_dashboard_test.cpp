@@ -320,6 +320,33 @@ TEST(CohortDashboard, HasTheChecksOfTasksThatOnlyThePersonsOwnVersionHas) {
     EXPECT_EQ(dashboard.checks[0].checks[0].task, "A1");
 }
 
+TEST(CohortDashboard, BarsAreThoseThatTheVersionOfTheirTimeCountedWhateverMoveFollows) {
+    Curriculum mouse_too = two_stages();
+    for (CurriculumTask& task : mouse_too.tasks)
+        task.device_classes = {DeviceClass::haptic, DeviceClass::mouse_keyboard};
+    Curriculum haptic_only = mouse_too;
+    haptic_only.version = 2;
+    for (CurriculumTask& task : haptic_only.tasks) task.device_classes = {DeviceClass::haptic};
+    std::vector<AttemptSummary> attempts;
+    for (int i = 0; i < 4; ++i) {
+        attempts.push_back(counting_attempt(dashboard_today - 10 + i, i == 3));
+        if (i > 0) attempts.back().meta.device_class = DeviceClass::mouse_keyboard;
+    }
+    const std::int64_t moved = (dashboard_today - 2) * dashboard_day_ms;
+    const std::vector<CurriculumAssignment> to_less = {{0, &mouse_too}, {moved, &haptic_only}};
+    PersonStandings person = person_standings(attempts, {}, haptic_only, noon().at, to_less);
+    EXPECT_EQ(person.tasks[0].standing.attempts, 4);
+    EXPECT_EQ(person.tasks[0].device_class, DeviceClass::mouse_keyboard);
+    EXPECT_EQ(person.tasks[0].recent.size(), 3U) << "of the class used last, as they counted then";
+    EXPECT_TRUE(person.uncounted.empty());
+    const std::vector<CurriculumAssignment> to_more = {{0, &haptic_only}, {moved, &mouse_too}};
+    person = person_standings(attempts, {}, mouse_too, noon().at, to_more);
+    EXPECT_EQ(person.tasks[0].standing.attempts, 1);
+    EXPECT_EQ(person.tasks[0].device_class, DeviceClass::haptic);
+    EXPECT_EQ(person.tasks[0].recent.size(), 1U);
+    EXPECT_EQ(person.uncounted.size(), 3U);
+}
+
 TEST(CohortDashboard, LeavesDeactivatedPeopleOutOfAllThatAsksSomebodyToDoSomething) {
     std::vector<PersonStandings> people = three_people();
     people[0].active = people[2].active = false;  // ann, whose check is overdue, and cyd

@@ -81,6 +81,50 @@ TEST(Standings, OfACohortMarkADeactivatedPersonWhoHasNoConcernAndIsNotInN) {
     for (const CohortRow& row : table.rows) EXPECT_EQ(row.active, row.login != "ann");
 }
 
+TEST(Standings, AreTheSameNumberOfAttemptsAsRowsAndProgress) {
+    const Programme programme;
+    programme.record("ann", true, 60);
+    programme.record("ann", true, 90, "B1");  // locked
+    programme.record("ann", false, 20);
+    const Curriculum curriculum = rectal();
+    const Reports reports(*programme.store);
+    const Session& director = programme.session("director");
+    CohortTableOptions options;
+    options.tasks = {"A2", "B1"};
+    options.curriculum = &curriculum;
+    const CohortTable table = reports.cohort_table(director, programme.cohort, options);
+    const PersonData data = reports.person_data(director, programme.id("ann"), {options.tasks, &curriculum});
+    const std::vector<CohortRow> personal = reports.person_table(director, programme.id("ann"), options.tasks,
+                                                                 ReportPurpose::screen, &curriculum);
+    for (const std::string& task : options.tasks) {
+        int counted = -1;
+        for (const PersonStandings& person : table.standings)
+            for (const PersonTask& one : person.tasks)
+                if (person.login == "ann" && one.standing.task == task) counted = one.standing.attempts;
+        EXPECT_EQ(counted, task == "A2" ? 2 : 0);
+        for (const std::vector<CohortRow>* rows : {&table.rows, &data.rows, &personal}) {
+            int attempts = 0, others = 0;
+            for (const CohortRow& row : *rows)
+                if (row.login == "ann" && row.task_id == task) {
+                    attempts += row.attempts;
+                    others += row.not_counting;
+                }
+            EXPECT_EQ(attempts, counted) << task;
+            EXPECT_EQ(others, task == "A2" ? 0 : 1) << task;
+        }
+        const PersonProgress shown =
+            reports.person_progress(director, programme.id("ann"), task, ReportPurpose::screen, &curriculum);
+        int points = 0, left_out = 0;
+        for (const ProgressSeries& series : shown.series)
+            for (const ProgressPoint& point : series.points) {
+                points += point.counting ? 1 : 0;
+                left_out += point.left_out ? 1 : 0;
+            }
+        EXPECT_EQ(points, counted) << task;
+        EXPECT_EQ(left_out, task == "A2" ? 0 : 1) << task;
+    }
+}
+
 TEST(Standings, AFailureWithoutASetOfLimitsIsMarked) {
     const Programme programme;
     const Curriculum curriculum = rectal();

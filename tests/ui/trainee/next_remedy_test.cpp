@@ -168,10 +168,7 @@ TEST_F(OnAPlateau, WhatCannotAssessTheTasksThatAreLeftIsTheDeviceInUse) {
               "The remaining tasks cannot be assessed with game controller, but you can practise this one.");
 }
 
-TEST(RemedyHistory, IsOfTheAttemptsSinceTheTaskIsUnlocked) {
-    CurriculumTask task;
-    task.task = "B1";
-    task.device_classes = {DeviceClass::haptic, DeviceClass::tracked};
+TEST(RemedyHistory, IsOfTheAttemptsThatCountWithTheDeviceClassUsedLast) {
     const auto attempt = [](std::int64_t started, bool counting) {
         database::ProgressPoint point;
         point.attempt_id = "attempt " + std::to_string(started);
@@ -180,25 +177,24 @@ TEST(RemedyHistory, IsOfTheAttemptsSinceTheTaskIsUnlocked) {
         point.points = 48;
         return point;
     };
-    database::ProgressSeries haptic, tracked;
+    database::ProgressSeries haptic, mouse;
     haptic.device_class = DeviceClass::haptic;
-    for (int i = 1; i <= 16; ++i) haptic.points.push_back(attempt(i, true));
-    haptic.points.push_back(attempt(20, true));
-    haptic.points.push_back(attempt(30, false));
-    tracked.device_class = DeviceClass::tracked;
-    tracked.points = {attempt(18, true)};
+    for (int i = 1; i <= 16; ++i) haptic.points.push_back(attempt(i, false));  // the task was locked
+    haptic.points.push_back(attempt(18, true));
+    mouse.device_class = DeviceClass::mouse_keyboard;
+    // Counted when they were performed, whatever the version in force now counts.
+    mouse.points = {attempt(19, true), attempt(20, true), attempt(30, false)};
     database::PersonProgress progress;
-    progress.series = {haptic, tracked};
-    EXPECT_EQ(history_of(progress, task, 1).points.size(), 17U);
-    const TaskHistory since = history_of(progress, task, 20);
-    EXPECT_EQ(since.points.size(), 1U);
-    EXPECT_EQ(since.values.size(), 1U);
-    EXPECT_EQ(since.last, 20);
-    EXPECT_EQ(latest_counting(progress, task, 20), "attempt 20");
-    // Nothing counts.
-    EXPECT_TRUE(history_of(progress, task, 0).values.empty());
-    EXPECT_EQ(latest_counting(progress, task, 0), "");
-    EXPECT_EQ(latest_counting(progress, task, 21), "");
+    progress.series = {haptic, mouse};
+    const TaskHistory history = history_of(progress);
+    EXPECT_EQ(history.points.size(), 2U);
+    EXPECT_EQ(history.values.size(), 2U);
+    EXPECT_EQ(history.last, 20);
+    EXPECT_EQ(latest_counting(progress), "attempt 20");
+    for (database::ProgressSeries& series : progress.series)
+        for (database::ProgressPoint& point : series.points) point.counting = false;
+    EXPECT_TRUE(history_of(progress).values.empty());
+    EXPECT_EQ(latest_counting(progress), "");
 }
 
 TEST(NextReason, DaysAgoAreLocalDates) {
