@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/placed_assets.h"
 #include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum.h"
 #include "assessment/scoring/benchmark.h"
 #include "database/rows/crypto.h"
 #include "database/store/accepted_assets.h"
@@ -126,10 +127,16 @@ int accept(const Arguments& arguments) {
     const files::path path = files::absolute(arguments.words()[0]);
     const std::string text = text_at(path);
     const AssetFile file{accepted_name(path, text), database::sha256_hex(text)};
-    // A set that cannot be read here is not accepted either: nobody could say what it takes over.
+    // A set that cannot be read here is not accepted either: nobody could say what it takes over. Nor is a
+    // curriculum, or one with a rule that nobody can meet.
     std::optional<TakenOver> limits;
-    if (database::passed_on_name(text).rfind("benchmarks/", 0) == 0)
-        limits = limits_of_site(parse_benchmark(text, path.string()));
+    const std::string kind = database::passed_on_name(text);
+    if (kind.rfind("benchmarks/", 0) == 0) limits = limits_of_site(parse_benchmark(text, path.string()));
+    if (kind.rfind("curricula/", 0) == 0) {
+        Curriculum curriculum = parse_draft(text, path.string());
+        curriculum.file = path.string();
+        check_rules(curriculum);
+    }
     AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""), text,
                                  limits ? provisional_words(limits->by_site) : std::string());
     if (arguments.has("--json")) {

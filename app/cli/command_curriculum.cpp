@@ -91,6 +91,7 @@ int run_rule(const Arguments& arguments) {
             throw UsageError(needed, QT_TRANSLATE_NOOP("errors", "is missing"),
                              QT_TRANSLATE_NOOP("errors", "see fulcrum curriculum rule --help"));
     const PassRule rule = parse_pass_rule(*arguments.value("--rule"));
+    if (const auto never = why_never_met(rule, 1)) throw UsageError("--rule", never->problem, never->hint);
     const double q = chance_of(*arguments.value("--q"));
     const auto attempts = static_cast<int>(arguments.integer("--attempts", 30, 1, 1000));
     const OperatingPoint point = operating_point(rule, q, attempts);

@@ -145,6 +145,7 @@ int run_metrics(const Arguments& arguments) {
 std::string check_curriculum(const std::string& text, const std::string& file) {
     Curriculum curriculum = parse_curriculum(text, file, task_ids());
     curriculum.file = file;
+    check_rules(curriculum);
     check_ratings(curriculum, load_forms(asset_path("forms")));
     check_remedies(curriculum, all_installed_tasks());
     std::size_t remedies = 0;

@@ -213,6 +213,13 @@ void require_counts(const Curriculum& curriculum, const TaskDefinition& task, De
                      {QT_TRANSLATE_NOOP("errors", "practise, or use one of: %1"), named});
 }
 
+void check_rules(const Curriculum& curriculum) {
+    for (std::size_t i = 0; i < curriculum.tasks.size(); ++i)
+        if (const auto found = why_never_met(curriculum.tasks[i].rule, curriculum.tasks[i].variants))
+            throw InputError(curriculum.file.empty() ? curriculum.name() : curriculum.file, place(i, "rule"),
+                             found->problem, found->hint);
+}
+
 Curriculum parse_draft(const std::string& text, const std::string& file) {
     Curriculum draft = read_curriculum(JsonDocument::parse(text, file));
     draft.text = text;

@@ -78,9 +78,12 @@ void require_counts(const Curriculum& curriculum, const TaskDefinition& task, De
 /// Throws InputError with file, place and hint: not valid by the schema, a stage, task or prerequisite that
 /// is not there or named twice, a prerequisite of a later stage, a cycle, a rule that is none, a
 /// remedy with an unknown metric or a wrong unit. `tasks`: the installed ones. Forms and items of ratings:
-/// check_ratings(); what remedies ask for: check_remedies().
+/// check_ratings(); what remedies ask for: check_remedies(); whether its rules can be met: check_rules().
 Curriculum parse_curriculum(const std::string& text, const std::string& file,
                             const std::vector<std::string>& tasks);
+/// Throws InputError with file and place where nobody can ever meet a rule (why_never_met()). Of a version
+/// that is to come into force; one in force that has such a rule stays readable, since people follow it.
+void check_rules(const Curriculum& curriculum);
 /// Of a draft: valid by the schema, whatever else is wrong with it (check_draft()). Throws InputError.
 Curriculum parse_draft(const std::string& text, const std::string& file);
 Curriculum load_curriculum(const std::string& path, const std::vector<std::string>& tasks);

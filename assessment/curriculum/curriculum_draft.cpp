@@ -115,6 +115,8 @@ class DraftCheck {
         } catch (const InputError& error) {
             add(CurriculumField::rule, i, error.problem_sentence(), error.hint_sentence());
         }
+        if (const auto never = why_never_met(task.rule, task.variants))
+            add(CurriculumField::rule, i, never->problem, never->hint);
         const int variants = known == nullptr ? 0 : static_cast<int>(known->variants.size());
         if (known != nullptr && task.variants > variants)
             add(CurriculumField::variants, i,

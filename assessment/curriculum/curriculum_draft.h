@@ -31,8 +31,8 @@ struct CurriculumProblem {
     bool blocks = true;  ///< false: it can be published, but its author should know
 };
 
-/// In the order of the fields and of the tasks. Where nothing blocks, parse_curriculum(), check_ratings() and
-/// check_remedies() accept the draft's text.
+/// In the order of the fields and of the tasks. Where nothing blocks, parse_curriculum(), check_rules(),
+/// check_ratings() and check_remedies() accept the draft's text.
 std::vector<CurriculumProblem> check_draft(const Curriculum& draft, const std::vector<InstalledTask>& tasks,
                                            const std::vector<ObserverForm>& forms);
 

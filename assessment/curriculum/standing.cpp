@@ -243,6 +243,7 @@ class TaskRun {
         const RuleState& state = shown().state();
         result.one_more_day = state.one_more_day && !met;
         result.more_variants = met ? 0 : state.more_variants;
+        result.never_met = !met && !can_be_met(task.rule, task.variants);
         result.one_more_pass = !waits && !met && shown().asks_for_one_more();
         result.progress = met ? 1 : state.progress;
         if (result.one_more_pass) result.progress /= 1 + state.of_one_pass;

@@ -90,6 +90,7 @@ struct TaskStanding {
     bool met_provisionally = false;     ///< the rule is met by provisional limits, still those in use
     bool one_more_day = false;          ///< the rule is met but for passes on a second day
     bool one_more_pass = false;         ///< enough passes before a move; the new rule is met by one to come
+    bool never_met = false;             ///< nobody can ever meet the rule: can_be_met()
     int more_variants = 0;              ///< the rule is met but for passes on so many more variants
     bool rated_low = false;             ///< enough ratings, too low: another attempt has to complete the rule
     std::string rated_attempt;          ///< the one whose ratings the rule asks for; empty: none

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/learning/pass_rule.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <locale>
@@ -126,6 +127,31 @@ std::string pass_rule_text(const PassRule& rule) {
             break;
     }
     return text.str();
+}
+
+int least_window(int variants) {
+    return std::max(2, variants);
+}
+
+bool can_be_met(const PassRule& rule, int variants) {
+    return rule.kind == PassRuleKind::lc_cusum || rule.n >= least_window(variants);
+}
+
+std::optional<PassRuleProblem> why_never_met(const PassRule& rule, int variants) {
+    if (can_be_met(rule, variants)) return std::nullopt;
+    const Sentence problem =
+        rule.n == 1
+            ? Sentence(QT_TRANSLATE_NOOP(
+                  "errors",
+                  "nobody can meet the rule: it counts one attempt, and asks for passes on two days"))
+            : Sentence(
+                  QT_TRANSLATE_NOOP(
+                      "errors",
+                      "nobody can meet the rule: it counts %1 attempts, and asks for passes on %2 variants"),
+                  rule.n, variants);
+    return PassRuleProblem{problem,
+                           {QT_TRANSLATE_NOOP("errors", "let it count at least %1 attempts, or use LC-CUSUM"),
+                            least_window(variants)}};
 }
 
 std::vector<double> operating_curve(const PassRule& rule, double q, int attempts) {

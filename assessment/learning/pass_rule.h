@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/numerics/sentence.h"
+
 namespace fulcrum {
 
 enum class PassRuleKind : std::uint8_t {
@@ -26,6 +28,17 @@ struct PassRule {
 PassRule parse_pass_rule(const std::string& text);
 /// The text that parse_pass_rule() reads as the rule; numbers with at most six digits.
 std::string pass_rule_text(const PassRule& rule);
+/// The fewest attempts that a rule has to look at for its passes to be on two local dates and on `variants`
+/// variants.
+int least_window(int variants);
+/// Whether the attempts that the rule looks at are that many; LC-CUSUM looks at as many as there are. Nobody
+/// ever meets one that looks at fewer.
+bool can_be_met(const PassRule& rule, int variants);
+struct PassRuleProblem {
+    Sentence problem, hint;
+};
+/// Why nobody can ever meet the rule; none where it can be met.
+std::optional<PassRuleProblem> why_never_met(const PassRule& rule, int variants);
 /// What an attempt adds to the sum of LC-CUSUM: ln((1 - p0)/(1 - p1)) for a pass, ln(p0/p1) for a failure.
 /// The sum starts at 0 and never falls below it.
 double lc_cusum_step(const PassRule& rule, bool passed);

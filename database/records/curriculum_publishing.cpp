@@ -73,6 +73,7 @@ std::string publish_curriculum(const Store& store, const Session& educator, cons
     std::vector<std::string> tasks;
     for (const InstalledTask& task : place.tasks) tasks.push_back(task.id);
     const Curriculum next = parse_curriculum(text, follows.id, tasks);
+    check_rules(next);
     check_ratings(next, place.forms);
     check_remedies(next, place.tasks);
     const Curriculum newest = load_versions(place.folder, follows.id, tasks);

@@ -102,7 +102,10 @@ void CurriculumPage::connect_parts() {
     connect(up_, &QPushButton::clicked, this, [this] { move_task(-1); });
     connect(down_, &QPushButton::clicked, this, [this] { move_task(1); });
     connect(needs_, &TaskNeedsForm::changed, this, [this] {
-        if (CurriculumTask* task = chosen()) needs_->apply(*task);
+        if (CurriculumTask* task = chosen()) {
+            needs_->apply(*task);
+            show_rule(*task);  // how many attempts it has to look at depends on the variants
+        }
         look();
     });
     connect(ratings_, &TaskRatingsForm::changed, this, [this] {
@@ -241,8 +244,7 @@ void CurriculumPage::show_task() {
         return;
     }
     task_name_->setText(context().task_title(task->task));
-    const CurriculumTask* known = in_force().find(task->task);
-    designer_->show_rule(known == nullptr ? task->rule : known->rule, task->rule);
+    show_rule(*task);
     QStringList titles;
     for (const CurriculumTask& one : draft_.tasks) titles << context().task_title(one.task);
     const InstalledTask* installed = find_installed(installed_, task->task);
@@ -251,6 +253,11 @@ void CurriculumPage::show_task() {
     ratings_->show_task(*task);
     remedies_->show_task(*task);
     show_problems();
+}
+
+void CurriculumPage::show_rule(const CurriculumTask& task) {
+    const CurriculumTask* known = in_force().find(task.task);
+    designer_->show_rule(known == nullptr ? task.rule : known->rule, task.rule, task.variants);
 }
 
 void CurriculumPage::show_facts() {

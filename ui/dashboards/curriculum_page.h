@@ -78,6 +78,7 @@ class CurriculumPage : public Page {
     void fill(int row);
     void write_line(int row);
     void show_task();
+    void show_rule(const CurriculumTask& task);
     void show_facts();
     void try_rule();
     void restore();

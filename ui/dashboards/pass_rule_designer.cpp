@@ -112,14 +112,16 @@ PassRuleDesigner::Dial PassRuleDesigner::make_dial(const QString& name, const ch
     return dial;
 }
 
-void PassRuleDesigner::show_rule(const PassRule& in_force, const PassRule& tried) {
+void PassRuleDesigner::show_rule(const PassRule& in_force, const PassRule& tried, int variants) {
     in_force_ = in_force;
     tried_ = tried;
+    variants_ = variants;
     set_dials();
     refresh();
 }
 
-// The ranges follow the rule: K stays at most N, the unacceptable share above the acceptable one.
+// The ranges follow the rule: K stays at most N, the unacceptable share above the acceptable one, and the
+// rule looks at enough attempts for passes on two days and on the variants of the task.
 void PassRuleDesigner::set_dials() {
     setting_ = true;
     kind_->setCurrentIndex(static_cast<int>(tried_.kind));
@@ -131,8 +133,9 @@ void PassRuleDesigner::set_dials() {
         dial.given = value;
     };
     const int low_share = qRound(100 * tried_.p0), high_share = qRound(100 * tried_.p1);
-    set(passes_, !sum, 1, of ? tried_.n : most_passes, tried_.k);
-    set(among_, of, 1, most_among, tried_.n);
+    const int least = least_window(variants_);
+    set(passes_, !sum, of ? 1 : least, of ? tried_.n : std::max(most_passes, least), tried_.k);
+    set(among_, of, least, most_among, tried_.n);
     set(acceptable_, sum, 1, 50, low_share);
     set(unacceptable_, sum, low_share + 1, 90, high_share);
     set(limit_, sum, 5, 80, qRound(tried_.h / limit_step));
@@ -158,9 +161,11 @@ void PassRuleDesigner::read_dials() {
     tried_.kind = static_cast<PassRuleKind>(kind_->currentIndex());
     tried_.k = passes_.slider->value();
     tried_.n = among_.slider->value();
-    if (tried_.kind == PassRuleKind::in_a_row) tried_.n = tried_.k;
+    if (tried_.kind == PassRuleKind::in_a_row)
+        tried_.n = tried_.k = std::max(tried_.k, least_window(variants_));
     if (tried_.kind == PassRuleKind::k_of_n && before.kind != PassRuleKind::k_of_n)
         tried_.n = std::clamp(tried_.k + 1, 1, most_among);
+    if (tried_.kind == PassRuleKind::k_of_n) tried_.n = std::max(tried_.n, least_window(variants_));
     tried_.k = std::min(tried_.k, tried_.n);
     if (acceptable_.is_moved()) tried_.p0 = acceptable_.slider->value() / 100.0;
     if (unacceptable_.is_moved()) tried_.p1 = unacceptable_.slider->value() / 100.0;

@@ -23,8 +23,9 @@ class PassRuleDesigner : public QWidget {
     Q_OBJECT
   public:
     explicit PassRuleDesigner(QWidget* parent = nullptr);
-    /// `in_force`: the curriculum's; `tried`: what the sliders show.
-    void show_rule(const PassRule& in_force, const PassRule& tried);
+    /// `in_force`: the curriculum's; `tried`: what the sliders show; `variants`: on how many the passes have
+    /// to be. A rule that nobody could meet is not among those that the sliders offer.
+    void show_rule(const PassRule& in_force, const PassRule& tried, int variants);
     const PassRule& tried() const { return tried_; }
 
   signals:
@@ -45,6 +46,7 @@ class PassRuleDesigner : public QWidget {
     void refresh();
 
     PassRule in_force_, tried_;
+    int variants_ = 1;
     bool setting_ = false;
     QComboBox* kind_;
     Dial passes_, among_, acceptable_, unacceptable_, limit_;

@@ -254,6 +254,11 @@ QString standing_detail(const TaskStanding& standing) {
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
                                      "You have enough passes, but the limits are provisional: later tasks "
                                      "are unlocked, and proficiency is not declared."));
+    if (standing.never_met)
+        return say(
+            QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                              "Nobody can meet the rule of this task: it counts too few attempts. Ask your "
+                              "educator to correct the curriculum."));
     if (standing.rated_low)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
                                      "The ratings of the attempt of %1 are below the limit: the next pass "

@@ -63,6 +63,11 @@ TEST_F(StatisticsCommands, RuleGivesItsOperatingPoint) {
     EXPECT_NE(refusal({"curriculum", "rule", "--rule", "row:2", "--q", "1.5"}).find("--q"),
               std::string::npos);
     EXPECT_NE(refusal({"curriculum", "rule", "--q", "0.5"}).find("--rule"), std::string::npos);
+    for (const char* rule : {"row:1", "of:1,1"})
+        EXPECT_NE(
+            refusal({"curriculum", "rule", "--rule", rule, "--q", "0.5"}).find("asks for passes on two days"),
+            std::string::npos)
+            << rule;
 }
 
 TEST_F(StatisticsCommands, FitGivesThreeModels) {

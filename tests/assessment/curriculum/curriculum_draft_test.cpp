@@ -139,6 +139,7 @@ TEST(CurriculumDraft, WhatDoesNotBlockCanBeReadByTheProgram) {
         [](Curriculum& d, std::size_t i) { d.tasks.erase(d.tasks.begin() + static_cast<std::ptrdiff_t>(i)); },
         [](Curriculum& d, std::size_t i) { d.tasks[i].rule = {PassRuleKind::k_of_n, 5, 3, 0, 0, 0}; },
         [](Curriculum& d, std::size_t i) { d.tasks[i].rule.p0 = 0.9; },
+        [](Curriculum& d, std::size_t i) { d.tasks[i].rule = parse_pass_rule("of:2,2"); },
         [](Curriculum& d, std::size_t i) { d.stages[i % d.stages.size()].title = std::string(61, 'x'); },
         [](Curriculum& d, std::size_t i) { d.tasks[i].variants = static_cast<int>(i); },
         [](Curriculum& d, std::size_t i) { d.tasks[i].remedies[0].unit = "ell"; },
@@ -157,6 +158,7 @@ TEST(CurriculumDraft, WhatDoesNotBlockCanBeReadByTheProgram) {
                 bool read = true;
                 try {
                     const Curriculum again = parse_curriculum(curriculum_text(draft), "draft", installed);
+                    check_rules(again);
                     check_ratings(again, forms());
                     check_remedies(again, all_installed());
                 } catch (const InputError& error) {

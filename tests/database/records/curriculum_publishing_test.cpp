@@ -56,6 +56,10 @@ TEST_F(CurriculumPublished, IsTheEducatorsAuditedAndInForce) {
     EXPECT_EQ(error_kind([&] { publish("educator", next("No"), " "); }), StoreErrorKind::bad_value);
     EXPECT_EQ(error_kind([&] { publish("educator", next("No", 2)); }), StoreErrorKind::conflict);
     EXPECT_THROW(publish("educator", "{}"), InputError);
+    Curriculum never = newest();
+    never.version = never.next_own_version();
+    never.tasks[0].rule = parse_pass_rule("row:1");
+    EXPECT_THROW(publish("educator", curriculum_text(never)), InputError) << "nobody can meet the rule";
     EXPECT_EQ(newest().version, 3) << "nothing was written";
     EXPECT_TRUE(AcceptedAssets(*programme.store).list().empty());
     const std::string path = publish("educator", next("New title"), "A clearer title");

@@ -100,11 +100,11 @@ inline std::string words_of(const PersonStandings& person) {
     for (const PersonTask& task : person.tasks) {
         const TaskStanding& at = task.standing;
         words << at.task << ' ' << row_of(standing_names, at.standing).name << at.provisional
-              << at.met_provisionally << at.one_more_day << at.one_more_pass << at.rated_low << at.stalled
-              << at.by_override << at.overdue << ' ' << at.more_variants << ' ' << at.rated_attempt << ' '
-              << at.rated_time << ' ' << at.raters << '/' << at.raters_needed << ' ' << at.attempts << ' '
-              << at.passes << ' ' << at.progress << ' ' << at.declared_at << ' ' << at.next_check << ' '
-              << at.last_attempt;
+              << at.met_provisionally << at.one_more_day << at.one_more_pass << at.never_met << at.rated_low
+              << at.stalled << at.by_override << at.overdue << ' ' << at.more_variants << ' '
+              << at.rated_attempt << ' ' << at.rated_time << ' ' << at.raters << '/' << at.raters_needed
+              << ' ' << at.attempts << ' ' << at.passes << ' ' << at.progress << ' ' << at.declared_at << ' '
+              << at.next_check << ' ' << at.last_attempt;
         for (const std::string& one : at.waits_for) words << " waits for " << one;
         words << ' ' << (task.device_class ? static_cast<int>(*task.device_class) : -1) << ' '
               << task.first_attempt << ' ' << task.first_pass;

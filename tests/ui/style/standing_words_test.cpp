@@ -40,5 +40,14 @@ TEST(StandingWords, AskForOneMorePassWhereThoseFromBeforeAMoveAreEnough) {
               "You have enough passes for the present rule: the next pass that meets it counts.");
 }
 
+TEST(StandingWords, AskForNoPassWhereNobodyCanMeetTheRule) {
+    TaskStanding passed;
+    passed.standing = Standing::passed;
+    passed.one_more_day = true;
+    EXPECT_EQ(standing_detail(passed), "Pass once more on another day.");
+    passed.never_met = true;
+    EXPECT_TRUE(standing_detail(passed).startsWith("Nobody can meet the rule of this task"));
+}
+
 }  // namespace
 }  // namespace fulcrum::ui

@@ -7325,6 +7325,18 @@
         <translation>verlangen Sie weniger, sonst wird die Regel nie erfüllt</translation>
     </message>
     <message>
+        <source>nobody can meet the rule: it counts one attempt, and asks for passes on two days</source>
+        <translation>niemand kann die Regel erfüllen: Sie zählt einen Versuch und verlangt Bestehen an zwei Tagen</translation>
+    </message>
+    <message>
+        <source>nobody can meet the rule: it counts %1 attempts, and asks for passes on %2 variants</source>
+        <translation>niemand kann die Regel erfüllen: Sie zählt %1 Versuche und verlangt Bestehen an %2 Varianten</translation>
+    </message>
+    <message>
+        <source>let it count at least %1 attempts, or use LC-CUSUM</source>
+        <translation>lassen Sie sie mindestens %1 Versuche zählen oder verwenden Sie LC-CUSUM</translation>
+    </message>
+    <message>
         <source>add it, or take it out of the prerequisites</source>
         <translation>fügen Sie sie hinzu oder streichen Sie sie aus den Voraussetzungen</translation>
     </message>
@@ -20798,6 +20810,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Next check on %1.</source>
         <translation>Nächste Kontrolle am %1.</translation>
+    </message>
+    <message>
+        <source>Nobody can meet the rule of this task: it counts too few attempts. Ask your educator to correct the curriculum.</source>
+        <translation>Niemand kann die Regel dieser Aufgabe erfüllen: Sie zählt zu wenige Versuche. Bitten Sie Ihren Ausbilder, das Curriculum zu berichtigen.</translation>
     </message>
     <message>
         <source>Pass once more on another day.</source>
