@@ -32,6 +32,7 @@ std::vector<Concern> concerns_of(const std::vector<TaskStanding>& standings, con
         concern.task = one.task;
         concern.since = since;
         concern.attempts = one.attempts;
+        concern.provisional = one.provisional;
         concerns.push_back(concern);
     };
     bool left = false;

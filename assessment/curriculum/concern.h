@@ -36,6 +36,7 @@ struct Concern {
     ConcernKind kind = ConcernKind::stopped;
     std::string task;          ///< empty: all tasks (stopped)
     std::int64_t since = 0;    ///< UTC ms: due date, latest attempt; 0: not known
+    bool provisional = false;  ///< relapsed, check_overdue: the limits are, so that attempts do not end it
     int attempts = 0;          ///< that count, in the task; plateau: those that its curve is through
     double plateau = 0;        ///< plateau: points, 0 to 100
     double low = 0, high = 0;  ///< plateau: its 95 % interval, points

@@ -15,6 +15,18 @@ bool is_done(const TaskStanding& one) {
            one.standing == Standing::due || one.met_provisionally;
 }
 
+/// Something that the trainee has not finished, and does not wait for others.
+bool is_unfinished(const TaskStanding& one) {
+    return one.standing != Standing::locked && one.standing != Standing::awaiting_rating && !is_done(one);
+}
+
+/// A check, or a proficiency to regain, where the limits with this device are provisional as far as is known.
+bool needs_firm_limits(const TaskStanding& one, DeviceClass device) {
+    const std::vector<DeviceClass>& with = one.provisional_with;
+    return (one.standing == Standing::due || one.standing == Standing::relapsed) &&
+           std::find(with.begin(), with.end(), curriculum_class(device)) != with.end();
+}
+
 /// Chooses among the tasks of a curriculum.
 class Chooser {
   public:
@@ -128,16 +140,17 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
     const Chooser choose(curriculum, standings, last_attempts, device);
     const TaskStanding* due = nullptr;
     for (const TaskStanding& one : standings)
-        if (one.standing == Standing::due && choose.assessable(one) &&
+        if (one.standing == Standing::due && choose.assessable(one) && !needs_firm_limits(one, device) &&
             (due == nullptr || one.next_check < due->next_check))
             due = &one;
     if (due != nullptr) return choose.say(RecommendationReason::check_due, *due);
     if (const TaskStanding* one = choose.longest_ago([&](const TaskStanding& each) {
-            return each.standing == Standing::relapsed && choose.assessable(each);
+            return each.standing == Standing::relapsed && choose.assessable(each) &&
+                   !needs_firm_limits(each, device);
         }))
         return choose.say(RecommendationReason::relapsed, *one);
-    const auto waits = [](const TaskStanding& one) {
-        return one.standing != Standing::locked && one.standing != Standing::awaiting_rating && !is_done(one);
+    const auto waits = [&](const TaskStanding& one) {
+        return is_unfinished(one) && !one.never_met && !needs_firm_limits(one, device);
     };
     if (const TaskStanding* one = choose.lowest_stage(
             [&](const TaskStanding& each) { return waits(each) && choose.assessable(each); }))
@@ -149,6 +162,11 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
     if (const TaskStanding* one = choose.lowest_stage(
             [](const TaskStanding& each) { return each.standing == Standing::awaiting_rating; }))
         return choose.say(RecommendationReason::awaits_rating, *one);
+    if (const TaskStanding* one =
+            choose.longest_ago([&](const TaskStanding& each) { return needs_firm_limits(each, device); }))
+        return choose.say(RecommendationReason::check_provisional, *one);
+    if (const TaskStanding* one = choose.lowest_stage(is_unfinished))
+        return choose.say(RecommendationReason::rule_never_met, *one);
     if (const TaskStanding* one =
             choose.longest_ago([](const TaskStanding& each) { return each.standing != Standing::locked; }))
         return choose.say(RecommendationReason::all_done, *one);

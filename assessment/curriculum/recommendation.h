@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The next thing to do and why: a check that is due, a task that has relapsed, then what is unlocked and not
-// yet done in the lowest stage; where its curve levels off below the pass mark, the remedy that the
-// curriculum names for it. Deterministic: the same standing gives the same recommendation.
+// yet done in the lowest stage; what the trainee cannot complete comes after what can be done; where its
+// curve levels off below the pass mark, the remedy that the curriculum names for it. Deterministic: the same
+// standing gives the same recommendation.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +17,17 @@
 namespace fulcrum {
 
 enum class RecommendationReason : std::uint8_t {
-    nothing,        ///< the curriculum has no task that is unlocked
-    check_due,      ///< a retention check is due
-    relapsed,       ///< proficiency was lost
-    not_tried,      ///< unlocked, never attempted
-    longest_ago,    ///< unlocked, of those in its stage the one not practised longest
-    practice_only,  ///< what is left cannot be assessed with this device
-    awaits_rating,  ///< what is left waits for ratings by educators; practice keeps the skill
-    remedy,         ///< as longest_ago, on a plateau: what the curriculum names for its worst metric
-    all_done        ///< every task is done; this one was performed longest ago
+    nothing,            ///< the curriculum has no task that is unlocked
+    check_due,          ///< a retention check is due
+    relapsed,           ///< proficiency was lost
+    not_tried,          ///< unlocked, never attempted
+    longest_ago,        ///< unlocked, of those in its stage the one not practised longest
+    practice_only,      ///< what is left cannot be assessed with this device
+    check_provisional,  ///< a check, or to regain proficiency, is left, which provisional limits cannot do
+    rule_never_met,     ///< nobody can meet the rule of what is left
+    awaits_rating,      ///< what is left waits for ratings by educators; practice keeps the skill
+    remedy,             ///< as longest_ago, on a plateau: what the curriculum names for its worst metric
+    all_done            ///< every task is done; this one was performed longest ago
 };
 
 /// A remedy that is recommended, and why.
@@ -38,7 +41,7 @@ struct Recommendation {
     RecommendationReason reason = RecommendationReason::nothing;
     std::string task, stage;                  ///< empty for nothing
     std::int64_t last = 0;                    ///< UTC ms of the latest attempt, practice included; 0: none
-    std::int64_t check = 0;                   ///< UTC ms, check_due: since when
+    std::int64_t check = 0;                   ///< UTC ms, of a check that is due: since when
     std::optional<ChosenRemedy> remedy = {};  ///< remedy
 };
 

@@ -167,7 +167,12 @@ class TaskRun {
         ++attempts_;
         // There it could not have been passed either.
         if (one.without_limits) return;
+        judged_ = true;
         by_firm_limits_ = !one.provisional;
+        if (one.provisional)
+            provisional_with_.insert(curriculum_class(one.device_class));
+        else
+            provisional_with_.erase(curriculum_class(one.device_class));
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
             if (passes_ == 0) first_pass_ = one.time;
@@ -218,8 +223,10 @@ class TaskRun {
         result.first_pass = first_pass_;
         result.first_declared_at = first_declared_at_;
         result.by_override = declared_at_ != 0 ? declared_by_override_ : unlocked_by_override;
+        result.provisional_with.assign(provisional_with_.begin(), provisional_with_.end());
         if (relapsed_) {
             result.standing = Standing::relapsed;
+            result.provisional = judged_ && !by_firm_limits_;
             return result;
         }
         if (declared_at_ != 0) {
@@ -229,7 +236,7 @@ class TaskRun {
             result.standing = at >= next_check_ ? Standing::due
                               : maintained_     ? Standing::maintained
                                                 : Standing::proficient;
-            result.provisional = provisional_ && !by_firm_limits_ && result.standing == Standing::due;
+            result.provisional = judged_ && !by_firm_limits_ && result.standing == Standing::due;
             return result;
         }
         result.standing = passes_ > 0     ? Standing::passed
@@ -317,7 +324,9 @@ class TaskRun {
 
     int attempts_ = 0, passes_ = 0;
     bool provisional_ = false, met_provisionally_ = false;
-    bool by_firm_limits_ = false;  ///< the latest attempt was judged by them
+    bool judged_ = false;                     ///< an attempt was, by limits of either kind
+    bool by_firm_limits_ = false;             ///< the latest attempt was judged by them
+    std::set<DeviceClass> provisional_with_;  ///< classes whose latest attempt was not
     std::int64_t first_ = 0, first_pass_ = 0, last_ = 0;
     RuleRun all_, firm_;
     std::vector<Outcome> since_relapse_;

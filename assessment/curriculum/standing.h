@@ -86,7 +86,10 @@ struct PersonRecord {
 struct TaskStanding {
     std::string task;
     Standing standing = Standing::locked;
-    bool provisional = false;  ///< passed: every pass so far is by provisional limits; due: also those in use
+    /// Passed: every pass so far is by provisional limits. Due, relapsed: the latest attempt was judged by
+    /// them, and they neither complete a check nor restore proficiency.
+    bool provisional = false;
+    std::vector<DeviceClass> provisional_with = {};  ///< classes whose latest attempt they judged
     bool met_provisionally = false;     ///< the rule is met by provisional limits, still those in use
     bool one_more_day = false;          ///< the rule is met but for passes on a second day
     bool one_more_pass = false;         ///< enough passes before a move; the new rule is met by one to come

@@ -143,9 +143,10 @@ std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people
         for (const PersonStandings& person : people) {
             if (person.not_here) continue;
             const PersonTask& task = person.tasks[t];
+            const bool declared_before =
+                task.standing.standing == Standing::due || task.standing.standing == Standing::relapsed;
             if (person.active) ++one.people[task.standing.standing];
-            if (person.active && task.standing.provisional && task.standing.standing != Standing::due)
-                ++one.provisional;
+            if (person.active && task.standing.provisional && !declared_before) ++one.provisional;
             if (task.first_attempt == 0) continue;
             ++one.attempted;
             if (task.first_pass > 0) ++one.passed;

@@ -19,10 +19,22 @@ QString say(const char* source, int count = -1) {
 QString concern_text(const Concern& concern, const QString& task_title, std::int64_t now) {
     switch (concern.kind) {
         case ConcernKind::relapsed:
+            if (concern.provisional)
+                return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns",
+                                             "%1: proficiency was lost; latest attempt on %2, by limits that "
+                                             "are provisional and cannot restore it: "
+                                             "build the benchmark set, or decide."))
+                    .arg(task_title, date_text(concern.since));
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns",
                                          "%1: proficiency was lost; latest attempt on %2."))
                 .arg(task_title, date_text(concern.since));
         case ConcernKind::check_overdue:
+            if (concern.provisional)
+                return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns",
+                                             "%1: a retention check was due on %2. The limits are "
+                                             "provisional and cannot complete it: "
+                                             "build the benchmark set, or decide."))
+                    .arg(task_title, date_text(concern.since));
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns", "%1: a retention check was due on %2."))
                 .arg(task_title, date_text(concern.since));
         case ConcernKind::plateau:

@@ -242,11 +242,15 @@ QString standing_detail(const TaskStanding& standing) {
         case Standing::due:
             if (standing.provisional)
                 return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
-                                             "The check cannot be completed while the limits of this task "
-                                             "are provisional. An educator can decide."));
+                                             "Provisional limits, which judged your latest attempt, cannot "
+                                             "complete the check. An educator can decide."));
             return say(
                 QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass twice on one day to complete the check."));
         case Standing::relapsed:
+            if (standing.provisional)
+                return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                             "Provisional limits, which judged your latest attempt, cannot "
+                                             "restore proficiency. An educator can decide."));
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
                                          "Three passes in four attempts restore proficiency."));
     }

@@ -132,6 +132,21 @@ QString reason_text(const Recommendation& next, const QString& stage, DeviceClas
                                            "The remaining tasks cannot be assessed with %1, but you can "
                                            "practise this one."))
                 .arg(device_class_text(device));
+        case RecommendationReason::check_provisional:
+            if (next.check == 0)
+                return words(QT_TRANSLATE_NOOP(
+                    "fulcrum::ui::next_task",
+                    "Your results in this task have fallen below proficiency. Provisional limits cannot "
+                    "restore it; an educator can decide. Until then you can practise it."));
+            return words(QT_TRANSLATE_NOOP(
+                             "fulcrum::ui::next_task",
+                             "A retention check of this task has been due since %1. Provisional limits "
+                             "cannot complete it; an educator can decide. Until then you can practise it."))
+                .arg(date_text(next.check));
+        case RecommendationReason::rule_never_met:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "Nobody can meet the rule of this task: ask your educator to "
+                                           "correct the curriculum. Until then you can practise it."));
         case RecommendationReason::awaits_rating:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "The remaining tasks await ratings by your educators. Until then "

@@ -90,6 +90,11 @@ TEST(Concern, RelapseOverdueChecksAndManyAttemptsComeInTheirOrder) {
     EXPECT_EQ(found[2].kind, ConcernKind::stalled);
     EXPECT_EQ(found[2].attempts, 60);
     EXPECT_EQ(found[3].kind, ConcernKind::stopped);
+    EXPECT_FALSE(found[1].provisional);
+    overdue.provisional = true;
+    const std::vector<Concern> provisional = concerns_of({overdue}, {}, today, mark, today);
+    ASSERT_EQ(provisional.size(), 1U);
+    EXPECT_TRUE(provisional[0].provisional);
     overdue.overdue = false;
     EXPECT_TRUE(concerns_of({overdue}, {}, today, mark, today).empty()) << "due, but not late yet";
 }

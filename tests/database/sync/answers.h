@@ -214,11 +214,11 @@ inline void say(Answer& to, const PersonRecord& record) {
     to.all(record.assignments, record.attempts, record.overrides, record.ratings);
 }
 inline void say(Answer& to, const TaskStanding& at) {
-    to.all(at.task, at.standing, at.provisional, at.met_provisionally, at.one_more_day, at.one_more_pass,
-           at.never_met, at.more_variants, at.rated_low, at.rated_attempt, at.rated_time, at.raters,
-           at.raters_needed, at.stalled, at.by_override, at.overdue, at.attempts, at.passes, at.progress,
-           at.waits_for, at.declared_at, at.first_declared_at, at.next_check, at.first_attempt, at.first_pass,
-           at.last_attempt);
+    to.all(at.task, at.standing, at.provisional, at.provisional_with, at.met_provisionally, at.one_more_day,
+           at.one_more_pass, at.never_met, at.more_variants, at.rated_low, at.rated_attempt, at.rated_time,
+           at.raters, at.raters_needed, at.stalled, at.by_override, at.overdue, at.attempts, at.passes,
+           at.progress, at.waits_for, at.declared_at, at.first_declared_at, at.next_check, at.first_attempt,
+           at.first_pass, at.last_attempt);
 }
 inline void say(Answer& to, const RecentAttempt& one) {
     to.all(one.attempt_id, one.started, one.passed, one.provisional, one.points);
@@ -230,7 +230,7 @@ inline void say(Answer& to, const PracticeDay& day) {
     to.all(day.day, day.attempts);
 }
 inline void say(Answer& to, const Concern& one) {
-    to.all(one.kind, one.task, one.since, one.attempts, one.plateau, one.low, one.high);
+    to.all(one.kind, one.task, one.since, one.provisional, one.attempts, one.plateau, one.low, one.high);
 }
 inline void say(Answer& to, const PersonStandings& person) {
     to.all(person.person_id, person.login, person.name, person.curriculum, person.tasks, person.days,

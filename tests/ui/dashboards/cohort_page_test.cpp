@@ -368,6 +368,13 @@ TEST(ConcernWords, SayWhatSinceWhenAndHowMuch) {
     concern.since = std::int64_t{86'400'000} * 20'000;
     EXPECT_TRUE(concern_text(concern, "", concern.since + std::int64_t{86'400'000} * 30)
                     .startsWith("No practice for 30 days, since "));
+    for (const ConcernKind kind : {ConcernKind::relapsed, ConcernKind::check_overdue}) {
+        concern.kind = kind;
+        concern.provisional = false;
+        EXPECT_FALSE(concern_text(concern, "A2", 0).contains("provisional"));
+        concern.provisional = true;
+        EXPECT_TRUE(concern_text(concern, "A2", 0).contains("build the benchmark set, or decide"));
+    }
 }
 
 }  // namespace

@@ -30,6 +30,15 @@ TEST(StandingWords, SayThatAnEducatorDecidedAboutTheProficiency) {
     EXPECT_EQ(standing_name(unlocked), "open") << "nothing was declared";
 }
 
+TEST(StandingWords, DoNotPromiseThatPassesOnProvisionalLimitsRestoreProficiency) {
+    TaskStanding lost;
+    lost.standing = Standing::relapsed;
+    EXPECT_EQ(standing_detail(lost), "Three passes in four attempts restore proficiency.");
+    lost.provisional = true;
+    EXPECT_FALSE(standing_detail(lost).contains("Three passes"));
+    EXPECT_TRUE(standing_detail(lost).contains("An educator can decide"));
+}
+
 TEST(StandingWords, AskForOneMorePassWhereThoseFromBeforeAMoveAreEnough) {
     TaskStanding moved;
     moved.standing = Standing::passed;

@@ -197,6 +197,17 @@ TEST(RemedyHistory, IsOfTheAttemptsThatCountWithTheDeviceClassUsedLast) {
     EXPECT_EQ(latest_counting(progress), "");
 }
 
+TEST(NextReason, SaysWhatProvisionalLimitsCannotDo) {
+    Recommendation next;
+    next.reason = RecommendationReason::check_provisional;
+    const auto reason = [&] { return reason_text(next, "Basics", DeviceClass::haptic, 0); };
+    EXPECT_TRUE(reason().startsWith("Your results in this task have fallen below proficiency."));
+    next.check = 86'400'000;
+    EXPECT_TRUE(reason().contains("Provisional limits cannot complete it")) << reason().toStdString();
+    next.reason = RecommendationReason::rule_never_met;
+    EXPECT_TRUE(reason().startsWith("Nobody can meet the rule of this task"));
+}
+
 TEST(NextReason, DaysAgoAreLocalDates) {
     const auto reason = [](RecommendationReason why, const QDateTime& last, const QDateTime& now) {
         Recommendation next;

@@ -20111,6 +20111,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%1: Eine Erhaltungskontrolle war am %2 fällig.</translation>
     </message>
     <message>
+        <source>%1: proficiency was lost; latest attempt on %2, by limits that are provisional and cannot restore it: build the benchmark set, or decide.</source>
+        <translation>%1: nicht mehr sicher beherrscht; letzter Versuch am %2, nach vorläufigen Grenzwerten, die das nicht ändern können: Erstellen Sie den Richtwertsatz, oder entscheiden Sie.</translation>
+    </message>
+    <message>
+        <source>%1: a retention check was due on %2. The limits are provisional and cannot complete it: build the benchmark set, or decide.</source>
+        <translation>%1: Eine Erhaltungskontrolle war am %2 fällig. Die Grenzwerte sind vorläufig und können sie nicht abschließen: Erstellen Sie den Richtwertsatz, oder entscheiden Sie.</translation>
+    </message>
+    <message>
         <source>%1: after %n attempts the curve levels off at %2 points (95 % interval %3 to %4), below the pass mark of %5.</source>
         <translation>%1: Nach %n Versuchen erreicht die Kurve ein Plateau bei %2 Punkten (95-%-Intervall %3 bis %4), unter der Bestehensgrenze von %5.</translation>
     </message>
@@ -20545,6 +20553,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Mit %1 können die übrigen Aufgaben nicht bewertet werden, aber diese können Sie üben.</translation>
     </message>
     <message>
+        <source>Your results in this task have fallen below proficiency. Provisional limits cannot restore it; an educator can decide. Until then you can practise it.</source>
+        <translation>Ihre Ergebnisse in dieser Aufgabe reichen nicht mehr für „sicher beherrscht“. Vorläufige Grenzwerte können es nicht wiederherstellen; ein Ausbilder kann entscheiden. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
+        <source>A retention check of this task has been due since %1. Provisional limits cannot complete it; an educator can decide. Until then you can practise it.</source>
+        <translation>Eine Kontrolle dieser Aufgabe ist seit %1 fällig. Vorläufige Grenzwerte können sie nicht abschließen; ein Ausbilder kann entscheiden. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
+        <source>Nobody can meet the rule of this task: ask your educator to correct the curriculum. Until then you can practise it.</source>
+        <translation>Niemand kann die Regel dieser Aufgabe erfüllen: Bitten Sie Ihren Ausbilder, das Curriculum zu berichtigen. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
         <source>The remaining tasks await ratings by your educators. Until then you can practise this one.</source>
         <translation>Für die übrigen Aufgaben fehlen Beurteilungen durch Ihre Ausbilder. Bis dahin können Sie diese üben.</translation>
     </message>
@@ -20844,8 +20864,12 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Die Beurteilungen des Versuchs vom %1 liegen unter der Grenze: Der nächste bestandene Versuch, mit dem die Regel erfüllt ist, wird beurteilt.</translation>
     </message>
     <message>
-        <source>The check cannot be completed while the limits of this task are provisional. An educator can decide.</source>
-        <translation>Solange die Grenzwerte dieser Aufgabe vorläufig sind, kann die Kontrolle nicht abgeschlossen werden. Ein Ausbilder kann entscheiden.</translation>
+        <source>Provisional limits, which judged your latest attempt, cannot complete the check. An educator can decide.</source>
+        <translation>Mit vorläufigen Grenzwerten, nach denen Ihr letzter Versuch bewertet wurde, kann die Kontrolle nicht abgeschlossen werden. Ein Ausbilder kann entscheiden.</translation>
+    </message>
+    <message>
+        <source>Provisional limits, which judged your latest attempt, cannot restore proficiency. An educator can decide.</source>
+        <translation>Mit vorläufigen Grenzwerten, nach denen Ihr letzter Versuch bewertet wurde, kann „sicher beherrscht“ nicht wiederhergestellt werden. Ein Ausbilder kann entscheiden.</translation>
     </message>
     <message>
         <source>Pass twice on one day to complete the check.</source>

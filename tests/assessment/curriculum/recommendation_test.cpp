@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is recommended where a task cannot be completed: by provisional limits, or by anybody.
+#include "assessment/curriculum/recommendation.h"
+
+#include <gtest/gtest.h>
+
+namespace fulcrum {
+namespace {
+
+constexpr std::int64_t next_day = 86'400'000, next_hour = 3'600'000;
+constexpr std::int64_t next_begin = 20'000 * next_day + next_day / 2;
+
+/// A, and B after it.
+Curriculum two_steps(const std::string& rule = "row:2") {
+    Curriculum curriculum{"test", 1, "Test", {{"1", "First"}, {"2", "Second"}}, {}};
+    const std::vector<DeviceClass> classes = {DeviceClass::haptic, DeviceClass::tracked};
+    curriculum.tasks.push_back({"A", "1", {}, parse_pass_rule(rule), classes});
+    curriculum.tasks.push_back({"B", "2", {"A"}, parse_pass_rule("row:2"), classes});
+    return curriculum;
+}
+
+class Recommended : public ::testing::Test {
+  protected:
+    explicit Recommended(const Curriculum& curriculum = two_steps()) : followed(curriculum) {
+        record.assignments.push_back({0, &followed});
+    }
+    CountedAttempt& attempt(std::int64_t time, bool passed, DeviceClass device = DeviceClass::haptic) {
+        CountedAttempt one;
+        one.id = "attempt-" + std::to_string(record.attempts.size());
+        one.task = "A";
+        one.time = time;
+        one.passed = passed;
+        one.device_class = device;
+        record.attempts.push_back(one);
+        return record.attempts.back();
+    }
+    void decide(const char* task, std::int64_t time) {
+        record.overrides.push_back({task, task, StandingOverride::Kind::proficient, time});
+    }
+    /// Of A.
+    TaskStanding at(std::int64_t time) const { return standing_of(record, time).front(); }
+    Recommendation next(std::int64_t time, DeviceClass device = DeviceClass::haptic) const {
+        return recommend(followed, standing_of(record, time), {}, device);
+    }
+    Curriculum followed;
+    PersonRecord record;
+};
+
+TEST_F(Recommended, ACheckThatProvisionalLimitsCannotCompleteHidesNothingElse) {
+    attempt(next_begin, true);
+    attempt(next_begin + next_day, true);
+    const std::int64_t due = next_begin + 15 * next_day, later = due + 2 * next_hour;
+    EXPECT_EQ(next(due).reason, RecommendationReason::check_due);
+    attempt(due + next_hour, true).provisional = true;
+    attempt(due + 2 * next_hour, true).provisional = true;
+    EXPECT_EQ(at(later).standing, Standing::due) << "they do not complete it";
+    EXPECT_TRUE(at(later).provisional) << "although firm limits judged a pass before";
+    EXPECT_EQ(next(later).task, "B");
+    EXPECT_EQ(next(later).reason, RecommendationReason::not_tried);
+    EXPECT_EQ(next(later, DeviceClass::tracked).reason, RecommendationReason::check_due)
+        << "whose limits may be firm";
+    decide("B", later);
+    EXPECT_EQ(next(later).reason, RecommendationReason::check_provisional) << "nothing else is left";
+    EXPECT_EQ(next(later).task, "A");
+    EXPECT_EQ(next(later).check, due);
+    attempt(later + next_hour, true);
+    EXPECT_FALSE(at(later + next_hour).provisional);
+    EXPECT_EQ(next(later + next_hour).reason, RecommendationReason::check_due) << "firm limits judge it now";
+    attempt(later + 2 * next_hour, true);
+    EXPECT_EQ(at(later + 2 * next_hour).standing, Standing::maintained);
+}
+
+TEST_F(Recommended, TheLimitsOfTheDeviceInUseDecide) {
+    attempt(next_begin, true);
+    attempt(next_begin + next_day, true);
+    const std::int64_t due = next_begin + 15 * next_day;
+    for (int i = 0; i < 2; ++i) attempt(due + i * next_hour, true, DeviceClass::tracked).provisional = true;
+    EXPECT_TRUE(at(due + next_hour).provisional);
+    EXPECT_EQ(next(due + next_hour, DeviceClass::tracked).task, "B");
+    EXPECT_EQ(next(due + next_hour).reason, RecommendationReason::check_due) << "by firm limits";
+}
+
+TEST_F(Recommended, ACheckOfADecisionThatProvisionalLimitsCannotCompleteHidesNothingElse) {
+    decide("A", next_begin);
+    const std::int64_t due = next_begin + 14 * next_day;
+    EXPECT_EQ(next(due).reason, RecommendationReason::check_due) << "no limits have judged an attempt yet";
+    attempt(due, true).provisional = true;
+    EXPECT_EQ(next(due).task, "B");
+}
+
+TEST_F(Recommended, ARelapseThatProvisionalLimitsCannotEndHidesNothingElse) {
+    attempt(next_begin, true);
+    attempt(next_begin + next_day, true);
+    for (int i = 1; i <= 3; ++i) attempt(next_begin + next_day + i * next_hour, false);
+    const std::int64_t lost = next_begin + 2 * next_day;
+    EXPECT_EQ(next(lost).reason, RecommendationReason::relapsed);
+    EXPECT_FALSE(at(lost).provisional);
+    for (int i = 0; i < 4; ++i) attempt(lost + i * next_hour, true).provisional = true;
+    const std::int64_t later = lost + 3 * next_hour;
+    EXPECT_EQ(at(later).standing, Standing::relapsed);
+    EXPECT_TRUE(at(later).provisional);
+    EXPECT_EQ(next(later).task, "B");
+    decide("B", later);
+    EXPECT_EQ(next(later).reason, RecommendationReason::check_provisional);
+    EXPECT_EQ(next(later).check, 0);
+    decide("A", later + next_hour);
+    EXPECT_EQ(next(later + next_hour).reason, RecommendationReason::all_done);
+}
+
+class RecommendedNever : public Recommended {
+  protected:
+    RecommendedNever() : Recommended(two_steps("row:1")) {}
+};
+
+TEST_F(RecommendedNever, ATaskWhoseRuleNobodyCanMeetComesLast) {
+    record.overrides.push_back({"1", "B", StandingOverride::Kind::unlocked, next_begin});
+    for (int i = 0; i < 3; ++i) attempt(next_begin + i * next_day, true);
+    const std::int64_t later = next_begin + 3 * next_day;
+    EXPECT_TRUE(at(later).never_met);
+    EXPECT_EQ(next(later).task, "B");
+    decide("B", later);
+    EXPECT_EQ(next(later).reason, RecommendationReason::rule_never_met);
+    EXPECT_EQ(next(later).task, "A");
+}
+
+}  // namespace
+}  // namespace fulcrum
