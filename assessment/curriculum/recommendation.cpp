@@ -51,6 +51,22 @@ class Chooser {
                 return found;
         return nullptr;
     }
+    /// The check that has been due longest of those that can be taken with the device, or of the others.
+    const TaskStanding* longest_due(bool with_device) const {
+        const TaskStanding* due = nullptr;
+        for (const TaskStanding& one : standings_)
+            if (one.standing == Standing::due && assessable(one) == with_device &&
+                !needs_firm_limits(one, device_) && (due == nullptr || one.next_check < due->next_check))
+                due = &one;
+        return due;
+    }
+    /// Of the tasks whose proficiency was lost.
+    const TaskStanding* relapsed(bool with_device) const {
+        return longest_ago([&](const TaskStanding& one) {
+            return one.standing == Standing::relapsed && assessable(one) == with_device &&
+                   !needs_firm_limits(one, device_);
+        });
+    }
     bool assessable(const TaskStanding& one) const {
         const CurriculumTask* task = curriculum_.find(one.task);
         return task != nullptr && counts(*task, device_);
@@ -64,7 +80,14 @@ class Chooser {
         return task == nullptr ? std::string() : task->stage;
     }
     Recommendation say(RecommendationReason reason, const TaskStanding& one) const {
-        return {reason, one.task, stage_of(one), last_of(one), one.next_check};
+        const CurriculumTask* task = curriculum_.find(one.task);
+        return {reason,
+                one.task,
+                stage_of(one),
+                last_of(one),
+                one.next_check,
+                {},
+                task == nullptr ? std::vector<DeviceClass>() : task->device_classes};
     }
 
   private:
@@ -138,16 +161,9 @@ Recommendation with_remedy(Recommendation next, const Curriculum& curriculum, co
 Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskStanding>& standings,
                          const std::map<std::string, std::int64_t>& last_attempts, DeviceClass device) {
     const Chooser choose(curriculum, standings, last_attempts, device);
-    const TaskStanding* due = nullptr;
-    for (const TaskStanding& one : standings)
-        if (one.standing == Standing::due && choose.assessable(one) && !needs_firm_limits(one, device) &&
-            (due == nullptr || one.next_check < due->next_check))
-            due = &one;
-    if (due != nullptr) return choose.say(RecommendationReason::check_due, *due);
-    if (const TaskStanding* one = choose.longest_ago([&](const TaskStanding& each) {
-            return each.standing == Standing::relapsed && choose.assessable(each) &&
-                   !needs_firm_limits(each, device);
-        }))
+    if (const TaskStanding* one = choose.longest_due(true))
+        return choose.say(RecommendationReason::check_due, *one);
+    if (const TaskStanding* one = choose.relapsed(true))
         return choose.say(RecommendationReason::relapsed, *one);
     const auto waits = [&](const TaskStanding& one) {
         return is_unfinished(one) && !one.never_met && !needs_firm_limits(one, device);
@@ -157,6 +173,10 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
         return choose.say(
             choose.last_of(*one) == 0 ? RecommendationReason::not_tried : RecommendationReason::longest_ago,
             *one);
+    if (const TaskStanding* one = choose.longest_due(false))
+        return choose.say(RecommendationReason::check_elsewhere, *one);
+    if (const TaskStanding* one = choose.relapsed(false))
+        return choose.say(RecommendationReason::relapsed_elsewhere, *one);
     if (const TaskStanding* one = choose.lowest_stage(waits))
         return choose.say(RecommendationReason::practice_only, *one);
     if (const TaskStanding* one = choose.lowest_stage(

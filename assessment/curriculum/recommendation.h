@@ -17,17 +17,19 @@
 namespace fulcrum {
 
 enum class RecommendationReason : std::uint8_t {
-    nothing,            ///< the curriculum has no task that is unlocked
-    check_due,          ///< a retention check is due
-    relapsed,           ///< proficiency was lost
-    not_tried,          ///< unlocked, never attempted
-    longest_ago,        ///< unlocked, of those in its stage the one not practised longest
-    practice_only,      ///< what is left cannot be assessed with this device
-    check_provisional,  ///< a check, or to regain proficiency, is left, which provisional limits cannot do
-    rule_never_met,     ///< nobody can meet the rule of what is left
-    awaits_rating,      ///< what is left waits for ratings by educators; practice keeps the skill
-    remedy,             ///< as longest_ago, on a plateau: what the curriculum names for its worst metric
-    all_done            ///< every task is done; this one was performed longest ago
+    nothing,             ///< the curriculum has no task that is unlocked
+    check_due,           ///< a retention check is due
+    relapsed,            ///< proficiency was lost
+    not_tried,           ///< unlocked, never attempted
+    longest_ago,         ///< unlocked, of those in its stage the one not practised longest
+    check_elsewhere,     ///< a retention check is due, which cannot be taken with this device
+    relapsed_elsewhere,  ///< proficiency was lost, and cannot be restored with this device
+    practice_only,       ///< what is left cannot be assessed with this device
+    check_provisional,   ///< a check, or to regain proficiency, is left, which provisional limits cannot do
+    rule_never_met,      ///< nobody can meet the rule of what is left
+    awaits_rating,       ///< what is left waits for ratings by educators; practice keeps the skill
+    remedy,              ///< as longest_ago, on a plateau: what the curriculum names for its worst metric
+    all_done             ///< every task is done; this one was performed longest ago
 };
 
 /// A remedy that is recommended, and why.
@@ -43,6 +45,7 @@ struct Recommendation {
     std::int64_t last = 0;                    ///< UTC ms of the latest attempt, practice included; 0: none
     std::int64_t check = 0;                   ///< UTC ms, of a check that is due: since when
     std::optional<ChosenRemedy> remedy = {};  ///< remedy
+    std::vector<DeviceClass> devices = {};    ///< whose attempts count for the task
 };
 
 /// `standings`: of `curriculum`, in its order. `last_attempts`: by task, UTC ms, practice included.

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -27,6 +28,12 @@ QString ago_text(std::int64_t last, std::int64_t now_ms) {
     return days <= 0   ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "today"))
            : days == 1 ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "yesterday"))
                        : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
+}
+
+QString classes_text(const std::vector<DeviceClass>& classes) {
+    QStringList names;
+    for (const DeviceClass one : classes) names << device_class_text(one);
+    return names.join(QStringLiteral(", "));
 }
 
 /// Those that count, of the device class used last; empty: none.
@@ -127,6 +134,17 @@ QString reason_text(const Recommendation& next, const QString& stage, DeviceClas
                 .arg(stage, ago_text(next.last, now_ms));
         case RecommendationReason::remedy:
             break;  // remedy_reason_text()
+        case RecommendationReason::check_elsewhere:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "A retention check of this task has been due since %1. It cannot "
+                                           "be taken with %2, but with: %3. Until then you can practise it."))
+                .arg(date_text(next.check), device_class_text(device), classes_text(next.devices));
+        case RecommendationReason::relapsed_elsewhere:
+            return words(QT_TRANSLATE_NOOP(
+                             "fulcrum::ui::next_task",
+                             "Your results in this task have fallen below proficiency, which cannot be "
+                             "restored with %1, but with: %2. Until then you can practise it."))
+                .arg(device_class_text(device), classes_text(next.devices));
         case RecommendationReason::practice_only:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "The remaining tasks cannot be assessed with %1, but you can "

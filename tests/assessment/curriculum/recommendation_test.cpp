@@ -107,6 +107,24 @@ TEST_F(Recommended, ARelapseThatProvisionalLimitsCannotEndHidesNothingElse) {
     EXPECT_EQ(next(later + next_hour).reason, RecommendationReason::all_done);
 }
 
+TEST_F(Recommended, ACheckThatNeedsAnotherDeviceIsNamedBeforeEverythingIsDone) {
+    attempt(next_begin, true);
+    attempt(next_begin + next_day, true);
+    decide("B", next_begin + 2 * next_day);
+    const DeviceClass mouse = DeviceClass::mouse_keyboard;
+    const std::int64_t due = next_begin + 15 * next_day;
+    EXPECT_EQ(next(due - 1, mouse).reason, RecommendationReason::all_done);
+    EXPECT_EQ(next(due, mouse).reason, RecommendationReason::check_elsewhere);
+    EXPECT_EQ(next(due, mouse).task, "A");
+    EXPECT_EQ(next(due, mouse).check, due);
+    EXPECT_EQ(next(due, mouse).devices, followed.tasks[0].device_classes);
+    for (int i = 0; i < 2; ++i) attempt(due + i * next_hour, false);
+    const std::int64_t lost = due + next_hour;
+    EXPECT_EQ(next(lost).reason, RecommendationReason::relapsed);
+    EXPECT_EQ(next(lost, mouse).reason, RecommendationReason::relapsed_elsewhere);
+    EXPECT_EQ(next(lost, mouse).task, "A");
+}
+
 class RecommendedNever : public Recommended {
   protected:
     RecommendedNever() : Recommended(two_steps("row:1")) {}

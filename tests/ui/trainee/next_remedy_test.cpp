@@ -208,6 +208,21 @@ TEST(NextReason, SaysWhatProvisionalLimitsCannotDo) {
     EXPECT_TRUE(reason().startsWith("Nobody can meet the rule of this task"));
 }
 
+TEST(NextReason, NamesTheDevicesThatACheckNeeds) {
+    Recommendation next;
+    next.check = 86'400'000;
+    next.devices = {DeviceClass::haptic, DeviceClass::tracked};
+    const QString both =
+        device_class_text(DeviceClass::haptic) + ", " + device_class_text(DeviceClass::tracked);
+    for (const RecommendationReason why :
+         {RecommendationReason::check_elsewhere, RecommendationReason::relapsed_elsewhere}) {
+        next.reason = why;
+        const QString reason = reason_text(next, "Basics", DeviceClass::mouse_keyboard, 0);
+        EXPECT_TRUE(reason.contains(device_class_text(DeviceClass::mouse_keyboard)));
+        EXPECT_TRUE(reason.contains("but with: " + both + ".")) << reason.toStdString();
+    }
+}
+
 TEST(NextReason, DaysAgoAreLocalDates) {
     const auto reason = [](RecommendationReason why, const QDateTime& last, const QDateTime& now) {
         Recommendation next;

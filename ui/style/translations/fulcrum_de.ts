@@ -20549,6 +20549,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Von den übrigen Aufgaben der Stufe %1 haben Sie diese am längsten nicht geübt (%2).</translation>
     </message>
     <message>
+        <source>A retention check of this task has been due since %1. It cannot be taken with %2, but with: %3. Until then you can practise it.</source>
+        <translation>Eine Kontrolle dieser Aufgabe ist seit %1 fällig. Mit %2 ist sie nicht möglich, aber mit: %3. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
+        <source>Your results in this task have fallen below proficiency, which cannot be restored with %1, but with: %2. Until then you can practise it.</source>
+        <translation>Ihre Ergebnisse in dieser Aufgabe reichen nicht mehr für „sicher beherrscht“. Mit %1 lässt es sich nicht wiederherstellen, aber mit: %2. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
         <source>The remaining tasks cannot be assessed with %1, but you can practise this one.</source>
         <translation>Mit %1 können die übrigen Aufgaben nicht bewertet werden, aber diese können Sie üben.</translation>
     </message>
