@@ -41,6 +41,7 @@ std::vector<Concern> concerns_of(const std::vector<TaskStanding>& standings, con
         if (one.standing == Standing::relapsed) add(ConcernKind::relapsed, one, one.last_attempt);
         if (one.standing == Standing::due && one.overdue)
             add(ConcernKind::check_overdue, one, one.next_check);
+        if (one.rating_late) add(ConcernKind::rating_late, one, one.rated_time);
         if (one.stalled && is_left(one)) add(ConcernKind::stalled, one, one.last_attempt);
         const auto found = points.find(one.task);
         if (!is_left(one) || found == points.end()) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why an educator should look at a trainee now: proficiency lost, a check overdue, a learning curve that
-// levels off below the pass mark, 60 attempts without proficiency, practice that stopped. Pure: the same
-// record gives the same list.
+// Why an educator should look at a trainee now: proficiency lost, a check overdue, ratings missing, a
+// learning curve that levels off below the pass mark, 60 attempts without proficiency, practice that stopped.
+// Pure: the same record gives the same list.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@ namespace fulcrum {
 enum class ConcernKind : std::uint8_t {
     relapsed,       ///< failed a retention check, or too many failures after it
     check_overdue,  ///< a retention check is more than overdue_days late
+    rating_late,    ///< an attempt still lacks ratings that the rule asks for after rating_days
     plateau,        ///< the whole 95 % interval of the curve's plateau is below the pass mark
     stalled,        ///< most_attempts without proficiency
     stopped         ///< no attempt of any kind for stopped_days although tasks are left
@@ -23,6 +24,7 @@ enum class ConcernKind : std::uint8_t {
 inline constexpr NameRow<ConcernKind> concern_names[] = {
     {ConcernKind::relapsed, "relapsed", QT_TRANSLATE_NOOP("fulcrum::concerns", "relapsed")},
     {ConcernKind::check_overdue, "check_overdue", QT_TRANSLATE_NOOP("fulcrum::concerns", "check overdue")},
+    {ConcernKind::rating_late, "rating_late", QT_TRANSLATE_NOOP("fulcrum::concerns", "ratings missing")},
     {ConcernKind::plateau, "plateau", QT_TRANSLATE_NOOP("fulcrum::concerns", "plateau below the pass mark")},
     {ConcernKind::stalled, "stalled",
      QT_TRANSLATE_NOOP("fulcrum::concerns", "many attempts, not proficient")},

@@ -17,7 +17,8 @@ bool is_done(const TaskStanding& one) {
 
 /// Something that the trainee has not finished, and does not wait for others.
 bool is_unfinished(const TaskStanding& one) {
-    return one.standing != Standing::locked && one.standing != Standing::awaiting_rating && !is_done(one);
+    const bool waits = one.standing == Standing::awaiting_rating && !one.rating_late;
+    return one.standing != Standing::locked && !waits && !is_done(one);
 }
 
 /// A check, or a proficiency to regain, where the limits with this device are provisional as far as is known.

@@ -101,7 +101,8 @@ class RuleRun {
                  const RatingsByAttempt& ratings) {
         outcomes_.push_back(outcome);
         state_ = judge(task, outcomes_);
-        if (state_.met && (rated_.empty() || rated_low(task, ratings, one.time))) {
+        if (state_.met &&
+            (rated_.empty() || rated_low(task, ratings, one.time) || rating_late(task, ratings, one.time))) {
             rated_ = one.id;
             rated_time_ = one.time;
             rated_count_ = static_cast<std::ptrdiff_t>(outcomes_.size());
@@ -123,6 +124,9 @@ class RuleRun {
     }
     bool awaits(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
         return !rated_.empty() && task.ratings && !verdict(task, ratings, at).enough;
+    }
+    bool rating_late(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
+        return awaits(task, ratings, at) && at >= rated_time_ + rating_days * day_ms;
     }
     bool rated_low(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
         if (rated_.empty() || !task.ratings) return false;
@@ -276,6 +280,7 @@ class TaskRun {
             if (!run->awaits(task, ratings, at)) continue;
             run->show_ratings(task, ratings, at, result);
             result.standing = Standing::awaiting_rating;
+            result.rating_late = run->rating_late(task, ratings, at);
             return true;
         }
         if (shown_as_met() || !shown().rated_low(task, ratings, at)) return false;

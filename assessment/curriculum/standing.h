@@ -9,9 +9,9 @@
 // failure where no set of limits applies is an attempt that neither meets a rule nor breaks it.
 //
 // Where a rule asks for ratings, the attempt that completes the passes is the one to be rated, and stays it
-// whatever is performed while it waits. Too few ratings: awaiting rating. Enough and high enough: proficient
-// from the release of the last one. Enough and too low: passed, and the next attempt that completes the rule
-// is rated. docs/METRICS.md, Progress.
+// for rating_days, whatever is performed while it waits: it may be one that nobody is left to rate. Too few
+// ratings: awaiting rating. Enough and high enough: proficient from the release of the last one. Enough and
+// too low: passed, and the next attempt that completes the rule is rated. docs/METRICS.md, Progress.
 #pragma once
 
 #include <cstddef>
@@ -95,6 +95,7 @@ struct TaskStanding {
     bool one_more_pass = false;         ///< enough passes before a move; the new rule is met by one to come
     bool never_met = false;             ///< nobody can ever meet the rule: can_be_met()
     int more_variants = 0;              ///< the rule is met but for passes on so many more variants
+    bool rating_late = false;           ///< awaiting rating for rating_days: the next that meets it is rated
     bool rated_low = false;             ///< enough ratings, too low: another attempt has to complete the rule
     std::string rated_attempt;          ///< the one whose ratings the rule asks for; empty: none
     std::int64_t rated_time = 0;        ///< UTC ms, when that attempt began
@@ -120,6 +121,8 @@ struct TaskStanding {
 /// Days after the declaration on which a retention check is due; after the last one every 182 days.
 inline constexpr int retention_days[] = {14, 30, 91, 182};
 inline constexpr int overdue_days = 14;
+/// An attempt waits for its ratings so long; then the next one that meets the rule is rated in its place.
+inline constexpr int rating_days = 28;
 inline constexpr int most_attempts = 60;  ///< without a declaration, before the educator is asked
 
 /// The curriculum in force at `at`, whose tasks standing_of() gives: a move may carry a time ahead of this

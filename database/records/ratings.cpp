@@ -2,6 +2,7 @@
 #include "database/records/ratings.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "database/records/attempt_query.h"
@@ -189,10 +190,12 @@ void require_rater(const Store& store, const Session& rater) {
     store.require(rater, closed ? Operation::read_ratings : Operation::rate);
 }
 
-/// The attempts whose ratings a curriculum waits for, of the people whom the rater may rate.
-std::vector<std::string> awaited_attempts(const Store& store, const Session& rater,
-                                          const Curriculum& curriculum) {
-    std::vector<std::string> awaited, people;
+/// The attempts whose ratings a curriculum waits for, of the people whom the rater may rate, and whether only
+/// blind ones count.
+std::map<std::string, bool> awaited_attempts(const Store& store, const Session& rater,
+                                             const Curriculum& curriculum) {
+    std::map<std::string, bool> awaited;
+    std::vector<std::string> people;
     if (!asks_for_ratings(curriculum)) return awaited;
     {
         Query rows(store.connection(), "SELECT DISTINCT p.id FROM attempt a " +
@@ -203,10 +206,13 @@ std::vector<std::string> awaited_attempts(const Store& store, const Session& rat
     }
     for (const std::string& person : people) {
         if (person == rater.person_id()) continue;
-        for (const TaskStanding& one :
-             standing_of(Standings(store).record(rater, person, curriculum), store.now()))
-            if (one.standing == Standing::awaiting_rating && !one.rated_attempt.empty())
-                awaited.push_back(one.rated_attempt);
+        const std::int64_t now = store.now();
+        const PersonRecord record = Standings(store).record(rater, person, curriculum);
+        for (const TaskStanding& one : standing_of(record, now)) {
+            if (one.standing != Standing::awaiting_rating || one.rated_attempt.empty()) continue;
+            const CurriculumTask* task = curriculum_at(record.assignments, now)->find(one.task);
+            awaited[one.rated_attempt] = task->ratings && task->ratings->blind;
+        }
     }
     return awaited;
 }
@@ -216,8 +222,8 @@ std::vector<std::string> awaited_attempts(const Store& store, const Session& rat
 std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, const Curriculum* curriculum,
                                              int limit) const {
     require_rater(store_, rater);
-    const std::vector<std::string> awaited =
-        curriculum != nullptr ? awaited_attempts(store_, rater, *curriculum) : std::vector<std::string>();
+    const std::map<std::string, bool> awaited =
+        curriculum != nullptr ? awaited_attempts(store_, rater, *curriculum) : std::map<std::string, bool>();
     // Bound one by one: there are at most as many as people and rated tasks.
     QString first = "0";
     if (!awaited.empty())
@@ -236,15 +242,18 @@ std::vector<RatableAttempt> Ratings::to_rate(const Session& rater, const Curricu
             visible_people(rater, Operation::rate, "p.id") +
             " ORDER BY awaited DESC, a.started DESC, a.id LIMIT ?");
     for (int i = 0; i < 3; ++i) rows.bind(rater.person_id());
-    for (const std::string& id : awaited) rows.bind(id);
+    for (const auto& one : awaited) rows.bind(one.first);
     rows.bind(rater.person_id());
     bind_visible_people(rows, rater, Operation::rate);
     rows.bind(limit);
     std::vector<RatableAttempt> attempts;
-    while (rows.next())
+    while (rows.next()) {
+        const auto asked = awaited.find(rows.text(0));
         attempts.push_back({rows.text(0), rows.text(1), rows.text(2), rows.integer(3), rows.real(4),
                             static_cast<int>(rows.integer(5)), static_cast<int>(rows.integer(6)),
-                            rows.flag(7), !rows.flag(8), rows.flag(9)});
+                            rows.flag(7), !rows.flag(8), rows.flag(9),
+                            asked != awaited.end() && asked->second});
+    }
     return attempts;
 }
 

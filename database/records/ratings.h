@@ -52,6 +52,7 @@ struct RatableAttempt {
     int own_handed_in = 0;                  ///< of the session
     bool own_draft = false, blind = false;  ///< blind: a form begun now would count as blind
     bool awaited = false;                   ///< a curriculum waits for ratings of this attempt
+    bool wants_blind = false;               ///< and only blind ones count
 };
 
 /// Agreement over the attempts that the same raters rated with one version of a form.

@@ -37,6 +37,12 @@ QString concern_text(const Concern& concern, const QString& task_title, std::int
                     .arg(task_title, date_text(concern.since));
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns", "%1: a retention check was due on %2."))
                 .arg(task_title, date_text(concern.since));
+        case ConcernKind::rating_late:
+            return say(QT_TRANSLATE_NOOP(
+                           "fulcrum::ui::concerns",
+                           "%1: ratings of the attempt of %2 are missing. Where nobody is left to "
+                           "rate it, the next attempt that meets the rule is rated, or decide."))
+                .arg(task_title, date_text(concern.since));
         case ConcernKind::plateau:
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::concerns",
                                          "%1: after %n attempts the curve levels off at %2 points "

@@ -19,6 +19,11 @@ namespace {
 
 constexpr int awaited_column = 1, recorded_column = 4;
 
+/// Of a rating that this rater would begin now, for the curriculum.
+bool would_not_count(const RatableAttempt& one) {
+    return one.awaited && one.wants_blind && !one.blind && one.own_handed_in == 0 && !one.own_draft;
+}
+
 }  // namespace
 
 ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
@@ -109,7 +114,9 @@ void ToRatePage::fill() {
         QString own = one.own_handed_in > 0 ? QString::number(one.own_handed_in) : QStringLiteral("–");
         if (one.own_draft) own = tr("draft");
         const QString cells[] = {context().task_title(one.task_id),
-                                 one.awaited ? tr("● yes") : QStringLiteral("–"),
+                                 would_not_count(one) ? tr("● yes, by others")
+                                 : one.awaited        ? tr("● yes")
+                                                      : QStringLiteral("–"),
                                  context().variant_title(one.task_id, one.variant),
                                  local_time(one.started),
                                  clock_text(one.duration_s),
@@ -128,7 +135,11 @@ void ToRatePage::fill() {
         table_->item(row, 0)->setData(Qt::UserRole, text(one.attempt_id));
         if (one.awaited)
             table_->item(row, awaited_column)
-                ->setToolTip(tr("The curriculum needs ratings of this attempt."));
+                ->setToolTip(
+                    would_not_count(one)
+                        ? tr("The curriculum needs blind ratings of this attempt. You have seen name or "
+                             "score: yours would not count.")
+                        : tr("The curriculum needs ratings of this attempt."));
     }
     fit_columns(table_, {awaited_column, 3, recorded_column, 5});
     if (table_->rowCount() > 0) table_->setCurrentCell(0, 0);

@@ -231,6 +231,13 @@ QString standing_detail(const TaskStanding& standing) {
         case Standing::passed:
             break;
         case Standing::awaiting_rating:
+            if (standing.rating_late)
+                return say(QT_TRANSLATE_NOOP(
+                               "fulcrum::ui::standing",
+                               "Ratings of the attempt of %1 are missing (%2 of %3 are released): the "
+                               "next pass that meets the rule is rated. An educator can decide."))
+                    .arg(date_text(standing.rated_time), QString::number(standing.raters),
+                         QString::number(standing.raters_needed));
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
                                          "Educators rate the attempt of %1: %2 of %3 ratings are released."))
                 .arg(date_text(standing.rated_time), QString::number(standing.raters),

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/assets/assets.h"
+#include "assessment/curriculum/concern.h"
 #include "assessment/curriculum/recommendation.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
@@ -316,6 +317,35 @@ TEST(StandingRatings, TheNextThingToDoIsWhatDoesNotWait) {
     ann.record.overrides.push_back({"o", "B", StandingOverride::Kind::proficient, rating_begin + rating_day});
     EXPECT_EQ(next().task, "A");
     EXPECT_EQ(next().reason, RecommendationReason::awaits_rating);
+}
+
+TEST(StandingRatings, AnAttemptThatNobodyIsLeftToRateIsReplacedAfterFourWeeks) {
+    const Curriculum curriculum = with_ratings();
+    RatedTrainee ann(curriculum);
+    ann.attempt(0, true);
+    const std::string rated = ann.attempt(1, true);
+    ann.rate(rated, "ed", 2, 6);
+    ann.attempt(20, true);
+    EXPECT_EQ(ann.on(28).rated_attempt, rated) << "it stays while it waits";
+    EXPECT_FALSE(ann.on(28).rating_late);
+    const auto standings = standing_of(ann.record, rating_begin + 29 * rating_day);
+    EXPECT_TRUE(standings[0].rating_late);
+    const Recommendation now = recommend(curriculum, standings, {}, DeviceClass::haptic);
+    EXPECT_EQ(now.task, "A");
+    EXPECT_EQ(now.reason, RecommendationReason::longest_ago) << "not awaits_rating: an attempt helps";
+    const auto concerns = concerns_of(standings, {}, 0, 60, rating_begin + 29 * rating_day);
+    ASSERT_EQ(concerns.size(), 1U);
+    EXPECT_EQ(concerns[0].kind, ConcernKind::rating_late);
+    EXPECT_EQ(concerns[0].since, rating_begin + rating_day);
+    RatedTrainee in_time = ann;
+    in_time.rate(rated, "ida", 29, 6);
+    EXPECT_EQ(in_time.on(29).standing, Standing::proficient) << "no later one took its place";
+    const std::string next = ann.attempt(30, true);
+    EXPECT_EQ(ann.on(30).rated_attempt, next);
+    EXPECT_EQ(ann.on(30).raters, 0);
+    EXPECT_FALSE(ann.on(30).rating_late);
+    for (const char* rater : {"uma", "ida"}) ann.rate(next, rater, 31, 6);
+    EXPECT_EQ(ann.on(31).standing, Standing::proficient);
 }
 
 /// Attempts in "A" and ratings of them by up to four people, over thirty days.

@@ -379,6 +379,28 @@ TEST(Standings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
     EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
 }
 
+TEST(Standings, ARaterWhoHasSeenTheAttemptReadsThatBlindRatingsAreAskedFor) {
+    const Programme programme;
+    Curriculum curriculum = rated_a2();
+    programme.record("ann");
+    programme.clock.pass_s(86'400);
+    const std::string rated = programme.record("ann");
+    const Session& educator = programme.session("educator");
+    const Ratings ratings(*programme.store);
+    EXPECT_FALSE(ratings.to_rate(educator, &curriculum).at(0).wants_blind);
+    for (CurriculumTask& task : curriculum.tasks)
+        if (task.ratings) task.ratings->blind = true;
+    for (const bool seen : {false, true}) {
+        if (seen) ratings.note_seen(educator, rated);
+        const RatableAttempt first = ratings.to_rate(educator, &curriculum).at(0);
+        EXPECT_EQ(first.attempt_id, rated);
+        EXPECT_TRUE(first.awaited);
+        EXPECT_TRUE(first.wants_blind);
+        EXPECT_EQ(first.blind, !seen);
+    }
+    EXPECT_FALSE(ratings.to_rate(educator, &curriculum).at(1).wants_blind) << "nobody waits for it";
+}
+
 TEST(Standings, RatersSeeTheAwaitedAttemptOfAMergedAccountFirst) {
     const Programme programme;
     const Curriculum curriculum = rated_a2();

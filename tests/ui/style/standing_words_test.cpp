@@ -49,6 +49,17 @@ TEST(StandingWords, AskForOneMorePassWhereThoseFromBeforeAMoveAreEnough) {
               "You have enough passes for the present rule: the next pass that meets it counts.");
 }
 
+TEST(StandingWords, SayWhatHelpsWhereRatingsAreMissing) {
+    TaskStanding waits;
+    waits.standing = Standing::awaiting_rating;
+    waits.raters = 1;
+    waits.raters_needed = 2;
+    EXPECT_TRUE(standing_detail(waits).contains("1 of 2 ratings are released."));
+    waits.rating_late = true;
+    EXPECT_TRUE(standing_detail(waits).contains("(1 of 2 are released): the next pass"));
+    EXPECT_TRUE(standing_detail(waits).contains("An educator can decide"));
+}
+
 TEST(StandingWords, AskForNoPassWhereNobodyCanMeetTheRule) {
     TaskStanding passed;
     passed.standing = Standing::passed;

@@ -8705,6 +8705,10 @@
         <translation>Kontrolle überfällig</translation>
     </message>
     <message>
+        <source>ratings missing</source>
+        <translation>Beurteilungen fehlen</translation>
+    </message>
+    <message>
         <source>plateau below the pass mark</source>
         <translation>Plateau unter der Bestehensgrenze</translation>
     </message>
@@ -19100,6 +19104,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>● ja</translation>
     </message>
     <message>
+        <source>● yes, by others</source>
+        <translation>● ja, von anderen</translation>
+    </message>
+    <message>
+        <source>The curriculum needs blind ratings of this attempt. You have seen name or score: yours would not count.</source>
+        <translation>Das Curriculum verlangt blinde Beurteilungen dieses Versuchs. Sie haben Name oder Bewertung gesehen: Ihre würde nicht zählen.</translation>
+    </message>
+    <message>
         <source>Names and scores are hidden here. Your rating is blind if you have not opened the attempt&apos;s name and score. Attempts that the curriculum needs ratings of come first.</source>
         <translation>Namen und Bewertungen sind hier verborgen. Ihre Beurteilung ist blind, wenn Sie Name und Bewertung des Versuchs nicht geöffnet haben. Versuche, deren Beurteilung das Curriculum braucht, stehen zuerst.</translation>
     </message>
@@ -20119,6 +20131,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>%1: Eine Erhaltungskontrolle war am %2 fällig. Die Grenzwerte sind vorläufig und können sie nicht abschließen: Erstellen Sie den Richtwertsatz, oder entscheiden Sie.</translation>
     </message>
     <message>
+        <source>%1: ratings of the attempt of %2 are missing. Where nobody is left to rate it, the next attempt that meets the rule is rated, or decide.</source>
+        <translation>%1: Beurteilungen des Versuchs vom %2 fehlen. Kann ihn niemand mehr beurteilen, wird der nächste Versuch beurteilt, mit dem die Regel erfüllt ist, oder entscheiden Sie.</translation>
+    </message>
+    <message>
         <source>%1: after %n attempts the curve levels off at %2 points (95 % interval %3 to %4), below the pass mark of %5.</source>
         <translation>%1: Nach %n Versuchen erreicht die Kurve ein Plateau bei %2 Punkten (95-%-Intervall %3 bis %4), unter der Bestehensgrenze von %5.</translation>
     </message>
@@ -20866,6 +20882,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Educators rate the attempt of %1: %2 of %3 ratings are released.</source>
         <translation>Ausbilder beurteilen den Versuch vom %1: %2 von %3 Beurteilungen sind freigegeben.</translation>
+    </message>
+    <message>
+        <source>Ratings of the attempt of %1 are missing (%2 of %3 are released): the next pass that meets the rule is rated. An educator can decide.</source>
+        <translation>Beurteilungen des Versuchs vom %1 fehlen (%2 von %3 sind freigegeben): Der nächste bestandene Versuch, mit dem die Regel erfüllt ist, wird beurteilt. Ein Ausbilder kann entscheiden.</translation>
     </message>
     <message>
         <source>The ratings of the attempt of %1 are below the limit: the next pass that meets the rule is rated.</source>
