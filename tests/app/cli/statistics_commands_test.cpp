@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "app/services/program.h"
+#include "assessment/assets/assets.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
 #include "tests/support/own_folder.h"
 
 namespace fulcrum::app {
@@ -68,6 +70,14 @@ TEST_F(StatisticsCommands, RuleGivesItsOperatingPoint) {
             refusal({"curriculum", "rule", "--rule", rule, "--q", "0.5"}).find("asks for passes on two days"),
             std::string::npos)
             << rule;
+}
+
+TEST_F(StatisticsCommands, CheckRefusesACurriculumWithARuleThatNobodyCanMeet) {
+    std::string text = read_text_file(asset_path("curricula/rectal.json"), 1U << 20U);
+    EXPECT_EQ(run_command({"check", file(text)}), 0);
+    const std::string rule = "lc-cusum:0.1,0.3,2.5";
+    text.replace(text.find(rule), rule.size(), "row:1");
+    EXPECT_EQ(run_command({"check", file(text)}), 2);
 }
 
 TEST_F(StatisticsCommands, FitGivesThreeModels) {
