@@ -206,6 +206,16 @@ class TaskRun {
         if (!relapsed_ && declared_at_ == 0 && firm_.look(task, ratings, at)) declare(at, false);
     }
 
+    /// An educator's. What is in force stays declared since the same day: a check that is due is passed by
+    /// it.
+    void declare_by_decision(std::int64_t time) {
+        if (declared_at_ == 0) return declare(time, true);
+        if (time < next_check_) return;
+        maintained_ = true;
+        next_check_ = scheduled_after(time);
+        check_ = {};
+    }
+
     void declare(std::int64_t time, bool by_override) {
         declared_at_ = time;
         if (first_declared_at_ == 0) first_declared_at_ = time;
@@ -428,7 +438,7 @@ class Programme {
 
     void decide(const StandingOverride& decision) {
         TaskRun& run = runs_[decision.task];
-        if (decision.kind == StandingOverride::Kind::proficient) run.declare(decision.time, true);
+        if (decision.kind == StandingOverride::Kind::proficient) run.declare_by_decision(decision.time);
         // Whoever is declared proficient may also perform the task.
         run.unlocked_by_override = run.unlocked_by_override || !run.unlocked;
         run.unlocked = true;

@@ -61,7 +61,8 @@ struct CountedAttempt {
     bool without_limits = false;
 };
 
-/// An educator's decision, in place of the rule.
+/// An educator's decision, in place of the rule. `proficient` leaves a proficiency in force as it was
+/// declared and completes a check that is due.
 struct StandingOverride {
     enum class Kind : std::uint8_t { unlocked, proficient };
     std::string id, task;

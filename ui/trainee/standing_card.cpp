@@ -79,17 +79,24 @@ void StandingCard::fill() {
     if (!detail.isEmpty()) lines_->addWidget(make_label(detail, "muted"));
     for (const database::OverrideRow& row : decisions) {
         if (row.decision.task != task_id_) continue;
+        const bool confirms = here.declared_at != 0 && row.decision.time > here.declared_at;
         const QString what = row.decision.kind == StandingOverride::Kind::unlocked
                                  ? tr("Unlocked by %1 on %2: %3")
-                                 : tr("Declared proficient by %1 on %2: %3");
+                             : confirms ? tr("Check confirmed by %1 on %2: %3")
+                                        : tr("Declared proficient by %1 on %2: %3");
         lines_->addWidget(make_label(
             what.arg(text(row.author_name), date_text(row.decision.time), text(row.reason)), "muted"));
     }
-    const bool locked = here.standing == Standing::locked;
     kind_->clear();
-    if (locked) kind_->addItem(tr("Unlock"), static_cast<int>(StandingOverride::Kind::unlocked));
-    kind_->addItem(tr("Declare proficient"), static_cast<int>(StandingOverride::Kind::proficient));
-    decision_->setVisible(context_.allowed(database::Operation::decide_standing, subject));
+    if (here.standing == Standing::locked)
+        kind_->addItem(tr("Unlock"), static_cast<int>(StandingOverride::Kind::unlocked));
+    confirms_ = here.standing == Standing::due;
+    // Until the next check there is nothing to decide on a proficiency.
+    if (confirms_ || here.declared_at == 0)
+        kind_->addItem(confirms_ ? tr("Confirm the check") : tr("Declare proficient"),
+                       static_cast<int>(StandingOverride::Kind::proficient));
+    decision_->setVisible(kind_->count() > 0 &&
+                          context_.allowed(database::Operation::decide_standing, subject));
 }
 
 void StandingCard::decide() {
@@ -105,6 +112,7 @@ void StandingCard::decide() {
                 .decide(context_.session(), person_id_, task_id_, kind, words);
         })) {
         context_.say(kind == StandingOverride::Kind::unlocked ? tr("The task is unlocked.")
+                     : confirms_                              ? tr("The check is confirmed.")
                                                               : tr("Declared proficient."));
         reason_->clear();
         fill();

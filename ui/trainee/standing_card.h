@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a person stands in one task, the decisions of educators on it, and for those who may decide: unlock
-// the task or declare the person proficient, with a reason.
+// the task, declare the person proficient or confirm a check that is due, with a reason.
 #pragma once
 
 #include "ui/page/context.h"
@@ -27,6 +27,7 @@ class StandingCard : public QWidget {
     QVBoxLayout* lines_;
     QWidget* decision_;
     QComboBox* kind_;
+    bool confirms_ = false;  ///< a decision completes a check that is due
     QLineEdit* reason_;
 };
 

@@ -112,6 +112,38 @@ TEST(Certificates, ALaterDeclarationOfOneTaskChangesTheCode) {
     EXPECT_NE(code(0), code(1));
 }
 
+TEST(Certificates, ADecisionOnAProficiencyInForceConfirmsItsCheckAndChangesNoCode) {
+    const Programme programme;
+    const Curriculum curriculum = whole();
+    const auto made = [&] {
+        return certificates(*programme.store, programme.session("ann"), programme.id("ann"), curriculum);
+    };
+    declare(programme, "ann", {"A1", "A2", "A3"});
+    ASSERT_EQ(made().size(), 1U);
+    const Certificate before = made()[0];
+    declare(programme, "ann", {"A2"});  // by a slip: there is nothing to decide
+    ASSERT_EQ(made().size(), 1U);
+    EXPECT_EQ(made()[0].code, before.code);
+    const auto of_a2 = [&] {
+        const PersonRecord record =
+            Standings(*programme.store).record(programme.session("ann"), programme.id("ann"), curriculum);
+        for (const TaskStanding& one : standing_of(record, programme.store->now()))
+            if (one.task == "A2") return one;
+        return TaskStanding();
+    };
+    EXPECT_EQ(of_a2().standing, Standing::proficient);
+    programme.clock.pass_s(15 * 86'400);
+    EXPECT_EQ(of_a2().standing, Standing::due);
+    declare(programme, "ann", {"A2"});
+    EXPECT_EQ(of_a2().standing, Standing::maintained);
+    EXPECT_EQ(of_a2().declared_at, before.tasks[1].declared_at);
+    EXPECT_EQ(of_a2().next_check, before.tasks[1].declared_at + std::int64_t{30} * 86'400'000);
+    ASSERT_EQ(made().size(), 1U);
+    EXPECT_EQ(made()[0].code, before.code);
+    EXPECT_EQ(made()[0].curriculum, before.curriculum);
+    EXPECT_EQ(made()[0].completed_at, before.completed_at);
+}
+
 /// A person who follows version 3, and a version 4 to be moved to.
 struct MovedPerson {
     explicit MovedPerson(const std::function<void(Curriculum&)>& change) : newest(whole()) {

@@ -334,6 +334,7 @@ TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
     QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "examined in theatre");
     click(*window, "decide_standing");
     EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("Proficient since"));
+    EXPECT_FALSE(sees(*window, "decide_standing")) << "no check is due";
     const auto rows = database::Standings(*services.store())
                           .overrides(sessions.at(Role::trainee), sessions.at(Role::trainee).person_id());
     ASSERT_EQ(rows.size(), 2U);

@@ -18381,6 +18381,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Für sicher beherrscht erklärt von %1 am %2: %3</translation>
     </message>
     <message>
+        <source>Check confirmed by %1 on %2: %3</source>
+        <translation>Kontrolle bestätigt von %1 am %2: %3</translation>
+    </message>
+    <message>
+        <source>Confirm the check</source>
+        <translation>Kontrolle bestätigen</translation>
+    </message>
+    <message>
+        <source>The check is confirmed.</source>
+        <translation>Die Kontrolle ist bestätigt.</translation>
+    </message>
+    <message>
         <source>Unlock</source>
         <translation>Entsperren</translation>
     </message>
