@@ -105,7 +105,8 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
         last_practice = attempt->meta.started;
     }
     for (const auto& [day, count] : days) person.days.push_back({day, count});
-    for (const OverrideRow& row : overrides) record.overrides.push_back(row.decision);
+    for (const OverrideRow& row : overrides)
+        if (!row.own) record.overrides.push_back(row.decision);
     if (person.not_here) record = {};  // what another version would say of it is not the standing
     const std::vector<TaskStanding> standings = standing_of(record, at);
     PointsByTask points;

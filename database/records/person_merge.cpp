@@ -5,6 +5,7 @@
 
 #include "database/records/people_rows.h"
 #include "database/rows/json.h"
+#include "database/rows/same_person.h"
 #include "database/store/audit.h"
 #include "database/store/recording_lock.h"
 
@@ -60,6 +61,25 @@ std::vector<std::string> cohorts_of(Connection& connection, const std::string& c
             " FROM cohort WHERE id IN (SELECT m.cohort_id FROM cohort_member m WHERE m.person_id = ? UNION "
             "SELECT e.cohort_id FROM cohort_educator e WHERE e.person_id = ?) ORDER BY name",
         person);
+}
+
+/// What one of the two accounts decided about the other, or about those merged into it. Nobody decides on
+/// the own standing: once they are one person, it does not count.
+std::int64_t own_after(Connection& connection, const std::string& from, const std::string& into) {
+    const auto of_both = [](const char* column) -> QString {
+        return QString(column) + " IN (SELECT person_id FROM " + person_owners +
+               " same WHERE same.owner_id IN (?, ?))";
+    };
+    const QString sql = "SELECT (SELECT COUNT(*) FROM standing_override o WHERE " + of_both("o.person_id") +
+                        " AND " + of_both("o.author_id") +
+                        ") + (SELECT COUNT(*) FROM curriculum_move m WHERE " + of_both("m.person_id") +
+                        " AND " + of_both("m.author_id") +
+                        ") + (SELECT COUNT(*) FROM rating r JOIN attempt a ON a.id = r.attempt_id WHERE "
+                        "r.handed_in > 0 AND " +
+                        of_both("a.person_id") + " AND " + of_both("r.rater_id") + ")";
+    Query row(connection, sql);
+    for (int both = 0; both < 6; ++both) row.bind(from).bind(into);
+    return row.next() ? row.integer(0) : 0;
 }
 
 std::string in_one_line(const std::vector<std::string>& words) {
@@ -184,6 +204,12 @@ MergePlan PersonMerge::plan(const Session& administrator, const std::string& fro
         row.bind(from);
         if (row.next() && row.integer(0) > 0) plan.counts.push_back({one.what, row.integer(0)});
     }
+    if (const std::int64_t own = own_after(store_.connection(), from, into); own > 0)
+        plan.counts.push_back(
+            {QT_TRANSLATE_NOOP("errors",
+                               "decisions and forms of one account about the other, which then do "
+                               "not count"),
+             own});
     plan.cohorts = cohorts_of(store_.connection(), "name", from);
     return plan;
 }

@@ -17,7 +17,7 @@ namespace fulcrum::database {
 
 struct MergePlan {
     Person from, into;
-    /// How many of each follow; only those of which there are any.
+    /// How many of each follow, and of those that do not count any more; only those of which there are any.
     struct Count {
         Sentence what;  ///< "attempts", in the reader's words
         std::int64_t count = 0;

@@ -63,8 +63,9 @@ struct FormAgreement {
     std::optional<Correlation> icc;
 };
 
-/// What the function of standings needs of the released forms of a person's attempts, by id. Not checked: for
-/// those who may read the person's progress.
+/// What the function of standings needs of the released forms of a person's attempts, by id, those left out
+/// that an account of the same person filled in before a merge. Not checked: for those who may read the
+/// person's progress.
 std::vector<ReleasedRating> released_ratings(Connection& connection, const std::string& person_id);
 
 class Ratings {

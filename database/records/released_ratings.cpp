@@ -12,8 +12,9 @@ std::vector<ReleasedRating> released_ratings(Connection& connection, const std::
             ", r.form, r.blinding, l.time, i.item, i.value FROM "
             "rating r JOIN rating_release l ON l.rating_id = r.id JOIN attempt a ON a.id = r.attempt_id "
             "LEFT JOIN rating_item i ON i.rating_id = r.id AND i.value IS NOT NULL WHERE " +
-            belongs_to("a.person_id") + " ORDER BY r.id, i.number");
-    rows.bind(person_id);
+            belongs_to("a.person_id") + " AND COALESCE(" + owner_of("r.rater_id") +
+            ", '') <> ? ORDER BY r.id, i.number");
+    rows.bind(person_id).bind(person_id);
     std::vector<ReleasedRating> released;
     while (rows.next()) {
         if (released.empty() || released.back().id != rows.text(0)) {

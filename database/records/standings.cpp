@@ -36,7 +36,8 @@ PersonRecord Standings::record(const Session& session, const std::string& person
         CountedAttempt& counted = record.attempts.back();
         if (counted.voided_at > now) counted.voided_at = counted.time;
     }
-    for (const OverrideRow& row : overrides(session, person_id)) record.overrides.push_back(row.decision);
+    for (const OverrideRow& row : overrides(session, person_id))
+        if (!row.own) record.overrides.push_back(row.decision);
     if (asks_for_ratings(curriculum)) record.ratings = released_ratings(store_.connection(), person_id);
     return record;
 }

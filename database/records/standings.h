@@ -21,7 +21,7 @@ class Standings {
     /// must outlive the record.
     PersonRecord record(const Session& session, const std::string& person_id,
                         const Curriculum& curriculum) const;
-    /// Of a person, newest first. Checked as read_progress.
+    /// Of a person, newest first, also those that do not count (OverrideRow::own). Checked as read_progress.
     std::vector<OverrideRow> overrides(const Session& session, const std::string& person_id) const;
     /// Unlocks a task for a person or declares the person proficient in it. Never for oneself. `reason`: 1 to
     /// 4,000 characters. Throws AccessDenied, StoreError. Returns the id.

@@ -20,7 +20,7 @@ static_assert(in_order(kinds));
 namespace {
 
 const QString decision_columns =
-    "SELECT o.id, o.person_id, o.task_id, o.kind, o.author_id, o.time, o.reason, p.display_name, %1 FROM "
+    "SELECT o.id, o.person_id, o.task_id, o.kind, o.author_id, o.time, o.reason, p.display_name, %1, %2 FROM "
     "standing_override o JOIN person p ON p.id = o.author_id ";
 
 std::vector<OverrideRow> read_decisions(Query& rows) {
@@ -34,6 +34,7 @@ std::vector<OverrideRow> read_decisions(Query& rows) {
         row.reason = rows.text(6);
         row.author_name = rows.text(7);
         row.owner_id = rows.text(8);
+        row.own = !row.owner_id.empty() && rows.text(9) == row.owner_id;
         result.push_back(std::move(row));
     }
     return result;
@@ -42,7 +43,7 @@ std::vector<OverrideRow> read_decisions(Query& rows) {
 }  // namespace
 
 std::vector<OverrideRow> read_overrides(Connection& connection, const std::string& person_id) {
-    Query rows(connection, decision_columns.arg(owner_of("o.person_id")) +
+    Query rows(connection, decision_columns.arg(owner_of("o.person_id"), owner_of("o.author_id")) +
                                (person_id.empty() ? QString() : "WHERE " + belongs_to("o.person_id")) +
                                " ORDER BY o.time DESC, o.id");
     if (!person_id.empty()) rows.bind(person_id);
@@ -50,7 +51,7 @@ std::vector<OverrideRow> read_overrides(Connection& connection, const std::strin
 }
 
 std::vector<OverrideRow> read_raw_overrides(Connection& connection) {
-    Query rows(connection, decision_columns.arg("''") + "ORDER BY o.time DESC, o.id");
+    Query rows(connection, decision_columns.arg("''", "''") + "ORDER BY o.time DESC, o.id");
     return read_decisions(rows);
 }
 

@@ -16,11 +16,12 @@ struct OverrideRow {
     std::string person_id, author_id, reason;
     std::string author_name;  ///< read only
     std::string owner_id;     ///< read only: to whom person_id belongs
+    bool own = false;         ///< read only: so does author_id, since a merge; then it does not count
 };
 
 /// Of one person and those merged into it, newest first; of everyone where `person_id` is empty.
 std::vector<OverrideRow> read_overrides(Connection& connection, const std::string& person_id);
-/// Of everyone, without owner_id: also of a store of an older schema.
+/// Of everyone, without owner_id and own: also of a store of an older schema.
 std::vector<OverrideRow> read_raw_overrides(Connection& connection);
 void write_override(Connection& connection, const OverrideRow& row);
 /// JSON with everything but the author and the time, which the audit entry has itself.

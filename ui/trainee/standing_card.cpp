@@ -84,8 +84,9 @@ void StandingCard::fill() {
                                  ? tr("Unlocked by %1 on %2: %3")
                              : confirms ? tr("Check confirmed by %1 on %2: %3")
                                         : tr("Declared proficient by %1 on %2: %3");
+        const QString line = what.arg(text(row.author_name), date_text(row.decision.time), text(row.reason));
         lines_->addWidget(make_label(
-            what.arg(text(row.author_name), date_text(row.decision.time), text(row.reason)), "muted"));
+            row.own ? tr("%1 (does not count: both accounts are one person's)").arg(line) : line, "muted"));
     }
     kind_->clear();
     if (here.standing == Standing::locked)

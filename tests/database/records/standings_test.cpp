@@ -401,6 +401,53 @@ TEST(Standings, ARaterWhoHasSeenTheAttemptReadsThatBlindRatingsAreAskedFor) {
     EXPECT_FALSE(ratings.to_rate(educator, &curriculum).at(1).wants_blind) << "nobody waits for it";
 }
 
+TEST(Standings, WhatOneAccountDecidedAboutAnotherOfThePersonDoesNotCountAfterAMerge) {
+    const Programme programme;
+    const Curriculum curriculum = rated_a2();
+    // The educator is a trainee too, and was entered twice: ann is the other account.
+    const Session& administrator = programme.session("administrator");
+    const Session& educator = programme.session("educator");
+    programme.people().set_roles(administrator, programme.id("educator"), {Role::educator, Role::trainee});
+    const Standings standings(*programme.store);
+    standings.decide(educator, programme.id("ann"), "A1", StandingOverride::Kind::proficient, "as I saw");
+    const std::string attempt = programme.record("ann");
+    const ObserverForm goals = load_form(asset_path("forms/goals.json"));
+    const Ratings ratings(*programme.store);
+    const std::string form = ratings.begin(educator, attempt, goals);
+    ratings.answer(educator, form, FormAnswers(goals.items.size(), 5),
+                   std::vector<bool>(goals.items.size(), true), "");
+    ratings.hand_in(educator, form);
+    ASSERT_EQ(ratings.release(educator, attempt), 1);
+    EXPECT_EQ(standing(programme, curriculum, "A1", programme.store->now()).standing, Standing::proficient);
+    const Session& director = programme.session("director");
+    ASSERT_EQ(standings.record(director, programme.id("ann"), curriculum).ratings.size(), 1U);
+
+    const PersonMerge merge(*programme.store);
+    const MergePlan plan = merge.plan(administrator, programme.id("ann"), programme.id("educator"));
+    EXPECT_EQ(plan.counts.back().what.words(),
+              "decisions and forms of one account about the other, which then do not count");
+    EXPECT_EQ(plan.counts.back().count, 2);
+    merge.merge(administrator, programme.id("ann"), programme.id("educator"), "the same person");
+    const PersonRecord record = standings.record(director, programme.id("educator"), curriculum);
+    EXPECT_EQ(record.attempts.size(), 1U);
+    EXPECT_TRUE(record.overrides.empty());
+    EXPECT_TRUE(record.ratings.empty());
+    const std::vector<OverrideRow> listed = standings.overrides(director, programme.id("educator"));
+    ASSERT_EQ(listed.size(), 1U) << "it is still shown";
+    EXPECT_TRUE(listed[0].own);
+    CohortTableOptions options;
+    options.curriculum = &curriculum;
+    const CohortTable table = Reports(*programme.store).cohort_table(director, programme.cohort, options);
+    for (const PersonStandings& person : table.standings)
+        for (const PersonTask& task : person.tasks)
+            if (task.standing.task == "A1") {
+                EXPECT_EQ(task.standing.declared_at, 0) << person.login;
+            }
+    merge.undo(administrator, programme.id("ann"), "two people after all");
+    EXPECT_EQ(standings.record(director, programme.id("ann"), curriculum).overrides.size(), 1U);
+    EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+}
+
 TEST(Standings, RatersSeeTheAwaitedAttemptOfAMergedAccountFirst) {
     const Programme programme;
     const Curriculum curriculum = rated_a2();

@@ -6757,6 +6757,10 @@
         <translation>früher zusammengeführte Personen</translation>
     </message>
     <message>
+        <source>decisions and forms of one account about the other, which then do not count</source>
+        <translation>Entscheidungen und Bögen des einen Kontos über das andere, die dann nicht zählen</translation>
+    </message>
+    <message>
         <source>this is one account, not two</source>
         <translation>das ist ein Konto, nicht zwei</translation>
     </message>
@@ -18387,6 +18391,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Confirm the check</source>
         <translation>Kontrolle bestätigen</translation>
+    </message>
+    <message>
+        <source>%1 (does not count: both accounts are one person&apos;s)</source>
+        <translation>%1 (zählt nicht: beide Konten gehören einer Person)</translation>
     </message>
     <message>
         <source>The check is confirmed.</source>
