@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <set>
 #include <tuple>
 
 #include "assessment/curriculum/standing.h"
@@ -96,16 +97,9 @@ bool has_more(const Certificate& certificate, const std::vector<Certificate>& be
     });
 }
 
-/// As certificates(). `missing`: a version that the person follows and that is not installed; then none.
-std::vector<Certificate> made_of(const Store& store, const Session& session, const std::string& person_id,
-                                 const Curriculum& newest, std::string& missing) {
-    const PersonRecord record = Standings(store).record(session, person_id, newest);
-    const std::int64_t at = store.now();  // one moment: a move may come into force at any
-    if (store.is_demo()) return {};
-    const std::optional<Person> person = People(store).find(session, person_id);
-    if (!person || person->kind != PersonKind::real) return {};
-    missing = missing_in(record.assignments, at);
-    if (!missing.empty()) return {};
+/// Of what this record says under this id.
+std::vector<Certificate> made_of(const Store& store, const PersonRecord& record, std::int64_t at,
+                                 const std::string& id, const std::string& name) {
     const std::vector<Period> periods = periods_of(record.assignments, at);
     std::vector<Certificate> made;
     for (const Period& period : periods) {
@@ -114,8 +108,8 @@ std::vector<Certificate> made_of(const Store& store, const Session& session, con
         for (const CurriculumStage& stage : curriculum.stages) {
             Certificate certificate;
             certificate.programme = store.programme_name();
-            certificate.person_id = person_id;
-            certificate.person_name = person->display_name;
+            certificate.person_id = id;
+            certificate.person_name = name;
             certificate.curriculum = curriculum.name();
             certificate.curriculum_title = curriculum.title;
             certificate.stage = stage.id;
@@ -140,12 +134,95 @@ std::vector<Certificate> made_of(const Store& store, const Session& session, con
     return made;
 }
 
+/// Ids of the accounts that belong to the person, as person_owners; one for nearly everybody.
+std::vector<std::string> accounts_of(Connection& connection, const std::string& person_id) {
+    std::vector<std::string> accounts = {person_id};
+    Query rows(connection,
+               "SELECT d.id FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = '' WHERE "
+               "d.merged_into = ? ORDER BY d.id");
+    rows.bind(person_id);
+    while (rows.next()) accounts.push_back(rows.text(0));
+    return accounts;
+}
+
+/// What was recorded under one account, out of all that the person's accounts have.
+PersonRecord part_of(const Store& store, const Session& session, const PersonRecord& whole,
+                     const Person& person, const std::string& account, const Curriculum& newest) {
+    std::set<std::string> attempts;
+    {
+        Query rows(store.connection(), "SELECT id FROM attempt WHERE person_id = ?");
+        rows.bind(account);
+        while (rows.next()) attempts.insert(rows.text(0));
+    }
+    PersonRecord part;
+    part.assignments = Curricula(store).of_account(session, person.id, account, newest);
+    for (const CountedAttempt& one : whole.attempts)
+        if (attempts.count(one.id) != 0) part.attempts.push_back(one);
+    for (const ReleasedRating& one : whole.ratings)
+        if (attempts.count(one.attempt) != 0) part.ratings.push_back(one);
+    for (const OverrideRow& row : Standings(store).overrides(session, person.id))
+        if (row.person_id == account && !row.own) part.overrides.push_back(row.decision);
+    return part;
+}
+
+/// Those that each account has by itself, where the person has several: a merge changes days of declaration
+/// and versions, and ends no certificate while the person is proficient in its tasks. `missing`: a version
+/// that the person or an account follows and that is not installed; then none of that account.
+std::vector<Certificate> before_merges(const Store& store, const Session& session, const Person& person,
+                                       const Curriculum& newest, std::string& missing) {
+    std::vector<Certificate> found;
+    const std::vector<std::string> accounts = accounts_of(store.connection(), person.id);
+    if (accounts.size() < 2 || store.is_demo() || person.kind != PersonKind::real) return found;
+    const PersonRecord whole = Standings(store).record(session, person.id, newest);
+    const std::int64_t at = store.now();
+    if (const std::string name = missing_in(whole.assignments, at); !name.empty()) {
+        missing = name;
+        return found;
+    }
+    for (const std::string& account : accounts) {
+        const PersonRecord part = part_of(store, session, whole, person, account, newest);
+        if (const std::string name = missing_in(part.assignments, at); !name.empty()) {
+            missing = name;
+            continue;
+        }
+        for (Certificate& one : made_of(store, part, at, account, person.display_name)) {
+            const Curriculum* version = newest.version_named(one.curriculum);
+            const std::vector<TaskStanding> now =
+                standing_in(whole, at, version == nullptr ? newest : *version);
+            const bool valid =
+                std::all_of(one.tasks.begin(), one.tasks.end(), [&](const CertificateTask& task) {
+                    return std::any_of(now.begin(), now.end(), [&](const TaskStanding& standing) {
+                        return standing.task == task.task && is_proficient(standing.standing);
+                    });
+                });
+            if (!valid) continue;
+            one.person_id = person.id;
+            one.follows = curriculum_at(whole.assignments, at)->name();
+            found.push_back(std::move(one));
+        }
+    }
+    return found;
+}
+
+/// As certificates(). `missing`: a version that the person follows and that is not installed; then none.
+std::vector<Certificate> of_person(const Store& store, const Session& session, const std::string& person_id,
+                                   const Curriculum& newest, std::string& missing) {
+    const PersonRecord record = Standings(store).record(session, person_id, newest);
+    const std::int64_t at = store.now();  // one moment: a move may come into force at any
+    if (store.is_demo()) return {};
+    const std::optional<Person> person = People(store).find(session, person_id);
+    if (!person || person->kind != PersonKind::real) return {};
+    missing = missing_in(record.assignments, at);
+    if (!missing.empty()) return {};
+    return made_of(store, record, at, person_id, person->display_name);
+}
+
 }  // namespace
 
 std::vector<Certificate> certificates(const Store& store, const Session& session,
                                       const std::string& person_id, const Curriculum& newest) {
     std::string missing;
-    std::vector<Certificate> made = made_of(store, session, person_id, newest, missing);
+    std::vector<Certificate> made = of_person(store, session, person_id, newest, missing);
     if (!missing.empty())
         throw StoreError(StoreErrorKind::bad_value, not_here_words(missing), not_here_hint());
     return made;
@@ -158,7 +235,10 @@ std::optional<Certificate> find_certificate(const Store& store, const Session& s
     for (const Person& person : People(store).list(session)) {
         if (!store.allowed(session, Operation::read_progress, Subject::person(person.id))) continue;
         std::string missing;
-        for (Certificate& one : made_of(store, session, person.id, curriculum, missing))
+        std::vector<Certificate> all = of_person(store, session, person.id, curriculum, missing);
+        for (Certificate& one : before_merges(store, session, person, curriculum, missing))
+            all.push_back(std::move(one));
+        for (Certificate& one : all)
             if (plain_code(one.code) == wanted) return std::move(one);
         if (!missing.empty()) ++unknown;
     }

@@ -31,9 +31,9 @@ QString belongs_to_cohort(const QString& column) {
 }
 
 /// Of all members, in as many queries as for one, and one more each where ratings are asked for.
-std::map<std::string, Decisions> decisions_in(
-    const Store& store, const Session& session, const std::string& cohort_id, const Curriculum& curriculum,
-    const std::map<std::string, std::optional<std::string>>& begun_with) {
+std::map<std::string, Decisions> decisions_in(const Store& store, const Session& session,
+                                              const std::string& cohort_id, const Curriculum& curriculum,
+                                              const std::map<std::string, BegunWith>& begun_with) {
     std::map<std::string, Decisions> result;
     for (auto& [person, followed] :
          Curricula(store).assignments_in(session, cohort_id, curriculum, begun_with))
@@ -122,14 +122,14 @@ CohortSource::CohortSource(const Store& store, const Session& session, const std
             person.released = released_forms(store, session, person.person.id);
     }
     if (curriculum == nullptr) return;
-    std::map<std::string, std::optional<std::string>> begun_with;
+    std::map<std::string, BegunWith> begun_with;
     for (const PersonSource& person : people_) {
-        const auto first = std::find_if(
-            person.attempts.begin(), person.attempts.end(), [this](const AttemptSummary& attempt) {
-                return decides_curriculum(attempt, copies_.count(attempt.meta.id) != 0);
-            });
-        std::optional<std::string>& named = begun_with[person.person.id];
-        if (first != person.attempts.end()) named = first->meta.curriculum;
+        BegunWith& begun = begun_with[person.person.id];
+        const auto first = std::find_if(person.attempts.begin(), person.attempts.end(), decides_curriculum);
+        if (first != person.attempts.end()) begun.curriculum = first->meta.curriculum;
+        begun.has_copies = std::any_of(
+            person.attempts.begin(), person.attempts.end(),
+            [this](const AttemptSummary& attempt) { return copies_.count(attempt.meta.id) != 0; });
     }
     decisions_ = decisions_in(store, session, cohort_id, *curriculum, begun_with);
 }

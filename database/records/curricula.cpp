@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <tuple>
 
 #include "database/records/attempt_query.h"
@@ -18,16 +19,23 @@ namespace fulcrum::database {
 namespace {
 
 // Copies of an older program have no row of their own that says so.
-#define FULCRUM_NO_COPY                                                                      \
-    "NOT EXISTS (SELECT 1 FROM attempt_reassignment r WHERE r.to_id = a.id) AND NOT EXISTS " \
-    "(SELECT 1 FROM attempt_asset c WHERE c.attempt_id = a.id AND c.file = " FULCRUM_COPIED_FROM ") "
+#define FULCRUM_NO_COPY(attempt)                                                       \
+    "NOT EXISTS (SELECT 1 FROM attempt_reassignment r WHERE r.to_id = " attempt        \
+    ".id) AND NOT EXISTS (SELECT 1 FROM attempt_asset c WHERE c.attempt_id = " attempt \
+    ".id AND c.file = " FULCRUM_COPIED_FROM ") "
 // What was recorded elsewhere belongs to no curriculum (external_task_prefix).
 #define FULCRUM_OWN_TASK "a.task_id NOT LIKE 'external-%' "
+// A copy that came back to its person: that person has an original of the same performance. The copies in
+// between may be of people whom this store does not have.
+#define FULCRUM_CAME_BACK                                                                        \
+    "EXISTS (SELECT 1 FROM attempt b WHERE b.person_id = a.person_id AND b.started = a.started " \
+    "AND b.seed = a.seed AND b.task_id = a.task_id AND b.id <> a.id AND " FULCRUM_NO_COPY("b") ") "
 // Its version is the one that the person follows: not of a voided one, which is as if it had never been, nor
 // of the copy of a reassigned one, which names what the other person followed.
-#define FULCRUM_DECIDES \
-    FULCRUM_OWN_TASK    \
-    "AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) AND " FULCRUM_NO_COPY
+#define FULCRUM_DECIDES                                                                               \
+    FULCRUM_OWN_TASK                                                                                  \
+    "AND NOT EXISTS (SELECT 1 FROM attempt_void v WHERE v.attempt_id = a.id) AND ((" FULCRUM_NO_COPY( \
+        "a") ") OR " FULCRUM_CAME_BACK ") "
 
 /// The version of attempts from before they named one.
 std::string first_version(const Curriculum& newest) {
@@ -47,44 +55,86 @@ FollowedCurriculum followed_first(const std::optional<std::string>& named, const
     return first;
 }
 
-/// The moves of the people (table `p`) for whom `whose` holds with this value, after what they followed.
+/// The moves of the people (table `p`) for whom `whose` holds with this value, after what they followed. Not
+/// those that another account of the same person made before a merge.
 void add_moves(Connection& connection, const QString& whose, const std::string& value, Histories& to) {
     Query moves(connection,
                 "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m " +
                     join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
-                    " ORDER BY m.time, m.id");
+                    " AND " + owner_of("m.author_id") + " <> p.id ORDER BY m.time, m.id");
     moves.bind(value);
     while (moves.next())
         to[moves.text(0)].push_back({moves.text(1), moves.integer(2), moves.text(3), moves.text(4)});
 }
 
-/// As followed(), not checked, of the people (table `p`) for whom `whose` holds with this value.
-Histories histories(Connection& connection, const QString& whose, const std::string& value,
-                    const Curriculum& newest) {
-    Histories result;
-    Query attempts(connection,
-                   "SELECT p.id, (SELECT a.curriculum FROM attempt a WHERE a.person_id IN (SELECT "
-                   "w.person_id FROM " +
-                       QString(person_owners) +
-                       " w WHERE w.owner_id = p.id) AND " FULCRUM_DECIDES
-                       " ORDER BY a.started, a.id LIMIT 1) FROM person p WHERE " +
-                       whose);
-    attempts.bind(value);
-    while (attempts.next())
-        result[attempts.text(0)].push_back(
-            followed_first(attempts.is_null(1) ? std::nullopt : std::optional(attempts.text(1)), newest));
-    add_moves(connection, whose, value, result);
-    return result;
+/// Whoever was moved before any attempt decided began with that version: nothing was done under another one.
+void begin_with_first_move(std::vector<FollowedCurriculum>& followed) {
+    if (followed.size() > 1) followed.front().name = followed[1].name;
 }
 
+/// Where others were merged into this account: from the attempt on with which it began itself, it follows the
+/// version that this attempt names. A merge puts nobody on the version of the doubled account.
+void add_own_beginning(Connection& connection, const std::string& person_id, const Curriculum& newest,
+                       std::vector<FollowedCurriculum>& to) {
+    Query own(connection,
+              "SELECT a.curriculum, a.started FROM attempt a WHERE a.person_id = ? AND EXISTS (SELECT 1 FROM "
+              "person d JOIN person t ON t.id = d.merged_into AND t.merged_into = '' WHERE d.merged_into = "
+              "a.person_id) AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1");
+    own.bind(person_id);
+    if (!own.next()) return;
+    FollowedCurriculum first = followed_first(own.text(0), newest);
+    first.since = own.integer(1);
+    const auto later = std::find_if(to.begin() + 1, to.end(),
+                                    [&](const FollowedCurriculum& one) { return one.since >= first.since; });
+    if ((later - 1)->name != first.name) to.insert(later, std::move(first));
+}
+
+/// As followed(), not checked.
 std::vector<FollowedCurriculum> history(Connection& connection, const std::string& person_id,
                                         const Curriculum& newest) {
-    auto of_person = histories(connection, "p.id = ?", person_id, newest);
-    const auto found = of_person.find(person_id);
-    if (found != of_person.end()) return std::move(found->second);
-    FollowedCurriculum first;
-    first.name = newest.name();
-    return {std::move(first)};
+    std::optional<std::string> named;
+    {
+        Query first(connection, "SELECT a.curriculum FROM attempt a WHERE " + belongs_to("a.person_id") +
+                                    " AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1");
+        first.bind(person_id);
+        if (first.next()) named = first.text(0);
+    }
+    Histories of_person;
+    std::vector<FollowedCurriculum>& followed = of_person[person_id];
+    followed.push_back(followed_first(named, newest));
+    add_moves(connection, "p.id = ?", person_id, of_person);
+    if (!named) begin_with_first_move(followed);
+    add_own_beginning(connection, person_id, newest, followed);
+    return std::move(followed);
+}
+
+/// Into which others were merged.
+std::set<std::string> merge_targets(Connection& connection) {
+    Query rows(connection,
+               "SELECT DISTINCT t.id FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = "
+               "'' WHERE d.merged_into <> ''");
+    std::set<std::string> targets;
+    while (rows.next()) targets.insert(rows.text(0));
+    return targets;
+}
+
+void write_move(const Store& store, const Session& educator, const std::string& person,
+                const std::string& from, const std::string& to, const std::string& reason,
+                std::int64_t time) {
+    const std::string id = random_uuid();
+    Query(store.connection(),
+          "INSERT INTO curriculum_move (id, person_id, curriculum, author_id, time, reason) VALUES "
+          "(?, ?, ?, ?, ?, ?)")
+        .bind(id)
+        .bind(person)
+        .bind(to)
+        .bind(educator.person_id())
+        .bind(time)
+        .bind(reason)
+        .run();
+    Audit(store).append(educator, id, "curriculum.move",
+                        json_object({{"from", from}, {"person", person}, {"reason", reason}, {"to", to}}),
+                        {{RecordKind::curriculum_move, id}});
 }
 
 std::vector<CurriculumAssignment> assignments_of(const std::vector<FollowedCurriculum>& followed,
@@ -123,7 +173,7 @@ bool is_text_of(const Store& store, const std::string& name, const Curriculum& v
     of_all.bind(name);
     if (!of_all.next() || of_all.text(0) == digest) return true;
     // A copy that was made here of another station's attempt has that station's text.
-    Query own(store.connection(), begun + "AND a.station_id = ? AND " FULCRUM_NO_COPY + first);
+    Query own(store.connection(), begun + "AND a.station_id = ? AND " FULCRUM_NO_COPY("a") + first);
     own.bind(name).bind(store.station_id());
     if (own.next() && own.text(0) != digest) return false;
     return AcceptedAssets(store).unknown({{"curricula/" + version.file, digest}}).empty();
@@ -161,8 +211,8 @@ std::string missing_in(const std::vector<CurriculumAssignment>& assignments, std
     return name;
 }
 
-bool decides_curriculum(const AttemptSummary& attempt, bool is_copy) {
-    return !is_external_task(attempt.meta.task_id) && attempt.voided_at == 0 && !is_copy;
+bool decides_curriculum(const AttemptSummary& attempt) {
+    return !is_external_task(attempt.meta.task_id) && attempt.voided_at == 0;
 }
 
 std::vector<FollowedCurriculum> Curricula::followed(const Session& session, const std::string& person_id,
@@ -178,12 +228,23 @@ std::vector<CurriculumAssignment> Curricula::assignments(const Session& session,
 
 std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_in(
     const Session& session, const std::string& cohort_id, const Curriculum& newest,
-    const std::map<std::string, std::optional<std::string>>& begun_with) const {
+    const std::map<std::string, BegunWith>& begun_with) const {
     store_.require(session, Operation::read_cohort_table, Subject::cohort(cohort_id));
+    Connection& connection = store_.connection();
     Histories of_people;
-    for (const auto& [person, named] : begun_with) of_people[person].push_back(followed_first(named, newest));
-    add_moves(store_.connection(), "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)",
-              cohort_id, of_people);
+    for (const auto& [person, begun] : begun_with)
+        of_people[person].push_back(followed_first(begun.curriculum, newest));
+    add_moves(connection, "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)", cohort_id,
+              of_people);
+    const std::set<std::string> merged = merge_targets(connection);
+    for (auto& [person, followed] : of_people) {
+        const auto begun = begun_with.find(person);
+        if (begun == begun_with.end() || begun->second.has_copies || merged.count(person) != 0) {
+            followed = history(connection, person, newest);
+        } else if (!begun->second.curriculum) {
+            begin_with_first_move(followed);
+        }
+    }
     std::map<std::string, std::vector<CurriculumAssignment>> result;
     for (const auto& [person, followed] : of_people) result[person] = assignments_of(followed, newest);
     return result;
@@ -251,26 +312,48 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
         const std::string& from = last.name;
         if (from == to) continue;
         // After one that was made at a station whose clock is ahead, which it would not replace else.
-        const std::int64_t time = std::max(now, last.since + 1);
-        const std::string id = random_uuid();
-        Query(connection,
-              "INSERT INTO curriculum_move (id, person_id, curriculum, author_id, time, reason) VALUES "
-              "(?, ?, ?, ?, ?, ?)")
-            .bind(id)
-            .bind(person)
-            .bind(to)
-            .bind(educator.person_id())
-            .bind(time)
-            .bind(reason)
-            .run();
-        Audit(store_).append(
-            educator, id, "curriculum.move",
-            json_object({{"from", from}, {"person", person}, {"reason", reason}, {"to", to}}),
-            {{RecordKind::curriculum_move, id}});
+        write_move(store_, educator, person, from, to, reason, std::max(now, last.since + 1));
         ++moved;
     }
     transaction.commit();
     return moved;
+}
+
+void Curricula::keep_version(const Session& educator, const std::string& person_id, const Curriculum& newest,
+                             const std::string& reason) const {
+    store_.require(educator, Operation::decide_standing, Subject::person(person_id));
+    Connection& connection = store_.connection();
+    {
+        Query begun(connection, "SELECT 1 FROM attempt a WHERE " + belongs_to("a.person_id") +
+                                    " AND " FULCRUM_DECIDES " LIMIT 1");
+        begun.bind(person_id);
+        if (begun.next()) return;
+    }
+    const std::vector<FollowedCurriculum> followed = history(connection, person_id, newest);
+    if (followed.size() > 1) return;
+    const std::string& name = followed.back().name;
+    write_move(store_, educator, person_id, name, name, reason, store_.now());
+}
+
+std::vector<CurriculumAssignment> Curricula::of_account(const Session& session, const std::string& person_id,
+                                                        const std::string& account_id,
+                                                        const Curriculum& newest) const {
+    store_.require(session, Operation::read_progress, Subject::person(person_id));
+    Connection& connection = store_.connection();
+    std::optional<std::string> named;
+    {
+        Query first(connection, "SELECT a.curriculum FROM attempt a WHERE " + belongs_to("a.person_id") +
+                                    " AND a.person_id = ? AND " FULCRUM_DECIDES
+                                    " ORDER BY a.started, a.id LIMIT 1");
+        first.bind(person_id).bind(account_id);
+        if (first.next()) named = first.text(0);
+    }
+    Histories of_person;
+    std::vector<FollowedCurriculum>& followed = of_person[person_id];
+    followed.push_back(followed_first(named, newest));
+    add_moves(connection, "m.person_id = ?", account_id, of_person);
+    if (!named) begin_with_first_move(followed);
+    return assignments_of(followed, newest);
 }
 
 std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
@@ -279,18 +362,26 @@ std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
         std::int64_t moved = -1, begun = -1;  // time of the last move, of the first attempt; -1: none
         std::string move, attempt, curriculum;
     };
-    std::map<std::string, Decision> decisions;
+    std::map<std::string, Decision> decisions, own;
+    const std::set<std::string> merged = merge_targets(store_.connection());
     Query rows(store_.connection(),
                "SELECT " + owner_of("p.person_id") +
-                   ", m.time, m.id, m.curriculum, a.started, a.id, a.curriculum FROM (SELECT DISTINCT "
-                   "a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
+                   ", m.time, m.id, m.curriculum, a.started, a.id, a.curriculum, p.person_id FROM (SELECT "
+                   "DISTINCT a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
                    " UNION SELECT person_id FROM curriculum_move) p LEFT JOIN curriculum_move m ON m.id = "
-                   "(SELECT n.id FROM curriculum_move n WHERE n.person_id = p.person_id ORDER BY n.time "
-                   "DESC, n.id DESC LIMIT 1) LEFT JOIN attempt a ON a.id = (SELECT a.id FROM attempt a WHERE "
-                   "a.person_id = p.person_id AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1)");
+                   "(SELECT n.id FROM curriculum_move n WHERE n.person_id = p.person_id AND " +
+                   owner_of("n.author_id") + " <> " + owner_of("n.person_id") +
+                   " ORDER BY n.time DESC, n.id DESC LIMIT 1) LEFT JOIN attempt a ON a.id = (SELECT a.id "
+                   "FROM attempt a WHERE a.person_id = p.person_id AND " FULCRUM_DECIDES
+                   " ORDER BY a.started, a.id LIMIT 1)");
     while (rows.next()) {
         if (rows.is_null(1) && rows.is_null(4)) continue;  // as without attempts
-        Decision& known = decisions[rows.text(0)];
+        const std::string owner = rows.text(0);
+        Decision& known = decisions[owner];
+        if (!rows.is_null(4) && rows.text(7) == owner && merged.count(owner) != 0) {
+            own[owner].begun = rows.integer(4);
+            own[owner].curriculum = rows.text(6);
+        }
         if (!rows.is_null(1)) {
             const std::int64_t moved = rows.integer(1);
             const std::string id = rows.text(2);
@@ -307,6 +398,9 @@ std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
             known.curriculum = rows.text(6);
         }
     }
+    // As add_own_beginning().
+    for (const auto& [person, first] : own)
+        if (first.begun > decisions[person].moved) decisions[person].curriculum = first.curriculum;
     std::map<std::string, int> result;
     for (const auto& [person, decision] : decisions)
         ++result[followed_first(decision.curriculum, newest).name];

@@ -46,8 +46,14 @@ struct CurriculumChange {
 };
 
 /// Whether the attempt, if it is the first of those that do, decides which version its person follows; as
-/// FULCRUM_DECIDES in SQL. `is_copy`: of a reassigned attempt.
-bool decides_curriculum(const AttemptSummary& attempt, bool is_copy);
+/// FULCRUM_DECIDES in SQL, for people without copies of reassigned attempts.
+bool decides_curriculum(const AttemptSummary& attempt);
+
+/// What the attempts of a person say of the version from the beginning.
+struct BegunWith {
+    std::optional<std::string> curriculum;  ///< named by the first that decides; nothing: there is none
+    bool has_copies = false;                ///< of reassigned attempts: which of them decide is asked
+};
 
 class Curricula {
   public:
@@ -60,11 +66,16 @@ class Curricula {
     /// place, and CurriculumAssignment::missing names it.
     std::vector<CurriculumAssignment> assignments(const Session& session, const std::string& person_id,
                                                   const Curriculum& newest) const;
-    /// The same of every member of a cohort whose attempts were read. `begun_with`: by person, what the first
-    /// attempt that decides (decides_curriculum) names; nothing: there is none. Checked as read_cohort_table.
+    /// The same of every member of a cohort whose attempts were read. `begun_with`: by person. Checked as
+    /// read_cohort_table.
     std::map<std::string, std::vector<CurriculumAssignment>> assignments_in(
         const Session& session, const std::string& cohort_id, const Curriculum& newest,
-        const std::map<std::string, std::optional<std::string>>& begun_with) const;
+        const std::map<std::string, BegunWith>& begun_with) const;
+    /// What one account of the person says by itself, without those that were merged into it or it into.
+    /// Checked as read_progress.
+    std::vector<CurriculumAssignment> of_account(const Session& session, const std::string& person_id,
+                                                 const std::string& account_id,
+                                                 const Curriculum& newest) const;
     /// The version that the person follows now: a move whose time lies ahead is not yet in force.
     const Curriculum& in_force(const Session& session, const std::string& person_id,
                                const Curriculum& newest) const;
@@ -82,6 +93,11 @@ class Curricula {
     /// StoreError, as preview() does.
     int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
              const std::string& to, const std::string& reason) const;
+    /// Within the transaction of a decision on a standing: whoever has neither an attempt that decides nor a
+    /// move stays on the version of the decision from then on, written as a move to it. Checked as
+    /// decide_standing.
+    void keep_version(const Session& educator, const std::string& person_id, const Curriculum& newest,
+                      const std::string& reason) const;
     /// How many people with such attempts or a move follow each version; somebody who was entered twice is
     /// one, and attempts that name no version are of the one that followed() gives.
     std::map<std::string, int> people(const Curriculum& newest) const;

@@ -49,7 +49,7 @@ std::vector<OverrideRow> Standings::overrides(const Session& session, const std:
 
 std::string Standings::decide(const Session& educator, const std::string& person_id,
                               const std::string& task_id, StandingOverride::Kind kind,
-                              const std::string& reason) const {
+                              const std::string& reason, const Curriculum* newest) const {
     store_.require(educator, Operation::decide_standing, Subject::person(person_id));
     if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
         throw StoreError(StoreErrorKind::bad_value,
@@ -59,12 +59,14 @@ std::string Standings::decide(const Session& educator, const std::string& person
         throw StoreError(StoreErrorKind::bad_value, QT_TRANSLATE_NOOP("errors", "no task was named"),
                          QT_TRANSLATE_NOOP("errors", "name a task of the curriculum"));
     Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    // First: what is decided is decided under the version that is kept.
+    if (newest != nullptr) Curricula(store_).keep_version(educator, person_id, *newest, reason);
     OverrideRow row;
     row.decision = {random_uuid(), task_id, kind, store_.now()};
     row.person_id = person_id;
     row.author_id = educator.person_id();
     row.reason = reason;
-    Transaction transaction(connection);
     write_override(connection, row);
     Audit(store_).append(educator, row.decision.id, "standing.decide", override_payload(row),
                          {{RecordKind::decision, row.decision.id}});

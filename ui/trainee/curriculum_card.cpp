@@ -91,12 +91,14 @@ void CurriculumCard::fill() {
             : tr("Curriculum: %1, version %2").arg(asset_text(version->title)).arg(version->version));
     name->setObjectName(QStringLiteral("curriculum_name"));
     lines_->addWidget(name);
-    for (const database::FollowedCurriculum& one : followed)
-        if (!one.moved_by.empty())
-            lines_->addWidget(make_label(
-                tr("Moved to %1 by %2 on %3: %4")
-                    .arg(text(one.name), text(one.moved_by), date_text(one.since), text(one.reason)),
-                "muted"));
+    for (std::size_t i = 1; i < followed.size(); ++i) {
+        const database::FollowedCurriculum& one = followed[i];
+        if (one.moved_by.empty()) continue;
+        const QString what = one.name == followed[i - 1].name ? tr("On %1 by a decision of %2 on %3: %4")
+                                                              : tr("Moved to %1 by %2 on %3: %4");
+        lines_->addWidget(make_label(
+            what.arg(text(one.name), text(one.moved_by), date_text(one.since), text(one.reason)), "muted"));
+    }
     std::string missing;
     context_.guarded([&] {
         missing = database::Curricula(context_.store()).missing(context_.session(), person_id_, newest);
@@ -110,10 +112,12 @@ void CurriculumCard::fill() {
         choice_->hide();
         return;
     }
-    for (auto one = coming; one != followed.end(); ++one)
+    for (auto one = coming; one != followed.end(); ++one) {
+        if (one->name == (one - 1)->name) continue;  // written by a decision: nothing will change
         lines_->addWidget(make_label(tr("▲ The move to %1 comes into force on %2: the clock of the station "
                                         "where it was made is ahead of this one.")
                                          .arg(text(one->name), local_time(one->since))));
+    }
     if (now.name != newest.name())
         lines_->addWidget(make_label(tr("There is a newer version, %1. Each person stays on their version "
                                         "until an educator moves them.")

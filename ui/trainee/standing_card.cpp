@@ -110,7 +110,8 @@ void StandingCard::decide() {
     const auto kind = static_cast<StandingOverride::Kind>(kind_->currentData().toInt());
     if (context_.guarded([&] {
             database::Standings(context_.store())
-                .decide(context_.session(), person_id_, task_id_, kind, words);
+                .decide(context_.session(), person_id_, task_id_, kind, words,
+                        &context_.services().curriculum());
         })) {
         context_.say(kind == StandingOverride::Kind::unlocked ? tr("The task is unlocked.")
                      : confirms_                              ? tr("The check is confirmed.")

@@ -10,6 +10,8 @@
 
 #include "assessment/assets/assets.h"
 #include "database/records/curricula.h"
+#include "database/records/person_merge.h"
+#include "database/records/recorder.h"
 #include "database/records/standings.h"
 #include "tests/database/programme_fixture.h"
 
@@ -142,6 +144,71 @@ TEST(Certificates, ADecisionOnAProficiencyInForceConfirmsItsCheckAndChangesNoCod
     EXPECT_EQ(made()[0].code, before.code);
     EXPECT_EQ(made()[0].curriculum, before.curriculum);
     EXPECT_EQ(made()[0].completed_at, before.completed_at);
+}
+
+TEST(Certificates, OfSomebodyWithDecisionsAloneStayWhenAVersionIsPublished) {
+    const Programme programme;
+    const Curriculum before = whole();
+    Curriculum after = whole();
+    after.older = {whole()};
+    after.version = 1001;
+    for (CurriculumTask& task : after.tasks)
+        if (task.task == "B1") task.stage = "A";
+    for (const char* task : {"A1", "A2", "A3"}) {
+        programme.clock.pass_s(60);
+        Standings(*programme.store)
+            .decide(programme.session("educator"), programme.id("ann"), task,
+                    StandingOverride::Kind::proficient, "examined in theatre", &before);
+    }
+    const auto made = [&](const Curriculum& newest) {
+        return certificates(*programme.store, programme.session("ann"), programme.id("ann"), newest);
+    };
+    ASSERT_EQ(made(before).size(), 1U);
+    ASSERT_EQ(made(after).size(), 1U);
+    EXPECT_EQ(made(after)[0].curriculum, before.name());
+    EXPECT_EQ(made(after)[0].code, made(before)[0].code);
+    EXPECT_EQ(made(after)[0].completed_at, made(before)[0].completed_at);
+    const auto followed =
+        Curricula(*programme.store).followed(programme.session("ann"), programme.id("ann"), after);
+    ASSERT_EQ(followed.size(), 2U) << "one decision settles it";
+    EXPECT_EQ(followed[0].name, before.name());
+    EXPECT_EQ(followed[1].name, before.name());
+    EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+}
+
+TEST(Certificates, AMergeEndsNoneOfEitherAccount) {
+    const Programme programme;
+    Curriculum newest = whole();
+    newest.older = {whole()};
+    newest.version = 4;
+    const Session& director = programme.session("director");
+    programme.people().set_members(director, programme.cohort, {programme.id("ann"), programme.id("eve")});
+    const auto begin_with = [&](const char* login, const char* version) {
+        programme.clock.pass_s(3600);
+        AttemptMeta meta = test::example_meta(programme.id(login), "B1");
+        meta.curriculum = version;
+        Recorder recorder(programme.path, programme.session(login), meta, programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(test::example_result(false, 0));
+    };
+    const auto code = [&](const char* login) {
+        return certificates(*programme.store, director, programme.id(login), newest).at(0).code;
+    };
+    begin_with("eve", "rectal@3");
+    declare(programme, "eve", {"A1", "A2", "A3"});
+    begin_with("ann", "rectal@4");
+    declare(programme, "ann", {"A1", "A2", "A3"});
+    const std::string of_eve = code("eve"), of_ann = code("ann");
+    PersonMerge(*programme.store)
+        .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "entered twice");
+    EXPECT_EQ(Curricula(*programme.store).in_force(director, programme.id("ann"), newest).name(), "rectal@4");
+    for (const std::string& old : {of_eve, of_ann}) {
+        const auto found = find_certificate(*programme.store, director, old, newest);
+        ASSERT_TRUE(found) << old;
+        EXPECT_EQ(found->person_id, programme.id("ann"));
+        EXPECT_EQ(found->follows, "rectal@4");
+    }
+    EXPECT_TRUE(find_certificate(*programme.store, director, code("ann"), newest));
 }
 
 /// A person who follows version 3, and a version 4 to be moved to.

@@ -106,6 +106,61 @@ TEST(Curricula, NeitherAReassignedNorAVoidedAttemptDecides) {
     EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@2", 2}}));
 }
 
+TEST(Curricula, AnAttemptThatIsReassignedBackDecidesAgain) {
+    const Followers one;
+    const Attempts attempts = one.programme.attempts();
+    const std::string first = one.record("ann", *one.newest.version_named("rectal@1"));
+    one.programme.clock.pass_s(10);
+    const std::string of_ben = attempts.reassign(one.educator, first, one.programme.id("ben"), "Ben's");
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    one.programme.clock.pass_s(10);
+    attempts.reassign(one.educator, of_ben, one.programme.id("ann"), "Ann's after all");
+    EXPECT_EQ(one.of("ann"), "rectal@1") << "she began with it";
+    EXPECT_EQ(one.of("ben"), "rectal@2");
+    EXPECT_EQ(one.curricula.people(), (std::map<std::string, int>{{"rectal@1", 1}}));
+}
+
+TEST(Curricula, AMergePutsTheAccountThatStaysOnNoOtherVersion) {
+    const Followers one;
+    const PersonMerge merge(*one.programme.store);
+    const Session& administrator = one.programme.session("administrator");
+    using Counts = std::map<std::string, int>;
+    one.record("eve", *one.newest.version_named("rectal@1"));
+    one.programme.clock.pass_s(3600);
+    one.record("ann", one.newest);
+    merge.merge(administrator, one.programme.id("eve"), one.programme.id("ann"), "entered twice");
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@2", 1}}));
+    const auto followed = one.curricula.assignments(one.educator, one.programme.id("ann"), one.newest);
+    ASSERT_EQ(followed.size(), 2U);
+    EXPECT_EQ(curriculum_at(followed, followed[1].time - 1)->name(), "rectal@1")
+        << "what was done under the other one";
+    // Where the account that stays has not begun, it follows what the other one did, also once it begins.
+    merge.undo(administrator, one.programme.id("eve"), "for a look");
+    merge.merge(administrator, one.programme.id("eve"), one.programme.id("ben"), "entered twice");
+    EXPECT_EQ(one.of("ben"), "rectal@1");
+    one.programme.clock.pass_s(10);
+    one.record("ben", *one.newest.version_named("rectal@1"));
+    EXPECT_EQ(one.of("ben"), "rectal@1");
+    EXPECT_EQ(one.curricula.people(), (Counts{{"rectal@1", 1}, {"rectal@2", 1}}));
+}
+
+TEST(Curricula, AMoveThatAnotherAccountOfThePersonMadeDoesNotCountAfterAMerge) {
+    const Followers one;
+    const Session& administrator = one.programme.session("administrator");
+    one.programme.people().set_roles(administrator, one.programme.id("educator"),
+                                     {Role::educator, Role::trainee});
+    one.record("ann", one.newest);
+    one.programme.clock.pass_s(10);
+    one.curricula.move(one.educator, {one.programme.id("ann")}, one.newest, "rectal@1", "easier");
+    EXPECT_EQ(one.of("ann"), "rectal@1");
+    PersonMerge(*one.programme.store)
+        .merge(administrator, one.programme.id("ann"), one.programme.id("educator"), "one person");
+    const Session& director = one.programme.session("director");
+    EXPECT_EQ(one.curricula.in_force(director, one.programme.id("educator"), one.newest).name(), "rectal@2");
+    EXPECT_EQ(one.curricula.people(), (std::map<std::string, int>{{"rectal@2", 1}}));
+}
+
 TEST(Curricula, AMoveKeepsWhatWasDeclaredAndIsAudited) {
     const Followers one;
     const Standings standings(*one.programme.store);

@@ -201,7 +201,7 @@ inline void say(Answer& to, const StandingOverride& decision) {
     to.all(decision.id, decision.task, decision.kind, decision.time);
 }
 inline void say(Answer& to, const OverrideRow& row) {
-    to.all(row.decision, row.person_id, row.author_id, row.reason, row.author_name, row.owner_id);
+    to.all(row.decision, row.person_id, row.author_id, row.reason, row.author_name, row.owner_id, row.own);
 }
 inline void say(Answer& to, const CountedAttempt& one) {
     to.all(one.id, one.task, one.time, one.utc_offset_minutes, one.device_class, one.passed, one.provisional,

@@ -21,6 +21,7 @@ inline const std::vector<NotAsked>& not_asked() {
           "Attempts::void_attempt",
           "Audit::append",
           "Audit::erase_payloads",
+          "Curricula::keep_version",
           "Curricula::move",
           "ErrorReviews::add",
           "ExternalAttempts::add",

@@ -143,7 +143,7 @@ inline constexpr Read answered[] = {
     {"Curricula::assignments_in",
      [](const Asked& q) {
          return of_each(q.about.cohorts, [&](const std::string& id) {
-             std::map<std::string, std::optional<std::string>> begun_with;
+             std::map<std::string, BegunWith> begun_with;
              for (const std::string& person : q.about.people) begun_with[person];
              return Curricula(q.store).assignments_in(q.session, id, q.about.curriculum, begun_with);
          });
@@ -164,6 +164,12 @@ inline constexpr Read answered[] = {
      [](const Asked& q) {
          return of_each(q.about.people, [&](const std::string& id) {
              return Curricula(q.store).in_force(q.session, id, q.about.curriculum).name();
+         });
+     }},
+    {"Curricula::of_account",
+     [](const Asked& q) {
+         return of_each(q.about.people, [&](const std::string& id) {
+             return Curricula(q.store).of_account(q.session, id, id, q.about.curriculum);
          });
      }},
     {"Curricula::people",

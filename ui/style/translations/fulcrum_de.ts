@@ -13042,6 +13042,10 @@ Kennzahlen: %2</translation>
         <translation>Umgestellt auf %1 von %2 am %3: %4</translation>
     </message>
     <message>
+        <source>On %1 by a decision of %2 on %3: %4</source>
+        <translation>Bei %1 durch eine Entscheidung von %2 am %3: %4</translation>
+    </message>
+    <message>
         <source>version %1</source>
         <translation>Version %1</translation>
     </message>
