@@ -6,6 +6,7 @@
 #include <set>
 
 #include "database/records/attempt_query.h"
+#include "database/records/curricula.h"
 #include "database/records/people_rows.h"
 #include "database/records/rating_seen.h"
 #include "database/records/standings.h"
@@ -208,6 +209,8 @@ std::map<std::string, bool> awaited_attempts(const Store& store, const Session& 
         if (person == rater.person_id()) continue;
         const std::int64_t now = store.now();
         const PersonRecord record = Standings(store).record(rater, person, curriculum);
+        // What another version would wait for is not said.
+        if (!missing_in(record.assignments, now).empty()) continue;
         for (const TaskStanding& one : standing_of(record, now)) {
             if (one.standing != Standing::awaiting_rating || one.rated_attempt.empty()) continue;
             const CurriculumTask* task = curriculum_at(record.assignments, now)->find(one.task);

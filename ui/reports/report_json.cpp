@@ -175,8 +175,10 @@ Json standings_json(const database::PersonStandings& person) {
                          {"proficient_since", time_or_null(standing.declared_at)},
                          {"next_check", time_or_null(standing.next_check)}});
     };
-    for (const database::PersonTask& task : person.tasks) add(task.standing);
-    for (const database::PersonTask& task : person.own_tasks) add(task.standing);
+    if (!person.not_here) {  // else each would be said to be locked
+        for (const database::PersonTask& task : person.tasks) add(task.standing);
+        for (const database::PersonTask& task : person.own_tasks) add(task.standing);
+    }
     for (const Concern& concern : person.concerns) {
         Json one = {{"kind", row_of(concern_names, concern.kind).name},
                     {"task", or_null(concern.task)},

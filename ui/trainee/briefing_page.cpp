@@ -11,6 +11,7 @@
 
 #include "assessment/assets/fidelity_cost.h"
 #include "database/records/attempts.h"
+#include "database/records/curricula.h"
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
@@ -246,6 +247,7 @@ void BriefingPage::fill_beginnings(const TaskDefinition& task) {
 
 BriefingPage::InCurriculum BriefingPage::in_curriculum(DeviceClass used) {
     const Curriculum* followed = nullptr;
+    std::string missing;
     std::vector<TaskStanding> standings;
     context().guarded([&] {
         const database::Session& session = context().session();
@@ -258,8 +260,14 @@ BriefingPage::InCurriculum BriefingPage::in_curriculum(DeviceClass used) {
         const std::int64_t now = context().store().now();
         standings = standing_of(record, now);
         followed = curriculum_at(record.assignments, now);
+        missing = database::missing_in(record.assignments, now);
     });
     if (followed == nullptr) return {};
+    if (!missing.empty())
+        return {tr("You follow the curriculum %1, which is not at this station. Until it is, you can only "
+                   "practise this task.")
+                    .arg(text(missing)),
+                {}};
     const CurriculumTask* counted = followed->find(task_id_);
     if (counted == nullptr)
         return {{},

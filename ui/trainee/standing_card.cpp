@@ -54,9 +54,12 @@ void StandingCard::fill() {
     bool known = false;
     if (readable)
         context_.guarded([&] {
-            known = database::Curricula(context_.store())
-                        .in_force(context_.session(), person_id_, curriculum)
-                        .find(task_id_) != nullptr;
+            const auto followed =
+                database::Curricula(context_.store()).assignments(context_.session(), person_id_, curriculum);
+            const std::int64_t at = context_.store().now();
+            // Of a version that is not at this station the card of the curriculum says so.
+            known = database::missing_in(followed, at).empty() &&
+                    curriculum_at(followed, at)->find(task_id_) != nullptr;
         });
     setVisible(known);
     if (!known) return;

@@ -21,13 +21,13 @@ namespace fulcrum::app::program_test {
 namespace {
 
 /// A copy of the assets, in use while it exists.
-class OwnAssets {
+class CopiedAssets {
   public:
-    OwnAssets() {
+    CopiedAssets() {
         std::filesystem::copy(assets_folder(), folder_.path(), std::filesystem::copy_options::recursive);
         qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(folder_.path().string()));
     }
-    ~OwnAssets() { before_.isNull() ? qunsetenv("FULCRUM_ASSETS") : qputenv("FULCRUM_ASSETS", before_); }
+    ~CopiedAssets() { before_.isNull() ? qunsetenv("FULCRUM_ASSETS") : qputenv("FULCRUM_ASSETS", before_); }
     std::filesystem::path operator/(const char* name) const { return folder_ / name; }
 
   private:
@@ -58,7 +58,7 @@ class FollowedElsewhere : public WindowAccess {
         const Store store = Store::open(programme.path);
         move_to_1001(store, *programme.educator, programme.id("ann"));
     }
-    const OwnAssets assets;
+    const CopiedAssets assets;
 };
 
 TEST_F(FollowedElsewhere, TheWindowStartsAndNamesIt) {
@@ -103,7 +103,7 @@ TEST_F(FollowedElsewhere, AnEditedVersionIsShownAtTheStart) {
 TEST(ExchangeInTheWindow, BringsTheVersionThatSomebodyFollowsIntoForce) {
     FULCRUM_NEEDS_POSTGRESQL();
     const database::test::KeysOfOneTest keys;
-    const OwnAssets assets;
+    const CopiedAssets assets;
     const AccessProgramme programme;
     const ServerAddress server = database::test::PostgresqlServer::of_this_process()->new_database();
     const Session& administrator = programme.session("administrator");

@@ -208,7 +208,7 @@ inline void say(Answer& to, const CountedAttempt& one) {
            one.voided_at, one.variant, one.without_limits);
 }
 inline void say(Answer& to, const CurriculumAssignment& assignment) {
-    to.all(assignment.time, assignment.curriculum->name());
+    to.all(assignment.time, assignment.curriculum->name(), assignment.missing);
 }
 inline void say(Answer& to, const PersonRecord& record) {
     to.all(record.assignments, record.attempts, record.overrides, record.ratings);
@@ -218,7 +218,7 @@ inline void say(Answer& to, const TaskStanding& at) {
            at.one_more_pass, at.never_met, at.more_variants, at.rating_late, at.rated_low, at.rated_attempt,
            at.rated_time, at.raters, at.raters_needed, at.stalled, at.by_override, at.overdue, at.attempts,
            at.passes, at.progress, at.waits_for, at.declared_at, at.first_declared_at, at.next_check,
-           at.first_attempt, at.first_pass, at.last_attempt);
+           at.first_attempt, at.first_pass, at.last_attempt, at.counted);
 }
 inline void say(Answer& to, const RecentAttempt& one) {
     to.all(one.attempt_id, one.started, one.passed, one.provisional, one.points);
@@ -233,8 +233,9 @@ inline void say(Answer& to, const Concern& one) {
     to.all(one.kind, one.task, one.since, one.provisional, one.attempts, one.plateau, one.low, one.high);
 }
 inline void say(Answer& to, const PersonStandings& person) {
-    to.all(person.person_id, person.login, person.name, person.curriculum, person.tasks, person.days,
-           person.begun, person.concerns, person.last_attempt);
+    to.all(person.person_id, person.login, person.name, person.curriculum, person.not_here, person.tasks,
+           person.own_tasks, person.days, person.begun, person.concerns, person.last_attempt,
+           person.uncounted, person.active);
 }
 inline void say(Answer& to, const FollowedCurriculum& one) {
     to.all(one.name, one.since, one.moved_by, one.reason);
@@ -253,7 +254,7 @@ inline void say(Answer& to, const Certificate& one) {
 inline void say(Answer& to, const CohortRow& row) {
     to.all(row.person_id, row.login, row.name, row.task_id, row.device_class, row.state, row.provisional,
            row.attempts, row.passes, row.not_counting, row.best_points, row.best_attempt_id, row.last_attempt,
-           row.ratings);
+           row.ratings, row.active);
 }
 /// What the values of a report are based on.
 template <typename Report>
@@ -262,15 +263,15 @@ void say_basis(Answer& to, const Report& report) {
            report.audit_head);
 }
 inline void say(Answer& to, const CohortTable& table) {
-    to.all(table.cohort_id, table.cohort_name, table.as_of, table.tasks, table.people,
+    to.all(table.cohort_id, table.cohort_name, table.as_of, table.tasks, table.people, table.deactivated,
            table.left_out_synthetic, table.rows, table.curriculum, table.standings);
     say_basis(to, table);
 }
 inline void say(Answer& to, const ProgressPoint& point) {
     to.all(point.attempt_id, point.number, point.started, point.utc_offset_min, point.mode, point.state,
-           point.variant, point.fidelity, point.limits, point.counting, point.continues, point.duration_s,
-           point.passed, point.provisional, point.not_scored_because, point.points, point.metrics,
-           point.gates, point.pathology, point.ratings);
+           point.variant, point.fidelity, point.limits, point.counting, point.left_out, point.continues,
+           point.duration_s, point.passed, point.provisional, point.not_scored_because, point.points,
+           point.metrics, point.gates, point.pathology, point.ratings);
 }
 inline void say(Answer& to, const ProgressSeries& series) {
     to.all(series.device_class, series.points);

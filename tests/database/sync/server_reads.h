@@ -166,6 +166,13 @@ inline constexpr Read answered[] = {
              return Curricula(q.store).in_force(q.session, id, q.about.curriculum).name();
          });
      }},
+    {"Curricula::missing",
+     [](const Asked& q) {
+         return of_each(q.about.people, [&](const std::string& id) {
+             const std::string name = Curricula(q.store).missing(q.session, id, q.about.curriculum);
+             return name.empty() ? std::string("all are here") : name;
+         });
+     }},
     {"Curricula::of_account",
      [](const Asked& q) {
          return of_each(q.about.people, [&](const std::string& id) {
@@ -182,6 +189,13 @@ inline constexpr Read answered[] = {
          return of_each(q.about.people, [&](const std::string& id) {
              return Curricula(q.store).preview(q.session, id, q.about.curriculum,
                                                q.about.curriculum.older.back().name());
+         });
+     }},
+    {"Curricula::require_here",
+     [](const Asked& q) {
+         return of_each(q.about.people, [&](const std::string& id) {
+             Curricula(q.store).require_here(q.session, id, q.about.curriculum);
+             return std::string("is here");
          });
      }},
     {"ErrorReviews::history",

@@ -12074,6 +12074,10 @@ und %1 weitere</translation>
 <context>
     <name>fulcrum::ui::BriefingPage</name>
     <message>
+        <source>You follow the curriculum %1, which is not at this station. Until it is, you can only practise this task.</source>
+        <translation>Sie folgen dem Curriculum %1, das an dieser Station fehlt. Bis es da ist, können Sie diese Aufgabe nur üben.</translation>
+    </message>
+    <message>
         <source>One mouse for each hand: practice only. No limits exist for two mice; your score is compared with those of mouse and keyboard, where the task has them. F1 shows what the buttons do.</source>
         <translation>Je eine Maus für jede Hand: nur Übung. Für zwei Mäuse gibt es keine Grenzwerte; Ihre Bewertung wird mit denen für Maus und Tastatur verglichen, soweit die Aufgabe welche hat. F1 zeigt, was die Tasten tun.</translation>
     </message>
