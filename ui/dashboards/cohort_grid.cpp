@@ -79,12 +79,12 @@ class CohortGridModel : public QAbstractTableModel {
             if (role == task_role) return text(cell.standing.task);
             if (role == cell_role) return QVariant(reinterpret_cast<qulonglong>(&cell));
             if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-                return grid_cell_text(person_text(one.name, one.active), titles_.at(index.column() - 1),
+                return grid_cell_text(account_text(one.name, one.active), titles_.at(index.column() - 1),
                                       cell);
             return {};
         }
         if (role == Qt::ToolTipRole || role == Qt::DisplayRole)
-            return index.column() == 0     ? person_text(one.name, one.active)
+            return index.column() == 0     ? account_text(one.name, one.active)
                    : one.last_attempt == 0 ? CohortGrid::tr("never")
                                            : date_text(one.last_attempt);
         return {};

@@ -295,7 +295,7 @@ void CohortPage::show_rows() {
             person = row.person_id;
             line = table_->rowCount();
             table_->insertRow(line);
-            auto* name = make_cell(person_text(row.name, row.active));
+            auto* name = make_cell(account_text(row.name, row.active));
             name->setData(Qt::UserRole, text(row.person_id));
             table_->setItem(line, 0, name);
         }

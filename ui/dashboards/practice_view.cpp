@@ -43,7 +43,7 @@ class PracticeModel : public QAbstractTableModel {
         const QDate today = QDateTime::fromMSecsSinceEpoch(table.as_of).date();
         first_ = today.addDays(1 - today.dayOfWeek() - 7 * (practice_weeks - 1));
         for (const database::PersonStandings& one : table.standings) {
-            Line line{text(one.person_id), person_text(one.name, one.active),
+            Line line{text(one.person_id), account_text(one.name, one.active),
                       std::vector<Week>(practice_weeks, Week{})};
             for (const database::PracticeDay& day : one.days) {
                 const qint64 offset = first_.daysTo(epoch.addDays(day.day));

@@ -373,7 +373,7 @@ BehindPicture list_of(const QString& caption, const std::vector<DashboardPerson>
     if (with_day) shown.table.columns.push_back({DashboardTexts::tr("Due on")});
     if (!count.name.isEmpty()) shown.table.columns.push_back(count);
     for (const DashboardPerson& one : behind) {
-        ChartRow row{{ChartCell::words(person_text(people[one.person].name, people[one.person].active))},
+        ChartRow row{{ChartCell::words(account_text(people[one.person].name, people[one.person].active))},
                      person_key(people, one.person, one.task)};
         if (with_task) row.cells.push_back(ChartCell::words(task_of(names, dashboard, one.task)));
         if (with_day) row.cells.push_back(ChartCell::day(local_day_of(one.at)));

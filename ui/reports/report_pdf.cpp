@@ -298,7 +298,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     std::vector<std::pair<std::string, QString>> people;
     for (const database::CohortRow& row : report.table.rows) {
         if (people.empty() || people.back().first != row.person_id)
-            people.emplace_back(row.person_id, person_text(row.name, row.active));
+            people.emplace_back(row.person_id, account_text(row.name, row.active));
     }
     const double name_width = sheet.width() * 0.22;
     const double task_width =

@@ -107,7 +107,7 @@ QString limit_source_text(const std::string& line) {
     return shown;
 }
 
-QString person_text(const std::string& name, bool active) {
+QString account_text(const std::string& name, bool active) {
     return active ? text(name)
                   : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 (deactivated)")).arg(text(name));
 }

@@ -56,7 +56,7 @@ QString points_figure(const std::optional<double>& points);
 /// is shown as "32 simulated experts, benchmark set 4"; a limit that a set took over names the set too.
 QString limit_source_text(const std::string& line);
 /// A person's name in a list of people; "Ann (deactivated)" where nobody can sign in with the account.
-QString person_text(const std::string& name, bool active);
+QString account_text(const std::string& name, bool active);
 /// With a capital letter, where words that are a part of sentences elsewhere are alone.
 QString capital(QString words);
 /// With its unit, "12.3 mm"; counts and dimensionless figures stand alone.

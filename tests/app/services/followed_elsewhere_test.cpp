@@ -2,6 +2,7 @@
 // Somebody follows a version of the curriculum that is not at this station: everybody else works, and the
 // window names it; an exchange in the window brings it into force; an edited version is shown, not thrown.
 #include <QPushButton>
+#include <QRadioButton>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -77,6 +78,22 @@ TEST_F(FollowedElsewhere, TheWindowStartsAndNamesIt) {
     const QString words = find<QLabel>(*window, "curricula_not_here")->text();
     EXPECT_TRUE(sees(*window, "curricula_not_here"));
     EXPECT_TRUE(words.contains("rectal@1001") && words.contains("how many: 1")) << words.toStdString();
+}
+
+TEST_F(FollowedElsewhere, NeitherBriefingNorProgressGoesByAnotherVersion) {
+    move_ann();
+    window->start();
+    settle();
+    act_as(programme.asker(Role::trainee));
+    wait_until_read(*window);
+    emit window->context().briefing_wanted(QStringLiteral("A2"));
+    EXPECT_FALSE(find<QRadioButton>(*window, "mode_assessed")->isEnabled());
+    const QString note = find<QLabel>(*window, "mode_note")->text();
+    EXPECT_TRUE(note.contains("rectal@1001")) << note.toStdString();
+    click(*window, "briefing_progress");
+    wait_until_read(*window);
+    EXPECT_EQ(window->current_page()->objectName(), "progress_page");
+    EXPECT_FALSE(sees(*window, "standing_text"));
 }
 
 TEST_F(FollowedElsewhere, AFileThatWasPutThereSinceIsInForceWhenTheStoreIsOpenedAgain) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "assessment/assets/assets.h"
+#include "database/records/curricula.h"
 #include "database/records/person_merge.h"
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
@@ -122,6 +123,25 @@ TEST(RatedStandings, ARaterWhoHasSeenTheAttemptReadsThatBlindRatingsAreAskedFor)
         EXPECT_EQ(first.blind, !seen);
     }
     EXPECT_FALSE(ratings.to_rate(educator, &curriculum).at(1).wants_blind) << "nobody waits for it";
+}
+
+TEST(RatedStandings, NoRatingIsAwaitedOfSomebodyWhoseVersionIsNotAtTheStation) {
+    const Programme programme;
+    Curriculum curriculum = rated_a2();
+    curriculum.version = 1;
+    programme.record("ann");
+    programme.clock.pass_s(86'400);
+    programme.record("ann");
+    programme.clock.pass_s(60);
+    const Session& educator = programme.session("educator");
+    const Ratings ratings(*programme.store);
+    EXPECT_TRUE(ratings.to_rate(educator, &curriculum).at(0).awaited);
+    Curriculum next = curriculum;
+    next.version = 1001;
+    next.older = {curriculum};
+    ASSERT_EQ(
+        Curricula(*programme.store).move(educator, {programme.id("ann")}, next, next.name(), "new rules"), 1);
+    EXPECT_FALSE(ratings.to_rate(educator, &curriculum).at(0).awaited);
 }
 
 TEST(RatedStandings, WhatOneAccountDecidedAboutAnotherOfThePersonDoesNotCountAfterAMerge) {

@@ -169,6 +169,20 @@ TEST(Report, ShowsThatAProficiencyIsAnEducatorsDecision) {
     EXPECT_EQ(json["standings"][1]["tasks"][0]["by_decision"], true);
 }
 
+TEST(Report, JsonGivesNoStandingOfAVersionThatIsNotAtTheStation) {
+    CohortReport report = cohort();
+    database::PersonStandings person;
+    person.person_id = "p1";
+    person.curriculum = "rectal@1001";
+    person.tasks.resize(1);
+    person.tasks[0].standing.task = "A2";
+    person.not_here = true;
+    report.table.standings.push_back(person);
+    const nlohmann::json json = nlohmann::json::parse(cohort_json(report));
+    EXPECT_EQ(json["standings"][0]["curriculum_is_here"], false);
+    EXPECT_TRUE(json["standings"][0]["tasks"].empty());
+}
+
 TEST(Report, TablesDoNotDependOnTheLanguage) {
     const CohortReport report = cohort();
     const std::string csv = sheet_csv(cohort_sheet(report)), json = cohort_json(report),

@@ -15,6 +15,7 @@
 #include "tests/ui/four_people.h"
 #include "tests/ui/hands.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/text.h"
 #include "ui/trainee/next_task.h"
 
 namespace fulcrum::ui::window_test {
