@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/administration/station_page.h"
 
+#include <QDate>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
