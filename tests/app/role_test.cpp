@@ -80,7 +80,7 @@ TEST_F(Roles, OnlyTraineesAreOfferedAttemptsAndOnlyTheirAttemptsAreAccepted) {
     switch_user();
     first_sign_in("tara", tara_once, "tara's password");
     expect_page("home_page");
-    EXPECT_TRUE(offered()) << "trainee";
+    EXPECT_TRUE(wait_for([&] { return offered(); })) << "trainee";  // the page is read in the background
     home();
     click(window, "briefing_A2");
     expect_page("briefing_page");

@@ -304,7 +304,7 @@ void TaughtWindow::do_first_steps() {
           HandDeed::pedal, HandDeed::exchanged, HandDeed::clutched}) {
         if (needed.test(ui::bit_of(deed))) do_one(deed);
     }
-    EXPECT_TRUE(learns()) << "the scope is still to be moved";
+    ASSERT_TRUE(ui::window_test::wait_for([&] { return learns(); })) << "the scope is still to be moved";
     do_one(HandDeed::scope_moved);
     EXPECT_TRUE(ui::window_test::wait_for([&] { return !learns(); }, 5000)) << strip().toStdString();
     lines_done_ = static_cast<int>(needed.count());
