@@ -69,7 +69,8 @@ DenialReason refusal(const Store& store, const Session& session, Operation opera
 void require_at_station(const Store& store, const Session& session, Operation operation) {
     store.require(session, operation);
     if (store.is_server())
-        throw AccessDenied(operation_name(operation), role_name(session.role()), DenialReason::server_only_read);
+        throw AccessDenied(operation_name(operation), role_name(session.role()),
+                           DenialReason::server_only_read);
 }
 
 bool Store::allowed(const Session& session, Operation operation, const Subject& subject) const {
