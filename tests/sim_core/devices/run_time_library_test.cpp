@@ -38,7 +38,7 @@ TEST(RunTimeLibrary, IsMissingInEveryLanguageOfTheSystem) {
     bindtextdomain("libc", german.folder().c_str());
     EXPECT_EQ(dlopen(name.c_str(), RTLD_NOW), nullptr);
     const std::string said = dlerror();
-    const LibraryLook look = load_run_time_library("FULCRUM_NO_LIBRARY", {name}, {});
+    const LibraryLook look = load_run_time_library("NO_LIBRARY_IS_NAMED_HERE", {name}, {});
     bindtextdomain("libc", before.c_str());
     EXPECT_EQ(look.state, LibraryState::missing) << look.detail;
     if (said.find("Datei fehlt") == std::string::npos)
