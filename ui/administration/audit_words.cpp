@@ -179,6 +179,8 @@ QString roles_text(const QString& stored) {
 QString value_text(const std::string& operation, const std::string& name, const QString& stored) {
     if (operation == "attempt.practice" && name == "reason")
         return statement_text(statement_of(plain(stored)));
+    if (stored == QLatin1String("withheld") && (name == "reason" || name == "text" || name == "state"))
+        return QCoreApplication::translate("fulcrum::ui::audit", "withheld");
     if (name == "role" || name == "roles" || operation == "person.set_roles") return roles_text(stored);
     if (name == "mode" || (operation == "attempt.practice" && name == "from")) {
         const auto* const mode = find_row(attempt_modes, plain(stored));
@@ -215,6 +217,7 @@ QString audit_member_text(const std::string& name) {
 QString audit_details_text(const std::string& operation, const std::string& payload) {
     if (payload == "payload erased")
         return QCoreApplication::translate("fulcrum::ui::audit", "payload erased");
+    if (payload == "unreadable") return QCoreApplication::translate("fulcrum::ui::audit", "unreadable");
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
     if (!document.isObject()) return text(payload);
     const QJsonObject stored = document.object();

@@ -21,10 +21,11 @@ class ActingRole : public Screens {
     }
     /// Ed, who is a trainee too, on the educator's pages.
     void open_as_ed() {
-        const database::People people(*services.store());
-        people.set_roles(sessions.at(Role::administrator), sessions.at(Role::educator).person_id(),
-                         {Role::trainee, Role::educator});
+        database::People(*services.store())
+            .set_roles(sessions.at(Role::administrator), sessions.at(Role::educator).person_id(),
+                       {Role::trainee, Role::educator});
         open({1280, 800});
+        const database::People people(*services.store());  // the window opened another store
         window->context().set_session(people.sign_in("ed", "a long password", Role::educator));
         settle();
         go_to("rail_metrics");

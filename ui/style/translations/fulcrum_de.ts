@@ -20084,6 +20084,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>payload erased</source>
         <translation>Inhalt gelöscht</translation>
     </message>
+    <message>
+        <source>withheld</source>
+        <translation>wird hier nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>nicht lesbar</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::certificate</name>
