@@ -22,12 +22,21 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
+/// Within its group the arrow keys lead to it.
+bool is_reached_by_arrows(const QWidget& widget) {
+    const auto* const button = qobject_cast<const QAbstractButton*>(&widget);
+    if (button == nullptr) return false;
+    if (button->group() != nullptr && button->group()->exclusive()) return true;
+    return button->autoExclusive();
+}
+
 /// A widget as it was when the keyboard came to it; it may be gone later.
 struct Stop {
     const QWidget* widget = nullptr;
     const QWidget* area = nullptr;  ///< what scrolls it; null: nothing
     QRect place;                    ///< in the area's whole content
     std::string name;
+    bool by_arrows = false;
 };
 
 std::string name_of(const QWidget& widget) {
@@ -35,7 +44,7 @@ std::string name_of(const QWidget& widget) {
 }
 
 Stop stop_at(const QWidget& widget) {
-    Stop stop{&widget, nullptr, widget.rect(), name_of(widget)};
+    Stop stop{&widget, nullptr, widget.rect(), name_of(widget), is_reached_by_arrows(widget)};
     for (QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         const auto* const area = qobject_cast<const QScrollArea*>(up);
         if (area == nullptr) continue;
@@ -48,7 +57,11 @@ Stop stop_at(const QWidget& widget) {
 
 bool is_seen(const QWidget& widget) {
     constexpr int enough = 20;  // px: a line of words
-    const QSize seen = widget.visibleRegion().boundingRect().size();
+    // What fills a view is not its own region.
+    const auto* const view = qobject_cast<const QAbstractScrollArea*>(&widget);
+    const QRegion own = widget.visibleRegion();
+    const QSize seen =
+        (view == nullptr ? own : own + view->viewport()->visibleRegion()).boundingRect().size();
     return seen.width() >= std::min(enough, widget.width()) &&
            seen.height() >= std::min(enough, widget.height());
 }
@@ -69,14 +82,6 @@ bool is_control(const QWidget& widget) {
            qobject_cast<const QAbstractItemView*>(&widget) != nullptr ||
            qobject_cast<const QPlainTextEdit*>(&widget) != nullptr ||
            qobject_cast<const QAbstractSlider*>(&widget) != nullptr;
-}
-
-/// Within its group the arrow keys lead to it.
-bool is_reached_by_arrows(const QWidget& widget) {
-    const auto* const button = qobject_cast<const QAbstractButton*>(&widget);
-    if (button == nullptr) return false;
-    if (button->group() != nullptr && button->group()->exclusive()) return true;
-    return button->autoExclusive();
 }
 
 class TabWalk : public Screens {
@@ -113,6 +118,7 @@ class TabWalk : public Screens {
         for (std::size_t i = 0; i < most; ++i) {
             QWidget* const before = window->focusWidget();
             QTest::keyClick(before, key, key == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
+            QCoreApplication::processEvents();  // as between two keys of a person
             QWidget* const now = window->focusWidget();
             if (now == nullptr) {
                 ADD_FAILURE() << screen_ << ": the keyboard is lost after " << stops.back().name;
@@ -148,7 +154,9 @@ class TabWalk : public Screens {
         for (const Stop& one : expected) {
             const bool reached = std::any_of(stops.begin(), stops.end(),
                                              [&](const Stop& stop) { return stop.widget == one.widget; });
-            EXPECT_TRUE(reached) << screen_ << ": not reached: " << one.name;
+            // Of a group that excludes each other Tab goes to the chosen one only, as Qt decides when it is
+            // shown.
+            EXPECT_TRUE(reached || one.by_arrows) << screen_ << ": not reached: " << one.name;
         }
     }
 

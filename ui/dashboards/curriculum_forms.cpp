@@ -204,6 +204,7 @@ TaskRatingsForm::TaskRatingsForm(QWidget* parent) : QWidget(parent) {
     wanted_->setObjectName(QStringLiteral("ratings_wanted"));
     layout->addWidget(wanted_);
     QFormLayout* form = make_form();
+    form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // titles of observer forms are long
     form_ = make_narrow_choice("ratings_form", {}, 14);
     add_named(form, tr("Form"), form_);
     raters_ = new QSpinBox;

@@ -2,6 +2,7 @@
 #include "ui/style/reading_order.h"
 
 #include <QAbstractItemView>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QPointer>
 #include <QScrollArea>
@@ -75,6 +76,9 @@ bool is_stop(const QWidget& widget) {
 
 /// Qt scrolls only the area that the keyboard comes from.
 void reveal(QWidget& widget) {
+    // What the keyboard left or came to may have changed the page: its places are those of the layout to
+    // come.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (auto* const area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(&widget);
         auto* const table = qobject_cast<QAbstractItemView*>(up);

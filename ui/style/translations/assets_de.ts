@@ -942,7 +942,7 @@
     </message>
     <message>
         <source>GAS, steps of a laparoscopic colorectal resection</source>
-        <translation>GAS, Schritte einer laparoskopischen kolorektalen Resektion</translation>
+        <translation>GAS, laparoskopische kolorektale Resektion</translation>
     </message>
     <message>
         <source>Theatre set-up</source>
