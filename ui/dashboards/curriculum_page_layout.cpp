@@ -22,7 +22,7 @@ QWidget* CurriculumPage::make_tasks() {
     tasks_ = new QListWidget;
     tasks_->setObjectName(QStringLiteral("curriculum_tasks"));
     tasks_->setAccessibleName(tr("Tasks of the curriculum"));
-    tasks_->setMinimumWidth(280);
+    tasks_->setMinimumWidth(256);
     tasks_->setMinimumHeight(12 * fontMetrics().height());
     tasks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout->addWidget(tasks_, 1);
