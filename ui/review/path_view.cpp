@@ -104,6 +104,7 @@ void PathView::paintEvent(QPaintEvent*) {
     if (!any) {
         painter.setPen(p.muted);
         painter.drawText(rect(), Qt::AlignCenter, tr("No path was recorded"));
+        paint_keyboard(painter);
         return;
     }
     for (const Mark& mark : marks_) {
@@ -132,11 +133,14 @@ void PathView::paintEvent(QPaintEvent*) {
         painter.drawText(end + QPointF(3, -2), name);
     }
     paint_words(painter);
-    if (hasFocus()) {
-        painter.setPen(QPen(p.accent, 1, Qt::DotLine));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    paint_keyboard(painter);
+}
+
+void PathView::paint_keyboard(QPainter& painter) const {
+    if (!hasFocus()) return;
+    painter.setPen(QPen(colours().accent, 1, Qt::DotLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 /// The lines of both hands at the top, and what the keys do at the bottom, next to the directions.

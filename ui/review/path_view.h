@@ -44,6 +44,7 @@ class PathView : public QWidget {
     Vector3 position_at(std::size_t hand, double time) const;
     const Mark* mark_near(const QPointF& place) const;
     void paint_words(QPainter& painter) const;
+    void paint_keyboard(QPainter& painter) const;
 
     std::array<std::vector<PathPoint>, hand_count> path_;
     std::vector<Mark> marks_;
