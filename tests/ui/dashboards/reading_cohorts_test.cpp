@@ -3,7 +3,7 @@
 #include <QComboBox>
 #include <QTableView>
 
-#include "database/records/people().h"
+#include "database/records/people.h"
 #include "tests/ui/held_work.h"
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
