@@ -106,6 +106,7 @@ TEST_F(FollowedElsewhere, AFileThatWasPutThereSinceIsInForceWhenTheStoreIsOpened
 
 TEST_F(FollowedElsewhere, AnEditedVersionIsShownAtTheStart) {
     AttemptMeta meta = example_meta(programme.id("ann"));
+    meta.mode = AttemptMode::practice;  // an assessed one is refused with a file that nobody accepted
     meta.curriculum = "rectal@1";
     meta.assets.push_back({"curricula/rectal-1.json", sha256_hex("as it was")});
     Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
