@@ -143,10 +143,19 @@ class TabWalk : public Screens {
         const std::string kind =
             widget.metaObject()->className() + (' ' + widget.property("role").toString().toStdString());
         if (!kinds_.insert(kind).second) return;
-        const QImage with = widget.grab().toImage();
-        widget.clearFocus();
-        const QImage without = widget.grab().toImage();
-        widget.setFocus(Qt::TabFocusReason);
+        // A window of another test on the same screen may become the active one in the middle.
+        QImage with, without;
+        const bool looked = wait_for([&] {
+            window->activateWindow();
+            widget.setFocus(Qt::TabFocusReason);
+            if (!QTest::qWaitForWindowActive(window.get())) return false;
+            with = widget.grab().toImage();
+            widget.clearFocus();
+            without = widget.grab().toImage();
+            widget.setFocus(Qt::TabFocusReason);
+            return window->isActiveWindow();
+        });
+        EXPECT_TRUE(looked) << screen_ << ": the window does not become active";
         EXPECT_TRUE(with != without) << screen_ << ": does not show the keyboard: " << name_of(widget);
     }
 

@@ -42,8 +42,8 @@ class StatisticsCommands : public ::testing::Test {
         }
         return "accepted";
     }
-    std::string file(const std::string& text) {
-        const std::string path = (folder_ / "values.csv").string();
+    std::string file(const std::string& text, const char* name = "values.csv") {
+        const std::string path = (folder_ / name).string();
         std::ofstream(path) << text;
         return path;
     }
@@ -74,10 +74,10 @@ TEST_F(StatisticsCommands, RuleGivesItsOperatingPoint) {
 
 TEST_F(StatisticsCommands, CheckRefusesACurriculumWithARuleThatNobodyCanMeet) {
     std::string text = read_text_file(asset_path("curricula/rectal.json"), 1U << 20U);
-    EXPECT_EQ(run_command({"check", file(text)}), 0);
+    EXPECT_EQ(run_command({"check", file(text, "rectal.json")}), 0);
     const std::string rule = "lc-cusum:0.1,0.3,2.5";
     text.replace(text.find(rule), rule.size(), "row:1");
-    EXPECT_EQ(run_command({"check", file(text)}), 2);
+    EXPECT_EQ(run_command({"check", file(text, "rectal.json")}), 2);
 }
 
 TEST_F(StatisticsCommands, FitGivesThreeModels) {
