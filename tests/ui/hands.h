@@ -55,6 +55,16 @@ inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 
     return QTest::qWaitFor(condition, milliseconds);
 }
 
+/// Also where a window of another test on the same screen becomes the active one at the same moment.
+inline bool become_active(QWidget& window) {
+    return wait_for(
+        [&] {
+            window.activateWindow();
+            return QTest::qWaitForWindowActive(&window, 500);
+        },
+        20000);
+}
+
 /// Until the window has shown what its pages read and write in the background.
 inline void wait_until_read(QWidget& window) {
     EXPECT_TRUE(wait_for([&] {

@@ -146,9 +146,8 @@ class TabWalk : public Screens {
         // A window of another test on the same screen may become the active one in the middle.
         QImage with, without;
         const bool looked = wait_for([&] {
-            window->activateWindow();
+            if (!become_active(*window)) return false;
             widget.setFocus(Qt::TabFocusReason);
-            if (!QTest::qWaitForWindowActive(window.get())) return false;
             with = widget.grab().toImage();
             widget.clearFocus();
             without = widget.grab().toImage();
@@ -195,8 +194,7 @@ class TabWalk : public Screens {
 
 TEST_F(TabWalk, GoesThroughEveryScreenAndBack) {
     open({1280, 800});
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(become_active(*window));
     const std::string attempt = perform();
     visit(attempt, [&](const QString& screen) {
         if (screen.endsWith("-theatre")) return;  // there Tab belongs to the instruments
@@ -209,8 +207,7 @@ TEST_F(TabWalk, GoesThroughEveryScreenAndBack) {
 /// What a page fills in again is made last.
 TEST_F(TabWalk, LeadsFromACommentToTheFieldBelowIt) {
     open({1280, 800});
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(become_active(*window));
     const std::string attempt = perform();
     sign_in(Role::educator);
     emit window->context().debrief_wanted(text(attempt), -1);

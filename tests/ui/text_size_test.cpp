@@ -68,8 +68,7 @@ TEST_F(LargeText, LeavesTheWholeWidthToThePageAndAMenuShowsTheOtherPages) {
     settle();
     EXPECT_TRUE(sees(*window, "menu"));
     EXPECT_FALSE(sees(*window, "rail_metrics"));
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(become_active(*window));
     const int whole = window->current_page()->width();
     EXPECT_EQ(whole, window->width());
 

@@ -114,8 +114,7 @@ TEST_F(CohortViews, TheGridShowsEveryoneIsFilteredOrderedAndOpenedByKeys) {
 
 TEST_F(CohortViews, TabLeavesTheGridArrowsMoveInItAndACellSaysWhatItShows) {
     open();
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(become_active(*window));
     const std::pair<int, const char*> pictures[] = {{0, "cohort_grid"}, {2, "practice_days"}};
     for (const auto& [tab, name] : pictures) {
         views->setCurrentIndex(tab);

@@ -23,8 +23,7 @@ class BegunInput : public Screens {
     const OutlivesItsWindows outlives;
     void open_page(Role role, const char* rail) {
         open({1280, 800});
-        window->activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+        ASSERT_TRUE(become_active(*window));
         sign_in(role);
         go_to(rail);
     }

@@ -121,8 +121,7 @@ TEST_F(Settings, EnvironmentVariableWinsAndThePageSaysSo) {
 
 TEST_F(Settings, EveryControlIsReachedByTheKeyboardAndHasAName) {
     open_page();
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(become_active(*window));
     EXPECT_EQ(focused(), "theme_light");
     QTest::keyClick(window->focusWidget(), Qt::Key_Right);
     EXPECT_EQ(current_theme(), Theme::dark);

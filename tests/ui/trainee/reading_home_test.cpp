@@ -21,10 +21,7 @@ class ReadingHome : public Screens {
         QCoreApplication::processEvents();
         ASSERT_EQ(window->current_page()->objectName(), "home_page");
     }
-    void activate() {
-        window->activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-    }
+    void activate() { ASSERT_TRUE(become_active(*window)); }
     QString used() {
         return window->focusWidget() == nullptr ? QString() : window->focusWidget()->objectName();
     }
