@@ -7,12 +7,12 @@
 #include <string_view>
 #include <tuple>
 
+#include "assessment/curriculum/rule_run.h"
 #include "assessment/learning/relapse_cusum.h"
 
 namespace fulcrum {
 namespace {
 
-constexpr std::int64_t day_ms = 86'400'000;
 // A retention check is passed at the second pass of a day and failed at the second failure.
 constexpr int decides_a_check = 2;
 // After a relapse: 3 of the last 4.
@@ -24,138 +24,6 @@ std::int64_t floor_day(std::int64_t ms) {
 std::int64_t local_day(const CountedAttempt& attempt) {
     return floor_day(attempt.time + std::int64_t{60000} * attempt.utc_offset_minutes);
 }
-
-struct Outcome {
-    bool passed = false;
-    std::int64_t day = 0;
-    std::string variant;
-};
-
-bool on_two_days(const std::vector<Outcome>& outcomes, std::size_t from) {
-    std::set<std::int64_t> days;
-    for (std::size_t i = from; i < outcomes.size(); ++i)
-        if (outcomes[i].passed) days.insert(outcomes[i].day);
-    return days.size() >= 2;
-}
-
-int variants_passed(const std::vector<Outcome>& outcomes, std::size_t from) {
-    std::set<std::string> variants;
-    for (std::size_t i = from; i < outcomes.size(); ++i)
-        if (outcomes[i].passed) variants.insert(outcomes[i].variant);
-    return static_cast<int>(variants.size());
-}
-
-struct RuleState {
-    bool met = false, one_more_day = false;
-    int more_variants = 0;
-    double progress = 0, of_one_pass = 0;  ///< of_one_pass: what one pass adds to it
-};
-
-/// The rule with the conditions that the passes it counts lie on two local dates and on enough variants.
-RuleState judge(const CurriculumTask& task, const std::vector<Outcome>& outcomes) {
-    const PassRule& rule = task.rule;
-    RuleState state;
-    std::size_t from = outcomes.size();
-    double have = 0, need = 1, one_pass = 1;
-    if (rule.kind == PassRuleKind::lc_cusum) {
-        // Held at the limit until there are passes on two days and on enough variants.
-        double sum = 0;
-        from = 0;
-        for (std::size_t i = 0; i < outcomes.size(); ++i) {
-            sum = std::max(0.0, std::min(rule.h, sum) + lc_cusum_step(rule, outcomes[i].passed));
-            if (sum <= 0) from = i + 1;
-        }
-        have = sum;
-        need = rule.h;
-        one_pass = lc_cusum_step(rule, true);
-    } else {
-        const std::size_t window = std::min<std::size_t>(outcomes.size(), static_cast<std::size_t>(rule.n));
-        from = outcomes.size() - window;
-        if (rule.kind == PassRuleKind::in_a_row)
-            while (from < outcomes.size() &&
-                   std::any_of(outcomes.begin() + static_cast<std::ptrdiff_t>(from), outcomes.end(),
-                               [](const Outcome& one) { return !one.passed; }))
-                ++from;
-        for (std::size_t i = from; i < outcomes.size(); ++i) have += outcomes[i].passed ? 1 : 0;
-        need = rule.k;
-    }
-    const bool enough = have >= need - 1e-12;
-    const bool two_days = on_two_days(outcomes, from);
-    const int more_variants = std::max(0, task.variants - variants_passed(outcomes, from));
-    state.met = enough && two_days && more_variants == 0;
-    state.one_more_day = enough && !two_days;
-    state.more_variants = enough ? more_variants : 0;
-    state.progress = std::clamp(have / need, 0.0, 1.0);
-    state.of_one_pass = one_pass / need;
-    return state;
-}
-
-/// Released ratings by attempt.
-using RatingsByAttempt = std::map<std::string, std::vector<ReleasedRating>>;
-
-/// The rule over a series of outcomes, and the ratings of the attempt that completed it.
-class RuleRun {
-  public:
-    /// Whether the rule is met with this outcome.
-    bool attempt(const CurriculumTask& task, const Outcome& outcome, const CountedAttempt& one,
-                 const RatingsByAttempt& ratings) {
-        outcomes_.push_back(outcome);
-        state_ = judge(task, outcomes_);
-        if (state_.met &&
-            (rated_.empty() || rated_low(task, ratings, one.time) || rating_late(task, ratings, one.time))) {
-            rated_ = one.id;
-            rated_time_ = one.time;
-            rated_count_ = static_cast<std::ptrdiff_t>(outcomes_.size());
-        }
-        return look(task, ratings, one.time);
-    }
-    /// Another rule is in force: what completed the passes of the one before need not complete those of this.
-    void follow(const CurriculumTask& task) {
-        state_ = judge(task, outcomes_);
-        // Without what was performed while the attempt waited for its ratings: failures do not lose it.
-        const std::vector<Outcome> until(outcomes_.begin(), outcomes_.begin() + rated_count_);
-        if (!judge(task, until).met) rated_.clear();
-    }
-    /// The passes from before a move are enough for the rule in force since, which no attempt has met yet.
-    bool asks_for_one_more() const { return state_.met && rated_.empty(); }
-    /// Whether it is met at `at`, with the ratings released until then.
-    bool look(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
-        return !rated_.empty() && (!task.ratings || verdict(task, ratings, at).met);
-    }
-    bool awaits(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
-        return !rated_.empty() && task.ratings && !verdict(task, ratings, at).enough;
-    }
-    bool rating_late(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
-        return awaits(task, ratings, at) && at >= rated_time_ + rating_days * day_ms;
-    }
-    bool rated_low(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at) const {
-        if (rated_.empty() || !task.ratings) return false;
-        const RatingVerdict said = verdict(task, ratings, at);
-        return said.enough && !said.met;
-    }
-    void show_ratings(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at,
-                      TaskStanding& standing) const {
-        standing.rated_attempt = rated_;
-        standing.rated_time = rated_time_;
-        standing.raters = verdict(task, ratings, at).raters;
-        standing.raters_needed = task.ratings->raters;
-    }
-    const RuleState& state() const { return state_; }
-
-  private:
-    RatingVerdict verdict(const CurriculumTask& task, const RatingsByAttempt& ratings,
-                          std::int64_t at) const {
-        const auto found = ratings.find(rated_);
-        return judge_ratings(*task.ratings,
-                             found == ratings.end() ? std::vector<ReleasedRating>() : found->second, at);
-    }
-
-    std::vector<Outcome> outcomes_;
-    RuleState state_;
-    std::string rated_;  ///< the attempt that completed the passes; empty: none did
-    std::int64_t rated_time_ = 0;
-    std::ptrdiff_t rated_count_ = 0;  ///< outcomes up to that attempt
-};
 
 /// One task of one trainee, event by event.
 class TaskRun {

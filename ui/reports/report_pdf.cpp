@@ -287,7 +287,7 @@ QString cohort_line(const CohortReport& report) {
 }
 
 void dashboard_page(Sheet& sheet, const CohortReport& report) {
-    if (report.curriculum == nullptr || report.dashboard.people == 0) return;
+    if (report.curriculum == nullptr || report.table.standings.empty()) return;
     page_head(sheet, report.provenance, ReportTexts::tr("cohort report"), report.table.cohort_name,
               cohort_line(report), false, any_provisional(report.table.rows));
     paint_dashboard(sheet, report);

@@ -348,6 +348,23 @@ TEST(StandingRatings, AnAttemptThatNobodyIsLeftToRateIsReplacedAfterFourWeeks) {
     EXPECT_EQ(ann.on(31).standing, Standing::proficient);
 }
 
+TEST(StandingRatings, RatingsOfAnAttemptThatWasReplacedCountWhenTheyCome) {
+    const Curriculum curriculum = with_ratings();
+    RatedTrainee ann(curriculum);
+    ann.attempt(0, true);
+    const std::string rated = ann.attempt(1, true);
+    ann.rate(rated, "ed", 20, 6);
+    RatedTrainee failed = ann;
+    failed.attempt(30, false);
+    EXPECT_EQ(failed.on(30).rated_attempt, rated) << "only a pass takes its place";
+    ann.attempt(30, true);
+    EXPECT_NE(ann.on(30).rated_attempt, rated);
+    ann.rate(rated, "ida", 35, 6);
+    EXPECT_EQ(ann.on(34).standing, Standing::awaiting_rating);
+    EXPECT_EQ(ann.on(36).standing, Standing::proficient);
+    EXPECT_EQ(ann.on(36).declared_at, ann.record.ratings.back().time);
+}
+
 /// Attempts in "A" and ratings of them by up to four people, over thirty days.
 PersonRecord rated_history(const Curriculum& curriculum) {
     RatedTrainee trainee(curriculum);
