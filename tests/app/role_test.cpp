@@ -19,7 +19,7 @@ class Roles : public Window {
             if (!sees(window, rail)) continue;
             click(window, rail);
             // New widgets appear after the next turn of the event loop.
-            QCoreApplication::processEvents();
+            wait_until_read(window);
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
             for (QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
                 if (button->isVisible() &&
@@ -80,7 +80,7 @@ TEST_F(Roles, OnlyTraineesAreOfferedAttemptsAndOnlyTheirAttemptsAreAccepted) {
     switch_user();
     first_sign_in("tara", tara_once, "tara's password");
     expect_page("home_page");
-    EXPECT_TRUE(wait_for([&] { return offered(); })) << "trainee";  // the page is read in the background
+    EXPECT_TRUE(offered()) << "trainee";
     home();
     click(window, "briefing_A2");
     expect_page("briefing_page");
