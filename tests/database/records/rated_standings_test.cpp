@@ -11,21 +11,13 @@
 #include "database/records/ratings.h"
 #include "database/records/standings.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/database/records/standing_of_ann.h"
 
 namespace fulcrum::database {
 namespace {
 
 using test::Programme;
-
-TaskStanding rated_standing(const Programme& programme, const Curriculum& curriculum, const std::string& task,
-                            std::int64_t at) {
-    const PersonRecord record =
-        Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), curriculum);
-    for (const TaskStanding& one : standing_of(record, at))
-        if (one.task == task) return one;
-    ADD_FAILURE() << task;
-    return {};
-}
+using test::standing_of_ann;
 
 /// A2 asks for two passes in a row and for two ratings.
 Curriculum rated_a2() {
@@ -56,8 +48,8 @@ TEST(RatedStandings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
     programme.clock.pass_s(86'400);
     const std::string rated = programme.record("ann");
     const std::int64_t waits = programme.store->now();
-    EXPECT_EQ(rated_standing(programme, curriculum, "A2", waits).standing, Standing::awaiting_rating);
-    EXPECT_EQ(rated_standing(programme, curriculum, "A2", waits).rated_attempt, rated);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", waits).standing, Standing::awaiting_rating);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", waits).rated_attempt, rated);
     // Raters see it first, though others are newer; without the curriculum in the order of time.
     programme.clock.pass_s(60);
     programme.record("ben");
@@ -73,16 +65,16 @@ TEST(RatedStandings, ReleasedRatingsOfTheAttemptThatMeetsTheRuleCount) {
     EXPECT_NE(ratings.to_rate(programme.session("educator"), &curriculum).at(1).attempt_id, rated);
     rate("educator", rated, 5);
     rate("other_educator", rated, 3);
-    EXPECT_EQ(rated_standing(programme, curriculum, "A2", programme.store->now()).raters, 0)
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", programme.store->now()).raters, 0)
         << "not released";
     programme.clock.pass_s(60);
     ASSERT_EQ(ratings.release(programme.session("educator"), rated), 2);
     EXPECT_FALSE(ratings.to_rate(programme.session("educator"), &curriculum).at(0).awaited) << "met";
     const std::int64_t released = programme.store->now();
-    EXPECT_EQ(rated_standing(programme, curriculum, "A2", released - 1).standing, Standing::awaiting_rating);
-    EXPECT_TRUE(rated_standing(programme, curriculum, "A2", released).met_provisionally) << "mean 4";
-    EXPECT_EQ(rated_standing(programme, curriculum, "B1", released).standing, Standing::open);
-    EXPECT_EQ(rated_standing(programme, curriculum, "B1", released - 1).standing, Standing::locked);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", released - 1).standing, Standing::awaiting_rating);
+    EXPECT_TRUE(standing_of_ann(programme, curriculum, "A2", released).met_provisionally) << "mean 4";
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "B1", released).standing, Standing::open);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "B1", released - 1).standing, Standing::locked);
     // The cohort table, from which screens and exports are made, says the same.
     CohortTableOptions options;
     options.curriculum = &curriculum;
@@ -161,7 +153,7 @@ TEST(RatedStandings, WhatOneAccountDecidedAboutAnotherOfThePersonDoesNotCountAft
                    std::vector<bool>(goals.items.size(), true), "");
     ratings.hand_in(educator, form);
     ASSERT_EQ(ratings.release(educator, attempt), 1);
-    EXPECT_EQ(rated_standing(programme, curriculum, "A1", programme.store->now()).standing,
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A1", programme.store->now()).standing,
               Standing::proficient);
     const Session& director = programme.session("director");
     ASSERT_EQ(standings.record(director, programme.id("ann"), curriculum).ratings.size(), 1U);
@@ -202,7 +194,7 @@ TEST(RatedStandings, RatersSeeTheAwaitedAttemptOfAMergedAccountFirst) {
         .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "entered twice");
     programme.clock.pass_s(60);
     programme.record("ben");
-    EXPECT_EQ(rated_standing(programme, curriculum, "A2", programme.store->now()).rated_attempt, rated);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", programme.store->now()).rated_attempt, rated);
     for (const char* login : {"educator", "director"}) {
         const std::vector<RatableAttempt> listed =
             Ratings(*programme.store).to_rate(programme.session(login), &curriculum);

@@ -10,44 +10,36 @@
 #include "assessment/assets/assets.h"
 #include "database/store/accepted_assets.h"
 #include "tests/database/programme_fixture.h"
+#include "tests/database/records/standing_of_ann.h"
 
 namespace fulcrum::database {
 namespace {
 
 using test::error_kind;
 using test::Programme;
+using test::standing_of_ann;
 
 Curriculum rectal() {
     return load_curriculum(asset_path("curricula/rectal.json"), task_ids());
-}
-
-TaskStanding standing(const Programme& programme, const Curriculum& curriculum, const std::string& task,
-                      std::int64_t at) {
-    const PersonRecord record =
-        Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), curriculum);
-    for (const TaskStanding& one : standing_of(record, at))
-        if (one.task == task) return one;
-    ADD_FAILURE() << task;
-    return {};
 }
 
 TEST(Standings, AttemptsCountUntilTheyAreVoided) {
     const Programme programme;
     const Curriculum curriculum = rectal();
     const std::int64_t begin = programme.store->now();
-    EXPECT_EQ(standing(programme, curriculum, "A2", begin).standing, Standing::open);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", begin).standing, Standing::open);
     const std::string passed = programme.record("ann");
     programme.clock.pass_s(100);
     programme.attempts().void_attempt(programme.session("educator"), passed, "wrong person");
-    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 99'000).standing, Standing::passed);
-    EXPECT_TRUE(standing(programme, curriculum, "A2", begin + 99'000).provisional);
-    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 100'000).standing, Standing::open);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", begin + 99'000).standing, Standing::passed);
+    EXPECT_TRUE(standing_of_ann(programme, curriculum, "A2", begin + 99'000).provisional);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", begin + 100'000).standing, Standing::open);
     programme.record("ann", false, 0);
-    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 100'000).standing, Standing::attempted);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", begin + 100'000).standing, Standing::attempted);
     programme.record_broken("ann");  // interrupted without a verdict
-    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 200'000).attempts, 1);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", begin + 200'000).attempts, 1);
     programme.record("ann", true, 90, "B1");  // locked
-    EXPECT_EQ(standing(programme, curriculum, "B1", begin + 200'000).standing, Standing::locked);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "B1", begin + 200'000).standing, Standing::locked);
 }
 
 TEST(Standings, OfACohortMarkADeactivatedPersonWhoHasNoConcernAndIsNotInN) {
@@ -249,12 +241,12 @@ TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
     const std::int64_t begin = programme.store->now();
     standings.decide(educator, programme.id("ann"), "B1", StandingOverride::Kind::unlocked,
                      "has done this course elsewhere");
-    EXPECT_EQ(standing(programme, curriculum, "B1", begin - 1).standing, Standing::locked);
-    EXPECT_EQ(standing(programme, curriculum, "B1", begin).standing, Standing::open);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "B1", begin - 1).standing, Standing::locked);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "B1", begin).standing, Standing::open);
     programme.clock.pass_s(10);
     standings.decide(educator, programme.id("ann"), "A2", StandingOverride::Kind::proficient, "instructor");
-    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 10'000).standing, Standing::proficient);
-    EXPECT_EQ(standing(programme, curriculum, "B2", begin + 10'000).standing, Standing::open);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "A2", begin + 10'000).standing, Standing::proficient);
+    EXPECT_EQ(standing_of_ann(programme, curriculum, "B2", begin + 10'000).standing, Standing::open);
     const std::vector<OverrideRow> rows = standings.overrides(programme.session("ann"), programme.id("ann"));
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[1].reason, "has done this course elsewhere");
