@@ -82,7 +82,8 @@ class TasksWith : public ::testing::WithParamInterface<std::string>, public Taug
         EXPECT_EQ(attempt.state, AttemptState::completed) << task.constData();
         expect_replays(attempt.meta.id);
         enter(task.toStdString(),
-              {taught->title, task.toStdString(), row_of(attempt_states, attempt.state).name,
+              {taught->title, task.toStdString(),
+               row_of(attempt_states, attempt.state).name + losses_words(hand->losses()),
                clock(attempt.duration_s), ui::plain(ui::figure(attempt.points)),
                std::to_string(hand->events())},
               held);
@@ -90,6 +91,9 @@ class TasksWith : public ::testing::WithParamInterface<std::string>, public Taug
 
   private:
     static std::string clock(double seconds) { return ui::plain(ui::clock_text(seconds)); }
+    static std::string losses_words(int losses) {
+        return losses == 0 ? "" : ", the device lost and back: " + std::to_string(losses);
+    }
     bool theatre_ended() { return window.current_page()->objectName() != QLatin1String("theatre_page"); }
     /// Most that were held at the same time, and the share of the time with more than two.
     static std::vector<std::string> held_words(InputWatch& watch) {

@@ -20,16 +20,15 @@ std::size_t place_of_kind(const std::string& kind) {
     return static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
 }
 
-/// What was entered before at this commit; a file that cannot be read has nothing.
-std::vector<HandsRow> hands_rows_in(const std::string& folder, const std::string& commit) {
+/// What was entered before; a file that cannot be read has nothing.
+std::vector<HandsRow> hands_rows_in(const std::string& folder) {
     std::ifstream file(std::filesystem::path(folder) / "hands.json");
     const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
     std::vector<HandsRow> rows;
     if (!document.is_object() || !document.contains("rows") || !document["rows"].is_array()) return rows;
     for (const nlohmann::json& one : document["rows"])
-        if (one.value("commit", std::string()) == commit)
-            rows.push_back({one.value("kind", std::string()), one.value("task", std::string()),
-                            one.value("cells", std::vector<std::string>())});
+        rows.push_back({one.value("kind", std::string()), one.value("task", std::string()),
+                        one.value("cells", std::vector<std::string>()), one.value("commit", std::string())});
     return rows;
 }
 
@@ -46,10 +45,11 @@ void put_hands_row(std::vector<HandsRow>& rows, const HandsRow& row) {
               [&](const HandsRow& a, const HandsRow& b) { return place(a) < place(b); });
 }
 
-nlohmann::json hands_document(const std::vector<HandsRow>& rows, const std::string& commit) {
+nlohmann::json hands_document(const std::vector<HandsRow>& rows) {
     nlohmann::json list = nlohmann::json::array();
     for (const HandsRow& row : rows)
-        list.push_back({{"kind", row.kind}, {"task", row.task}, {"cells", row.cells}, {"commit", commit}});
+        list.push_back(
+            {{"kind", row.kind}, {"task", row.task}, {"cells", row.cells}, {"commit", row.commit}});
     nlohmann::json document;
     document["rows"] = std::move(list);
     return document;
@@ -76,11 +76,12 @@ const char* hands_folder() {
     return std::getenv(hands_variable);
 }
 
-void enter_hands(const HandsRow& row) {
+void enter_hands(HandsRow row) {
     const char* const folder = hands_folder();
     if (folder == nullptr) return;
     const lab::Machine machine = lab::this_machine(lab::build_info());
-    std::vector<HandsRow> rows = hands_rows_in(folder, machine.build.commit);
+    row.commit = machine.build.commit;
+    std::vector<HandsRow> rows = hands_rows_in(folder);
     put_hands_row(rows, row);
     lab::ResultPage page("hands", "First steps and tasks completed with each kind of device",
                          std::string(hands_variable) +
@@ -99,7 +100,7 @@ void enter_hands(const HandsRow& row) {
         "window gets; of two mice and of the controller their buttons, and triggers from a tenth on; of the "
         "others closed jaws and buttons. In the first steps only those of mouse and keyboard are counted.");
     const std::string missing = kinds_not_measured(rows);
-    if (!missing.empty()) page.paragraph("Not measured at this commit: " + missing + ".");
+    if (!missing.empty()) page.paragraph("Not measured: " + missing + ".");
     lab::ResultTable table;
     table.columns = {"device",
                      "task",
@@ -108,10 +109,14 @@ void enter_hands(const HandsRow& row) {
                      "points of 100",
                      "input events",
                      "most held at the same time",
-                     "time with more than two held"};
-    for (const HandsRow& one : rows) table.rows.push_back(one.cells);
+                     "time with more than two held",
+                     "commit"};
+    for (const HandsRow& one : rows) {
+        table.rows.push_back(one.cells);
+        table.rows.back().push_back(one.commit);
+    }
     page.table(table);
-    page.document(hands_document(rows, machine.build.commit));
+    page.document(hands_document(rows));
     page.write(folder, machine);
 }
 

@@ -124,6 +124,15 @@ void HeldHand::push(int h) {
     }
 }
 
+void HeldHand::come_back() {
+    if (theatre_.session()->phase() != ui::AttemptPhase::device_lost) return;
+    const ui::Realignment now = theatre_.view()->realignment().value_or(ui::Realignment());
+    if (now.back && !now.in_place) device_.go_back(now.hand[0].distance);
+    if (!now.in_place) return;
+    QTest::keyClick(theatre_.view(), Qt::Key_Return);
+    ++events_;
+}
+
 /// By what the screen shows: on the shaft's line, outside.
 Vector3 HeldHand::handle(int hand) const {
     if (!device_.moves[hand]) return WorkingHand::handle(hand);

@@ -19,6 +19,8 @@ class HeldHand : public PosedHand {
 
   private:
     void push(int hand) override;
+    /// After a loss of the device, when it is back and in place: continues.
+    void come_back() override;
     void scope() override { WorkingHand::scope(); }
     Vector3 handle(int hand) const override;
     void use(int hand, const HeldParts& wanted);

@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QtTest>
+#include <utility>
 
 #include "ui/theatre/theatre_view.h"
 
@@ -17,7 +18,12 @@ bool WorkingHand::work_until(const std::function<bool()>& done, int milliseconds
             let_go();
             return true;
         }
-        if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
+        if (const ui::AttemptPhase phase = theatre_.session()->phase(); phase != ui::AttemptPhase::running) {
+            if (!waited_ && phase == ui::AttemptPhase::device_lost) ++losses_;
+            waited_ = true;
+            come_back();
+            continue;
+        }
         think();
         if (tick_ == 0) continue;  // it wants nothing yet
         // A mouse that is moved lets the window work: the attempt can end there.
@@ -42,7 +48,8 @@ void WorkingHand::think() {
     const ui::AttemptSession& session = *theatre_.session();
     mind_.observe(session.snapshot(), session.display());
     const std::uint32_t now = session.health().ticks;
-    if (tick_ != 0 && std::max(error(0), error(1)) > planned_ahead_) {
+    const bool waited = std::exchange(waited_, false);
+    if (tick_ != 0 && (waited || std::max(error(0), error(1)) > planned_ahead_)) {
         tick_ = now;
         return;
     }

@@ -19,12 +19,14 @@ class Worker {
     virtual bool work_until(const std::function<bool()>& done, int milliseconds) = 0;
     /// Input that was made.
     int events() const { return events_; }
+    /// Times that a device was lost while it worked.
+    int losses() const { return losses_; }
     /// Called where a button of a device that Qt does not read goes down or up, if it is set: `number` tells
     /// them apart.
     std::function<void(int number, bool held)> on_hold;
 
   protected:
-    int events_ = 0;
+    int events_ = 0, losses_ = 0;
 };
 
 class WorkingHand : public Worker {
@@ -45,6 +47,8 @@ class WorkingHand : public Worker {
     WorkingHand& operator=(const WorkingHand&) = delete;
     /// Moves this hand towards `wish_`.
     virtual void push(int hand) = 0;
+    /// The attempt waits for something that a person does: called again and again.
+    virtual void come_back() {}
     /// Turns the scope; with the arrow keys where the device has nothing for it.
     virtual void scope();
     /// Where the handle of this hand is, m, frame of its trocar.
@@ -62,6 +66,7 @@ class WorkingHand : public Worker {
     double planned_ahead_;
     int pause_ms_;
     std::uint32_t tick_ = 0;
+    bool waited_ = false;  // the attempt did not run: nothing was wanted of the ticks in between
     Look look_ = Look::none;
 };
 

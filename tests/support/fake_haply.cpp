@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "sim_core/devices/device_page.h"
+#include "tests/support/device_thread.h"
 
 namespace fulcrum::test {
 
@@ -115,6 +116,7 @@ void WebSocketServer::say(const std::string& text) {
 }
 
 void WebSocketServer::run() {
+    work_as_a_device();
     while (!stop_) {
         lws_service(library_->context, 0);
         std::vector<std::string> said;

@@ -14,6 +14,7 @@
 
 #include "sim_core/devices/device_page.h"
 #include "sim_core/igtl/server.h"
+#include "tests/support/device_thread.h"
 
 namespace fulcrum::test {
 
@@ -101,6 +102,7 @@ class FakeTracker {
         return out;
     }
     void run() {
+        work_as_a_device();
         std::int64_t due = monotonic_ns();
         while (!stop_) {
             const std::int64_t now = monotonic_ns();

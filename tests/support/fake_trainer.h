@@ -17,6 +17,7 @@
 
 #include "sim_core/devices/device_page.h"
 #include "sim_core/hapticd/trainer_line.h"
+#include "tests/support/device_thread.h"
 #include "tests/support/own_folder.h"
 
 namespace fulcrum::test {
@@ -180,6 +181,7 @@ class FakeTrainer {
             if (letter != hidden) put(pose(letter));
     }
     void run() {
+        work_as_a_device();
         while (!stop_) {
             step();
             usleep(500);
