@@ -158,8 +158,8 @@ class ProcessGroup : public QProcess {
 };
 
 /// `fulcrum lab operators C4`, which uses all cores, again and again while it exists. A shell begins it
-/// again: begun by this process, whose memory a fork shares, the ticks after it copied some 600 pages of
-/// memory.
+/// again, and the shell is begun before the attempt: a fork shares this process's memory, and the ticks after
+/// it would copy some 600 pages.
 class BusyOperators {
   public:
     BusyOperators() {
@@ -305,13 +305,12 @@ lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
 
 void Soak::run(const SoakKind& kind) {
     create_programme_and_trainee();
+    std::optional<BusyOperators> busy;
+    if (kind.loaded) busy.emplace();  // its fork is before the first tick
     start("B1", false);
     Seen seen;
-    {
-        std::optional<BusyOperators> busy;
-        if (kind.loaded) busy.emplace();
-        ASSERT_NO_FATAL_FAILURE(watch(kind, seen));
-    }
+    ASSERT_NO_FATAL_FAILURE(watch(kind, seen));
+    busy.reset();
     if (theatre().session() != nullptr && theatre().session()->phase() == AttemptPhase::running) {
         abandon();
     } else {
