@@ -84,6 +84,15 @@ class TaskRun {
         check_ = {};
     }
 
+    /// Of an educator's decision that comes now.
+    DecisionEffect effect_of(const StandingOverride& decision) const {
+        if (decision.kind == StandingOverride::Kind::proficient) {
+            if (declared_at_ == 0) return DecisionEffect::declared;
+            if (decision.time >= next_check_) return DecisionEffect::check_passed;
+        }
+        return unlocked ? DecisionEffect::none : DecisionEffect::unlocked;
+    }
+
     void declare(std::int64_t time, bool by_override) {
         declared_at_ = time;
         if (first_declared_at_ == 0) first_declared_at_ = time;
@@ -282,6 +291,10 @@ class Programme {
         unlock();
     }
 
+    DecisionEffect effect_of(const StandingOverride& decision) {
+        return runs_[decision.task].effect_of(decision);
+    }
+
     void follow(const Curriculum& curriculum) {
         tasks_.clear();
         for (const CurriculumTask& task : curriculum.tasks) tasks_.push_back({&task, &runs_[task.task]});
@@ -360,6 +373,22 @@ std::vector<TaskStanding> standing_in(const PersonRecord& record, std::int64_t a
     for (const Entry& entry : entries_of(record, at)) programme.take(entry);
     programme.follow(version);
     return programme.standings_at(at);
+}
+
+std::map<std::string, DecisionEffect> effects_of(const PersonRecord& record, std::int64_t at) {
+    std::map<std::string, DecisionEffect> effects;
+    Programme programme(record);
+    for (const Entry& entry : entries_of(record, at)) {
+        if (entry.decision != nullptr) effects[entry.decision->id] = programme.effect_of(*entry.decision);
+        programme.take(entry);
+    }
+    return effects;
+}
+
+DecisionEffect effect_of(const PersonRecord& record, const StandingOverride& decision) {
+    Programme programme(record);
+    for (const Entry& entry : entries_of(record, decision.time)) programme.take(entry);
+    return programme.effect_of(decision);
 }
 
 }  // namespace fulcrum

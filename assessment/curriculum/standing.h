@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,14 @@ struct StandingOverride {
     std::string id, task;
     Kind kind = Kind::unlocked;
     std::int64_t time = 0;  ///< UTC ms
+};
+
+/// What a decision changed at its time.
+enum class DecisionEffect : std::uint8_t {
+    none,         ///< the task was not locked; or proficiency was in force and no check was due
+    unlocked,     ///< the task
+    declared,     ///< proficient, whether the task was locked or not
+    check_passed  ///< one that was due
 };
 
 /// From `time` on the trainee follows this curriculum.
@@ -135,5 +144,10 @@ std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t a
 /// The same of the tasks of `version`, which the person followed at some time: a proficiency in a task that
 /// the curriculum in force no longer has stays as it was.
 std::vector<TaskStanding> standing_in(const PersonRecord& record, std::int64_t at, const Curriculum& version);
+
+/// What each decision up to `at` changed, by its id.
+std::map<std::string, DecisionEffect> effects_of(const PersonRecord& record, std::int64_t at);
+/// What one more decision would change, after everything that was recorded up to its time.
+DecisionEffect effect_of(const PersonRecord& record, const StandingOverride& decision);
 
 }  // namespace fulcrum

@@ -18,6 +18,35 @@ bool counted_once(AttemptSummary attempt) {
     return is_counting(attempt);
 }
 
+/// Refuses a decision that changes nothing: it would be kept and audited as if it did.
+void require_effect(const Store& store, const Session& educator, const std::string& person_id,
+                    const StandingOverride& decision, const Curriculum& newest) {
+    Curricula(store).require_here(educator, person_id, newest);
+    const PersonRecord record = Standings(store).record(educator, person_id, newest);
+    const Curriculum& followed = *curriculum_at(record.assignments, decision.time);
+    if (followed.find(decision.task) == nullptr)
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "%1 is not a task of the curriculum %2, which the person follows"),
+             decision.task, followed.name()},
+            QT_TRANSLATE_NOOP(
+                "errors", "name one of its tasks, or move the person to a version that has this one first"));
+    if (effect_of(record, decision) != DecisionEffect::none) return;
+    if (decision.kind == StandingOverride::Kind::unlocked)
+        throw StoreError(
+            StoreErrorKind::bad_value,
+            {QT_TRANSLATE_NOOP("errors", "the decision would change nothing: %1 is not locked"),
+             decision.task},
+            QT_TRANSLATE_NOOP("errors",
+                              "nothing has to be decided: the person can perform assessed attempts of it"));
+    throw StoreError(StoreErrorKind::bad_value,
+                     {QT_TRANSLATE_NOOP("errors",
+                                        "the decision would change nothing: the person is proficient in %1, "
+                                        "and no check is due"),
+                      decision.task},
+                     QT_TRANSLATE_NOOP("errors", "decide again when the next check is due"));
+}
+
 }  // namespace
 
 PersonRecord Standings::record(const Session& session, const std::string& person_id,
@@ -60,10 +89,14 @@ std::string Standings::decide(const Session& educator, const std::string& person
                          QT_TRANSLATE_NOOP("errors", "name a task of the curriculum"));
     Connection& connection = store_.connection();
     Transaction transaction(connection);
-    // First: what is decided is decided under the version that is kept.
-    if (newest != nullptr) Curricula(store_).keep_version(educator, person_id, *newest, reason);
     OverrideRow row;
     row.decision = {random_uuid(), task_id, kind, store_.now()};
+    if (newest != nullptr) {
+        // Within the transaction: the same may have been decided since the page was filled.
+        require_effect(store_, educator, person_id, row.decision, *newest);
+        // First: what is decided is decided under the version that is kept.
+        Curricula(store_).keep_version(educator, person_id, *newest, reason);
+    }
     row.person_id = person_id;
     row.author_id = educator.person_id();
     row.reason = reason;

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <map>
 
 #include "database/records/curricula.h"
 #include "database/records/standings.h"
@@ -11,6 +12,41 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// What the decision changed; of one that comes into force later, what was decided.
+QString decision_line(const database::OverrideRow& row,
+                      const std::map<std::string, DecisionEffect>& effects) {
+    const bool unlocks = row.decision.kind == StandingOverride::Kind::unlocked;
+    const auto found = effects.find(row.decision.id);
+    const bool known = found != effects.end();
+    const QString what = unlocks ? StandingCard::tr("Unlocked by %1 on %2: %3")
+                         : known && found->second == DecisionEffect::check_passed
+                             ? StandingCard::tr("Check confirmed by %1 on %2: %3")
+                             : StandingCard::tr("Declared proficient by %1 on %2: %3");
+    const QString line = what.arg(text(row.author_name), date_text(row.decision.time), text(row.reason));
+    if (row.own) return StandingCard::tr("%1 (does not count: both accounts are one person's)").arg(line);
+    if (!known || found->second != DecisionEffect::none) return line;
+    return (unlocks ? StandingCard::tr("%1 (changed nothing: the task was not locked)")
+                    : StandingCard::tr("%1 (changed nothing: proficient already, and no check was due)"))
+        .arg(line);
+}
+
+QString outcome_text(DecisionEffect effect) {
+    switch (effect) {
+        case DecisionEffect::unlocked:
+            return StandingCard::tr("The task is unlocked.");
+        case DecisionEffect::declared:
+            return StandingCard::tr("Declared proficient.");
+        case DecisionEffect::check_passed:
+            return StandingCard::tr("The check is confirmed.");
+        case DecisionEffect::none:
+            return StandingCard::tr("The decision changed nothing.");
+    }
+    return {};
+}
+
+}  // namespace
 
 StandingCard::StandingCard(Context& context) : context_(context) {
     auto* outer = new QVBoxLayout(this);
@@ -66,10 +102,13 @@ void StandingCard::fill() {
     const database::Standings standings(context_.store());
     TaskStanding here;
     std::vector<database::OverrideRow> decisions;
+    std::map<std::string, DecisionEffect> effects;
     context_.guarded([&] {
         const PersonRecord record = standings.record(context_.session(), person_id_, curriculum);
-        for (const TaskStanding& one : standing_of(record, context_.store().now()))
+        const std::int64_t at = context_.store().now();
+        for (const TaskStanding& one : standing_of(record, at))
             if (one.task == task_id_) here = one;
+        effects = effects_of(record, at);
         decisions = standings.overrides(context_.session(), person_id_);
     });
     auto* head = new QHBoxLayout;
@@ -82,22 +121,17 @@ void StandingCard::fill() {
     if (!detail.isEmpty()) lines_->addWidget(make_label(detail, "muted"));
     for (const database::OverrideRow& row : decisions) {
         if (row.decision.task != task_id_) continue;
-        const bool confirms = here.declared_at != 0 && row.decision.time > here.declared_at;
-        const QString what = row.decision.kind == StandingOverride::Kind::unlocked
-                                 ? tr("Unlocked by %1 on %2: %3")
-                             : confirms ? tr("Check confirmed by %1 on %2: %3")
-                                        : tr("Declared proficient by %1 on %2: %3");
-        const QString line = what.arg(text(row.author_name), date_text(row.decision.time), text(row.reason));
-        lines_->addWidget(make_label(
-            row.own ? tr("%1 (does not count: both accounts are one person's)").arg(line) : line, "muted"));
+        QLabel* line = make_label(decision_line(row, effects), "muted");
+        line->setObjectName(QStringLiteral("decision_words"));
+        lines_->addWidget(line);
     }
     kind_->clear();
     if (here.standing == Standing::locked)
         kind_->addItem(tr("Unlock"), static_cast<int>(StandingOverride::Kind::unlocked));
-    confirms_ = here.standing == Standing::due;
+    const bool confirms = here.standing == Standing::due;
     // Until the next check there is nothing to decide on a proficiency.
-    if (confirms_ || here.declared_at == 0)
-        kind_->addItem(confirms_ ? tr("Confirm the check") : tr("Declare proficient"),
+    if (confirms || here.declared_at == 0)
+        kind_->addItem(confirms ? tr("Confirm the check") : tr("Declare proficient"),
                        static_cast<int>(StandingOverride::Kind::proficient));
     decision_->setVisible(kind_->count() > 0 &&
                           context_.allowed(database::Operation::decide_standing, subject));
@@ -111,17 +145,21 @@ void StandingCard::decide() {
         return;
     }
     const auto kind = static_cast<StandingOverride::Kind>(kind_->currentData().toInt());
-    if (context_.guarded([&] {
-            database::Standings(context_.store())
-                .decide(context_.session(), person_id_, task_id_, kind, words,
-                        &context_.services().curriculum());
-        })) {
-        context_.say(kind == StandingOverride::Kind::unlocked ? tr("The task is unlocked.")
-                     : confirms_                              ? tr("The check is confirmed.")
-                                                              : tr("Declared proficient."));
-        reason_->clear();
-        fill();
-    }
+    DecisionEffect effect = DecisionEffect::none;
+    const bool decided = context_.guarded([&] {
+        const Curriculum& newest = context_.services().curriculum();
+        const database::Standings standings(context_.store());
+        const std::string id =
+            standings.decide(context_.session(), person_id_, task_id_, kind, words, &newest);
+        // What was shown may be older: a check that was due may have ended in a relapse since.
+        effect =
+            effects_of(standings.record(context_.session(), person_id_, newest), context_.store().now())[id];
+    });
+    // It may have been refused because the standing is not the one that was shown.
+    if (!decided) return fill();
+    context_.say(outcome_text(effect));
+    reason_->clear();
+    fill();
 }
 
 }  // namespace fulcrum::ui

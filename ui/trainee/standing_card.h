@@ -27,7 +27,6 @@ class StandingCard : public QWidget {
     QVBoxLayout* lines_;
     QWidget* decision_;
     QComboBox* kind_;
-    bool confirms_ = false;  ///< a decision completes a check that is due
     QLineEdit* reason_;
 };
 

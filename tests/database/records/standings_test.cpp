@@ -8,6 +8,7 @@
 #include <map>
 
 #include "assessment/assets/assets.h"
+#include "database/records/curricula.h"
 #include "database/store/accepted_assets.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/database/records/standing_of_ann.h"
@@ -265,6 +266,66 @@ TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
     EXPECT_THROW(standings.decide(programme.session("other_educator"), programme.id("ann"), "B1",
                                   StandingOverride::Kind::unlocked, "not my trainee"),
                  AccessDenied);
+}
+
+TEST(Standings, ADecisionThatChangesNothingIsRefusedAndNotAudited) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    const Standings standings(*programme.store);
+    const std::string& ann = programme.id("ann");
+    const auto decide = [&](const std::string& task, StandingOverride::Kind kind) {
+        standings.decide(programme.session("educator"), ann, task, kind, "seen", &curriculum);
+    };
+    const auto problem_of = [&](const std::string& task, StandingOverride::Kind kind) {
+        try {
+            decide(task, kind);
+        } catch (const StoreError& error) {
+            EXPECT_EQ(error.kind(), StoreErrorKind::bad_value);
+            EXPECT_FALSE(error.hint().empty());
+            return error.problem();
+        }
+        return std::string("nothing was refused");
+    };
+    const auto kept = [&] { return standings.overrides(programme.session("educator"), ann).size(); };
+    const auto audited = [&] {
+        const auto entries = Audit(*programme.store).entries(programme.session("administrator"));
+        return std::count_if(entries.begin(), entries.end(),
+                             [](const auto& entry) { return entry.operation == "standing.decide"; });
+    };
+    EXPECT_EQ(problem_of("A2", StandingOverride::Kind::unlocked),
+              "the decision would change nothing: A2 is not locked");
+    EXPECT_EQ(problem_of("A9", StandingOverride::Kind::proficient),
+              "A9 is not a task of the curriculum " + curriculum.name() + ", which the person follows");
+    EXPECT_EQ(kept(), 0U);
+    EXPECT_EQ(Curricula(*programme.store).followed(programme.session("educator"), ann, curriculum).size(), 1U)
+        << "no version was kept by what was refused";
+    decide("A2", StandingOverride::Kind::proficient);
+    programme.clock.pass_s(10);
+    EXPECT_EQ(problem_of("A2", StandingOverride::Kind::proficient),
+              "the decision would change nothing: the person is proficient in A2, and no check is due");
+    EXPECT_EQ(kept(), 1U);
+    EXPECT_EQ(audited(), 1);
+    programme.clock.pass_s(15 * 86'400);
+    decide("A2", StandingOverride::Kind::proficient);  // a check is due
+    EXPECT_EQ(kept(), 2U);
+    EXPECT_EQ(audited(), 2);
+}
+
+TEST(Standings, ADecisionOnAPersonWhoseVersionIsNotHereIsRefused) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    AttemptMeta meta = test::example_meta(programme.id("ann"));
+    meta.curriculum = "rectal@77";
+    Recorder(programme.path, programme.session("ann"), meta, programme.clock.options())
+        .finish(test::example_result(true, 70));
+    EXPECT_EQ(error_kind([&] {
+                  Standings(*programme.store)
+                      .decide(programme.session("educator"), programme.id("ann"), "B1",
+                              StandingOverride::Kind::unlocked, "seen", &curriculum);
+              }),
+              StoreErrorKind::bad_value);
+    EXPECT_TRUE(
+        Standings(*programme.store).overrides(programme.session("educator"), programme.id("ann")).empty());
 }
 
 TEST(Standings, CheckFindsADecisionThatNobodyMade) {

@@ -349,6 +349,44 @@ TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
     keep("progress-decided-trainee");
 }
 
+TEST_F(ProgressWithHistory, ADecisionThatChangedNothingSaysSo) {
+    record(1200);
+    // As an older version of the program wrote them: it asked nothing.
+    for (const char* reason : {"examined in theatre", "examined once more"})
+        database::Standings(*services.store())
+            .decide(sessions.at(Role::educator), sessions.at(Role::trainee).person_id(), "A2",
+                    StandingOverride::Kind::proficient, reason);
+    open(Role::trainee);
+    QStringList lines;
+    for (const QLabel* label : window->findChildren<QLabel*>("decision_words"))
+        if (label->isVisible()) lines << label->text();
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_EQ(lines.filter("Declared proficient by").size(), 2) << lines.join('\n').toStdString();
+    EXPECT_EQ(lines.filter("Check confirmed").size(), 0);
+    EXPECT_EQ(lines.filter("changed nothing: proficient already, and no check was due").size(), 1);
+}
+
+TEST_F(ProgressWithHistory, ADecisionThatAnotherMadeFirstIsRefusedAndTheCardShowsTheStanding) {
+    record(1200);
+    open(Role::educator);
+    auto* task = find<QComboBox>(*window, "progress_task");
+    task->setCurrentIndex(task->findData("B1"));
+    emit task->activated(task->currentIndex());
+    database::Standings(*services.store())
+        .decide(sessions.at(Role::educator), sessions.at(Role::trainee).person_id(), "B1",
+                StandingOverride::Kind::unlocked, "at another station");
+    ASSERT_EQ(find<QComboBox>(*window, "decision_kind")->currentText(), "Unlock");
+    QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "course elsewhere");
+    click(*window, "decide_standing");
+    EXPECT_TRUE(find<QLabel>(*window, "message_text")->text().contains("B1 is not locked"))
+        << find<QLabel>(*window, "message_text")->text().toStdString();
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "Open");
+    EXPECT_EQ(database::Standings(*services.store())
+                  .overrides(sessions.at(Role::educator), sessions.at(Role::trainee).person_id())
+                  .size(),
+              1U);
+}
+
 TEST_F(ProgressWithHistory, AnEducatorMovesAPersonToTheNewerCurriculumAfterALook) {
     record(1200);  // does not name a version: the first one
     open(Role::educator);

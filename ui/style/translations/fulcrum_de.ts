@@ -3353,6 +3353,30 @@
         <translation>zu einem Stand lässt sich nichts sagen: Die Person folgt dem Curriculum %1, das an dieser Station fehlt</translation>
     </message>
     <message>
+        <source>%1 is not a task of the curriculum %2, which the person follows</source>
+        <translation>%1 ist keine Aufgabe des Curriculums %2, dem die Person folgt</translation>
+    </message>
+    <message>
+        <source>name one of its tasks, or move the person to a version that has this one first</source>
+        <translation>nennen Sie eine seiner Aufgaben, oder stellen Sie die Person zuerst auf eine Version um, die diese hat</translation>
+    </message>
+    <message>
+        <source>the decision would change nothing: %1 is not locked</source>
+        <translation>die Entscheidung würde nichts ändern: %1 ist nicht gesperrt</translation>
+    </message>
+    <message>
+        <source>nothing has to be decided: the person can perform assessed attempts of it</source>
+        <translation>es ist nichts zu entscheiden: Die Person kann bewertete Versuche durchführen</translation>
+    </message>
+    <message>
+        <source>the decision would change nothing: the person is proficient in %1, and no check is due</source>
+        <translation>die Entscheidung würde nichts ändern: Die Person beherrscht %1 sicher, und keine Kontrolle ist fällig</translation>
+    </message>
+    <message>
+        <source>decide again when the next check is due</source>
+        <translation>entscheiden Sie wieder, wenn die nächste Kontrolle fällig ist</translation>
+    </message>
+    <message>
         <source>exchange with the programme server, or install it (a newer version of the program, or the file that was published at another station)</source>
         <translation>gleichen Sie mit dem Server des Programms ab oder installieren Sie es (eine neuere Version von Fulcrum oder die Datei, die an einer anderen Station veröffentlicht wurde)</translation>
     </message>
@@ -18399,6 +18423,18 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Confirm the check</source>
         <translation>Kontrolle bestätigen</translation>
+    </message>
+    <message>
+        <source>%1 (changed nothing: the task was not locked)</source>
+        <translation>%1 (änderte nichts: Die Aufgabe war nicht gesperrt)</translation>
+    </message>
+    <message>
+        <source>%1 (changed nothing: proficient already, and no check was due)</source>
+        <translation>%1 (änderte nichts: schon sicher beherrscht, und keine Kontrolle war fällig)</translation>
+    </message>
+    <message>
+        <source>The decision changed nothing.</source>
+        <translation>Die Entscheidung hat nichts geändert.</translation>
     </message>
     <message>
         <source>%1 (does not count: both accounts are one person&apos;s)</source>
