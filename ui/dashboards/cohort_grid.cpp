@@ -10,6 +10,7 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <algorithm>
+#include <optional>
 
 #include "assessment/scoring/score.h"
 #include "ui/style/flow_row.h"
@@ -26,7 +27,8 @@ using database::RecentAttempt;
 
 namespace {
 
-constexpr int person_role = Qt::UserRole, task_role = Qt::UserRole + 1, cell_role = Qt::UserRole + 2;
+constexpr int person_role = Qt::UserRole, task_role = Qt::UserRole + 1, cell_role = Qt::UserRole + 2,
+              unknown_role = Qt::UserRole + 3;
 enum class Order { name, least_done, longest_ago };
 
 int tasks_done(const PersonStandings& person) {
@@ -46,6 +48,11 @@ QString grid_cell_text(const QString& name, const QString& title, const PersonTa
     line += CohortGrid::tr(" Latest attempts with %1: %2.")
                 .arg(device_class_text(*task.device_class), attempts.join(QStringLiteral(", ")));
     return line;
+}
+
+QString unknown_cell_text(const QString& name, const QString& title, const QString& curriculum) {
+    return CohortGrid::tr("%1, %2: %3. The curriculum %4 is not at this station.")
+        .arg(name, title, unknown_standing_name(), curriculum);
 }
 
 /// People by tasks: name, one column for each task, latest practice.
@@ -78,9 +85,13 @@ class CohortGridModel : public QAbstractTableModel {
             const PersonTask& cell = task(index.row(), index.column());
             if (role == task_role) return text(cell.standing.task);
             if (role == cell_role) return QVariant(reinterpret_cast<qulonglong>(&cell));
-            if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-                return grid_cell_text(account_text(one.name, one.active), titles_.at(index.column() - 1),
-                                      cell);
+            if (role == unknown_role) return one.not_here;
+            if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+                const QString name = account_text(one.name, one.active),
+                              title = titles_.at(index.column() - 1);
+                return one.not_here ? unknown_cell_text(name, title, text(one.curriculum))
+                                    : grid_cell_text(name, title, cell);
+            }
             return {};
         }
         if (role == Qt::ToolTipRole || role == Qt::DisplayRole)
@@ -133,7 +144,10 @@ class GridDelegate : public QStyledItemDelegate {
             painter->setBrush(colours().card);
             painter->drawRoundedRect(option.rect.adjusted(3, 3, -3, -3), 4, 4);
         }
-        paint_standing(*painter, badge, task->standing);
+        if (index.data(unknown_role).toBool())
+            paint_unknown_standing(*painter, badge);
+        else
+            paint_standing(*painter, badge, task->standing);
         paint_bars(
             *painter,
             QRectF(badge.right() + 8, badge.top(), option.rect.right() - 8 - (badge.right() + 8), side),
@@ -210,13 +224,16 @@ class GridFilter : public QSortFilterProxyModel {
     bool filterAcceptsRow(int row, const QModelIndex&) const override {
         const PersonStandings& person = grid().person(row);
         if (!text(person.name).contains(name_, Qt::CaseInsensitive)) return false;
-        return standing_ < 0 ||
+        if (standing_ < 0) return true;
+        return !person.not_here &&
                std::any_of(person.tasks.begin(), person.tasks.end(), [this](const PersonTask& task) {
                    return static_cast<int>(task.standing.standing) == standing_;
                });
     }
     bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
         const PersonStandings &a = grid().person(left.row()), &b = grid().person(right.row());
+        // How many are done is not known of everyone.
+        if (order_ == Order::least_done && a.not_here != b.not_here) return b.not_here;
         if (order_ == Order::least_done && tasks_done(a) != tasks_done(b))
             return tasks_done(a) < tasks_done(b);
         if (order_ == Order::longest_ago && a.last_attempt != b.last_attempt)
@@ -249,9 +266,18 @@ class Legend : public QWidget {
             one.declared_at = one.by_override ? 1 : 0;
             if (one.provisional || one.by_override) shown_.push_back(one);
         }
-        QStringList words;
-        for (const TaskStanding& one : shown_) words << standing_name(one);
-        setAccessibleDescription(words.join(QStringLiteral(", ")));
+        describe();
+    }
+    /// Also the sign of a standing that is not known here.
+    void show_unknown(bool wanted) {
+        if (wanted == !shown_.back()) return;
+        if (wanted)
+            shown_.emplace_back();
+        else
+            shown_.pop_back();
+        describe();
+        updateGeometry();
+        update();
     }
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return lay_out(nullptr, width); }
@@ -265,18 +291,29 @@ class Legend : public QWidget {
     }
 
   private:
+    void describe() {
+        QStringList words;
+        for (const auto& one : shown_) words << name_of(one);
+        setAccessibleDescription(words.join(QStringLiteral(", ")));
+    }
+    static QString name_of(const std::optional<TaskStanding>& one) {
+        return one ? standing_name(*one) : unknown_standing_name();
+    }
     int lay_out(QPainter* painter, int width) const {
         const int side = static_cast<int>(1.3 * fontMetrics().height()), line = side + 6;
         int x = 0, y = 0;
-        for (const TaskStanding& one : shown_) {
-            const QString words = standing_name(one);
+        for (const auto& one : shown_) {
+            const QString words = name_of(one);
             const int whole = side + 6 + fontMetrics().horizontalAdvance(words) + 18;
             if (x > 0 && x + whole > width) {
                 x = 0;
                 y += line;
             }
             if (painter != nullptr) {
-                paint_standing(*painter, QRectF(x, y, side, side), one);
+                if (one)
+                    paint_standing(*painter, QRectF(x, y, side, side), *one);
+                else
+                    paint_unknown_standing(*painter, QRectF(x, y, side, side));
                 painter->setPen(colours().muted);
                 painter->drawText(QRect(x + side + 6, y, whole, side), Qt::AlignLeft | Qt::AlignVCenter,
                                   words);
@@ -285,7 +322,7 @@ class Legend : public QWidget {
         }
         return y + line;
     }
-    std::vector<TaskStanding> shown_;
+    std::vector<std::optional<TaskStanding>> shown_;  ///< none: not known
 };
 
 }  // namespace
@@ -333,7 +370,8 @@ CohortGrid::CohortGrid(QWidget* parent) : QWidget(parent), model_(new CohortGrid
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view_->setMinimumHeight(300);
     layout->addWidget(view_, 1);
-    layout->addWidget(new Legend);
+    legend_ = new Legend;
+    layout->addWidget(legend_);
     bars_ =
         make_label(tr("Bars: the latest attempts, as high as their points. Filled: passed. Outline: failed. "
                       "Dotted line: %1 points, the pass mark.")
@@ -361,6 +399,9 @@ void CohortGrid::show_table(const database::CohortTable& table, const QStringLis
     if (!table.standings.empty())
         for (const PersonTask& task : table.standings.front().tasks) tasks.push_back(task.standing.task);
     model_->set(table.standings, titles, std::move(tasks));
+    static_cast<Legend*>(legend_)->show_unknown(
+        std::any_of(table.standings.begin(), table.standings.end(),
+                    [](const PersonStandings& one) { return one.not_here; }));
     shown_->sort(0);
     QHeaderView* heads = view_->horizontalHeader();
     heads->setMinimumSectionSize(static_cast<int>(GridDelegate::least_cell * fontMetrics().height()));

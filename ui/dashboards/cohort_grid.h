@@ -37,11 +37,15 @@ class CohortGrid : public QWidget {
     QLineEdit* name_;
     QComboBox *standing_, *order_;
     QTableView* view_;
+    QWidget* legend_;
     QLabel* bars_;
 };
 
 /// What a cell says: "Ann Other, A2 · Fulcrum targeting: passed (provisional). Latest attempts: failed 41,
 /// passed 72."
 QString grid_cell_text(const QString& name, const QString& title, const database::PersonTask& task);
+/// Of a person whose version of the curriculum, `curriculum`, is not at this station: "Ann Other, A2 ·
+/// Fulcrum targeting: not known here. The curriculum rectal@7 is not at this station."
+QString unknown_cell_text(const QString& name, const QString& title, const QString& curriculum);
 
 }  // namespace fulcrum::ui

@@ -113,6 +113,9 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
            "also where the arrow keys lead."),
         "muted");
     layout->addWidget(foot_);
+    unknown_ = make_label(tr("?: the standing is not known here."), "muted");
+    unknown_->setObjectName(QStringLiteral("unknown_note"));
+    layout->addWidget(unknown_);
     show_versions_ = make_button(tr("Show versions of limits and metrics"), "show_versions", "link");
     layout->addWidget(show_versions_, 0, Qt::AlignLeft);
     versions_ = make_label({}, "muted");
@@ -277,7 +280,11 @@ void CohortPage::show_table(database::CohortTable table, const Curriculum& curri
 
 /// Only the table has signs that need words.
 void CohortPage::show_foot() {
-    foot_->setVisible(data_.has_value() && views_->currentWidget() == table_);
+    const bool in_table = data_.has_value() && views_->currentWidget() == table_;
+    foot_->setVisible(in_table);
+    unknown_->setVisible(in_table &&
+                         std::any_of(data_->standings.begin(), data_->standings.end(),
+                                     [](const database::PersonStandings& one) { return one.not_here; }));
     show_versions_->setVisible(data_.has_value());
     if (!data_) versions_->hide();
 }
@@ -326,6 +333,7 @@ void CohortPage::show_rows() {
                 if (const int more = cell->data(more_classes_role).toInt(); more > 0)
                     cell->setText(cell->text() + QStringLiteral(" +%1").arg(more));
     mark_decisions();
+    mark_unknown();
     // No column is narrower than a word of its heading: with many tasks the table scrolls sideways.
     QFont bold = table_->font();
     bold.setWeight(QFont::DemiBold);
@@ -358,6 +366,28 @@ void CohortPage::mark_decisions() {
             if (found == decided.end()) continue;
             cell->setText(QStringLiteral("* ") + cell->text());
             cell->setToolTip(found->second + QStringLiteral("\n") + cell->toolTip());
+            cell->setData(Qt::AccessibleTextRole, cell->toolTip());
+        }
+    }
+}
+
+/// What a person performed is known, but not what the version says of it that the person follows.
+void CohortPage::mark_unknown() {
+    std::map<QString, QString> versions;
+    for (const database::PersonStandings& person : data_->standings)
+        if (person.not_here) versions[text(person.person_id)] = text(person.curriculum);
+    if (versions.empty()) return;
+    for (int line = 0; line < table_->rowCount(); ++line) {
+        const QTableWidgetItem* name = table_->item(line, 0);
+        const auto found = versions.find(name->data(Qt::UserRole).toString());
+        if (found == versions.end()) continue;
+        for (int column = 1; column < table_->columnCount(); ++column) {
+            QTableWidgetItem* cell = table_->item(line, column);
+            if (cell == nullptr) continue;
+            const std::string task = plain(cell->data(Qt::UserRole).toString());
+            cell->setText(QStringLiteral("? ") + cell->text());
+            cell->setToolTip(unknown_cell_text(name->text(), context().task_title(task), found->second) +
+                             QStringLiteral("\n") + cell->toolTip());
             cell->setData(Qt::AccessibleTextRole, cell->toolTip());
         }
     }

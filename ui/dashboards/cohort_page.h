@@ -47,12 +47,13 @@ class CohortPage : public Page {
     void show_rows();
     void show_concerns();
     void mark_decisions();
+    void mark_unknown();
     void fit();
     void show_foot();
 
     std::optional<database::CohortTable> data_;
     QComboBox* cohort_;
-    QLabel *summary_, *foot_, *versions_;
+    QLabel *summary_, *foot_, *unknown_, *versions_;
     QPushButton* show_versions_;
     QTabWidget* views_;
     CohortGrid* grid_;

@@ -138,6 +138,21 @@ void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& st
     painter.restore();
 }
 
+void paint_unknown_standing(QPainter& painter, const QRectF& box) {
+    painter.save();
+    QFont font = painter.font();
+    font.setPixelSize(std::max(1, static_cast<int>(0.85 * box.height())));
+    font.setBold(true);
+    painter.setFont(font);
+    painter.setPen(colours().muted);
+    painter.drawText(box, Qt::AlignCenter, QStringLiteral("?"));
+    painter.restore();
+}
+
+QString unknown_standing_name() {
+    return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "not known here"));
+}
+
 QString date_text(std::int64_t utc_ms) {
     return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms).date(),
                               say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "d MMM yyyy")));

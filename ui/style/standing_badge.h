@@ -16,6 +16,12 @@ namespace fulcrum::ui {
 /// diamond at the corner as well. Colours of the theme in force.
 void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& standing);
 
+/// A question mark: the standing is not known here, because the person's version of the curriculum is not
+/// installed. As large as paint_standing().
+void paint_unknown_standing(QPainter& painter, const QRectF& box);
+/// "not known here".
+QString unknown_standing_name();
+
 /// A few words: "locked", "passed (provisional)", "check overdue", "proficient (decision)".
 QString standing_name(const TaskStanding& standing);
 /// "passed (provisional)", "locked until you are proficient in B1, B2", in the second person.

@@ -12393,6 +12393,10 @@ und %1 weitere</translation>
 <context>
     <name>fulcrum::ui::CohortGrid</name>
     <message>
+        <source>%1, %2: %3. The curriculum %4 is not at this station.</source>
+        <translation>%1, %2: %3. Das Curriculum %4 fehlt an dieser Station.</translation>
+    </message>
+    <message>
         <source>%1, %2: %3.</source>
         <translation>%1, %2: %3.</translation>
     </message>
@@ -12463,6 +12467,10 @@ und %1 weitere</translation>
 </context>
 <context>
     <name>fulcrum::ui::CohortPage</name>
+    <message>
+        <source>?: the standing is not known here.</source>
+        <translation>?: Der Stand ist hier nicht bekannt.</translation>
+    </message>
     <message>
         <source>Reading the cohort …</source>
         <translation>Die Gruppe wird gelesen …</translation>
@@ -20867,6 +20875,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 </context>
 <context>
     <name>fulcrum::ui::standing</name>
+    <message>
+        <source>not known here</source>
+        <translation>hier nicht bekannt</translation>
+    </message>
     <message>
         <source>%1 (decision)</source>
         <translation>%1 (Entscheidung)</translation>
