@@ -183,6 +183,7 @@ Json standings_json(const database::PersonStandings& person) {
         Json one = {{"kind", row_of(concern_names, concern.kind).name},
                     {"task", or_null(concern.task)},
                     {"since", time_or_null(concern.since)},
+                    {"provisional", concern.provisional},
                     {"attempts", concern.attempts}};
         if (concern.kind == ConcernKind::plateau)
             one["plateau"] = {{"points", concern.plateau}, {"low", concern.low}, {"high", concern.high}};

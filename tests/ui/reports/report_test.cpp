@@ -169,6 +169,23 @@ TEST(Report, ShowsThatAProficiencyIsAnEducatorsDecision) {
     EXPECT_EQ(json["standings"][1]["tasks"][0]["by_decision"], true);
 }
 
+TEST(Report, JsonSaysOfAConcernThatTheLimitsAreProvisional) {
+    CohortReport report = cohort();
+    database::PersonStandings person;
+    person.person_id = "p1";
+    for (const bool provisional : {true, false}) {
+        Concern overdue;
+        overdue.kind = ConcernKind::check_overdue;
+        overdue.task = "A2";
+        overdue.provisional = provisional;
+        person.concerns.push_back(overdue);
+    }
+    report.table.standings.push_back(person);
+    const nlohmann::json json = nlohmann::json::parse(cohort_json(report));
+    EXPECT_EQ(json["standings"][0]["concerns"][0]["provisional"], true);
+    EXPECT_EQ(json["standings"][0]["concerns"][1]["provisional"], false);
+}
+
 TEST(Report, JsonGivesNoStandingOfAVersionThatIsNotAtTheStation) {
     CohortReport report = cohort();
     database::PersonStandings person;
