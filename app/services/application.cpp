@@ -30,6 +30,7 @@
 #include "assessment/attempt/engine.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
+#include "database/records/assessed_attempts.h"
 #include "database/records/curricula.h"
 #include "database/records/curriculum_publishing.h"
 #include "database/rows/crypto.h"
@@ -131,11 +132,9 @@ class Services : public ui::ApplicationServices {
                              QT_TRANSLATE_NOOP("errors", "an attempt with a ghost is for practice only"),
                              QT_TRANSLATE_NOOP("errors", "choose practice"));
         LoadedTask loaded = load_site_task(*store_, request.session, {request.task_id, request.variant, {}});
-        if (request.assessed) {
-            database::Curricula(*store_).require_here(request.session, request.session.person_id(),
-                                                      curriculum());
-            require_counts(followed_by(request.session), loaded.task, request.device_class);
-        }
+        if (request.assessed)
+            database::require_assessed(*store_, request.session, request.session.person_id(), curriculum(),
+                                       loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
         const auto unknown =
             database::AcceptedAssets(*store_).unknown(assets_of(request.session, loaded, limits));

@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "assessment/assets/fidelity_cost.h"
+#include "database/records/assessed_attempts.h"
 #include "database/records/attempts.h"
 #include "database/records/curricula.h"
 #include "database/records/report_data.h"
@@ -280,6 +281,11 @@ BriefingPage::InCurriculum BriefingPage::in_curriculum(DeviceClass used) {
     if (counts(*counted, used)) return {};
     QStringList named;
     for (const DeviceClass one : counted->device_classes) named << device_class_text(one);
+    if (database::builds_limits(context().session()))
+        return {{},
+                tr("With %1 your curriculum (%2) does not count this task, but with: %3. Because you may "
+                   "build limits, the attempt can be assessed: for a benchmark set, not for your standing.")
+                    .arg(device_class_text(used), text(followed->name()), named.join(QStringLiteral(", ")))};
     return {tr("With %1 this task is practice only: your curriculum (%2) counts it with: %3.")
                 .arg(device_class_text(used), text(followed->name()), named.join(QStringLiteral(", "))),
             {}};

@@ -42,7 +42,7 @@ class BriefingPage : public Page {
     /// What the curriculum that the signed-in person follows says of an assessed attempt now.
     struct InCurriculum {
         QString refusal;  ///< why it does not count (yet); empty where it does
-        QString remark;   ///< the task does not belong to it; else empty
+        QString remark;   ///< it can be assessed, but counts for no standing; else empty
     };
     InCurriculum in_curriculum(DeviceClass used);
     /// Why the installed files make it practice only; empty where they do not.

@@ -36,27 +36,41 @@ class CountedDevices : public ::testing::Test {
         else
             qputenv("FULCRUM_ASSETS", before_);
     }
+    /// Of an assessed attempt at A2 with mouse and keyboard.
+    static std::string refusal(const database::test::Programme& programme, const database::Session& session) {
+        const auto services = make_services(programme.folder.path().toStdString(), "");
+        services->open_store(false);
+        ui::AttemptRequest request{
+            session, "A2",    true, 5,     nullptr, ui::window_device, "mouse and keyboard",
+            false,   nullptr, 0,    false, {}};
+        try {
+            services->start_attempt(request);
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+        return "none";
+    }
     fulcrum::test::OwnFolder folder_;
     QByteArray before_ = qgetenv("FULCRUM_ASSETS");
 };
 
 TEST_F(CountedDevices, AnAssessedAttemptWithAnotherOneIsRefused) {
-    database::test::Programme programme;
-    const database::Session ann = programme.session("ann");
-    programme.store.reset();
-    const auto services = make_services(programme.folder.path().toStdString(), "");
-    services->open_store(false);
-    ui::AttemptRequest request{ann,   "A2",    true, 5,     nullptr, ui::window_device, "mouse and keyboard",
-                               false, nullptr, 0,    false, {}};
-    try {
-        services->start_attempt(request);
-        FAIL() << "it began";
-    } catch (const InputError& error) {
-        EXPECT_EQ(
-            std::string(error.problem()),
-            "the curriculum rectal@3 does not count attempts with mouse and keyboard, they are practice "
-            "only");
-    }
+    const database::test::Programme programme;
+    EXPECT_EQ(refusal(programme, programme.session("ann")),
+              "the curriculum rectal@3 does not count attempts with mouse and keyboard, they are practice "
+              "only");
+}
+
+TEST_F(CountedDevices, WhoMayBuildLimitsIsNotAskedBecauseASetIsBuiltOfSuchAttempts) {
+    const database::test::Programme programme;
+    programme.people().set_roles(programme.session("administrator"), programme.id("ann"),
+                                 {database::Role::trainee, database::Role::educator});
+    const database::Session ann =
+        programme.people().act_as(programme.session("ann"), database::Role::trainee);
+    // The edited curriculum is not accepted here: that is the only reason left.
+    const std::string words = refusal(programme, ann);
+    EXPECT_EQ(words.find("does not count"), std::string::npos) << words;
+    EXPECT_NE(words.find("curricula/rectal.json"), std::string::npos) << words;
 }
 
 }  // namespace

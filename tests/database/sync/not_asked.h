@@ -85,6 +85,7 @@ inline const std::vector<NotAsked>& not_asked() {
         {"for the check of a store, which a server has as `fulcrum server check`",
          {"Audit::count", "Audit::has_head", "Audit::next_key", "Audit::signer_of", "Audit::verify",
           "quick_check"}},
+        {"asked before an attempt, which is performed at a station", {"require_assessed"}},
         {"looks at a trace that is to be imported, which is done at a station",
          {"ExternalAttempts::check", "ExternalAttempts::check_values"}},
         {"says something of this machine, its file or its settings, which are not exchanged",

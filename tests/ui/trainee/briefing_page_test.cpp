@@ -202,6 +202,23 @@ TEST_F(Briefing, OffersNoAssessedAttemptWithADeviceThatTheFollowedCurriculumDoes
     EXPECT_TRUE(note().contains("not part of your curriculum")) << note().toStdString();
 }
 
+TEST_F(Briefing, OffersItToWhoMayBuildLimitsAndSaysWhatItIsFor) {
+    Curriculum haptic_only = services.curriculum();
+    for (CurriculumTask& one : haptic_only.tasks)
+        if (one.task == "A2") one.device_classes = {DeviceClass::haptic};
+    services.set_curriculum(std::move(haptic_only));
+    {
+        const database::People people(*services.store());
+        people.set_roles(people.sign_in("alma", "correct horse"), tara->person_id(),
+                         {Role::trainee, Role::educator});
+        *tara = people.act_as(*tara, Role::trainee);
+    }
+    open("A2");
+    EXPECT_TRUE(find<QRadioButton>(*window, "mode_assessed")->isEnabled());
+    const QString note = find<QLabel>(*window, "mode_note")->text();
+    EXPECT_TRUE(note.contains("for a benchmark set, not for your standing")) << note.toStdString();
+}
+
 TEST_F(Briefing, AsksTheDeviceForTheVariantOfThisTask) {
     services.in_use.kind = "touch";
     services.in_use.title = "3D Systems Touch";

@@ -12098,6 +12098,10 @@ und %1 weitere</translation>
 <context>
     <name>fulcrum::ui::BriefingPage</name>
     <message>
+        <source>With %1 your curriculum (%2) does not count this task, but with: %3. Because you may build limits, the attempt can be assessed: for a benchmark set, not for your standing.</source>
+        <translation>Mit %1 zählt Ihr Curriculum (%2) diese Aufgabe nicht, wohl aber mit: %3. Weil Sie Grenzwerte bilden dürfen, kann der Versuch bewertet werden: für einen Richtwertsatz, nicht für Ihren Stand.</translation>
+    </message>
+    <message>
         <source>You follow the curriculum %1, which is not at this station. Until it is, you can only practise this task.</source>
         <translation>Sie folgen dem Curriculum %1, das an dieser Station fehlt. Bis es da ist, können Sie diese Aufgabe nur üben.</translation>
     </message>
