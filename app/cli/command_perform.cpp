@@ -20,6 +20,7 @@
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/statement_words.h"
 #include "assessment/operators/device_model.h"
+#include "database/records/assessed_attempts.h"
 #include "database/records/curricula.h"
 #include "database/records/recorder.h"
 #include "database/store/accepted_assets.h"
@@ -256,6 +257,8 @@ int run_perform(const Arguments& arguments) {
         meta.mode = AttemptMode::practice;
         std::cerr << "fulcrum: " << line_of(database::practice_only_words(unknown)) << '\n';
     }
+    if (meta.mode == AttemptMode::assessed)
+        database::require_assessed(store, session, person.id, curriculum, loaded.task, device_class);
     meta.person_id = person.id;
     meta.curriculum = database::Curricula(store).in_force(session, person.id, curriculum).name();
     if (level) meta.operator_name = row_of(operator_levels, *level).name;

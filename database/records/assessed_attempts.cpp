@@ -19,7 +19,7 @@ void require_assessed(const Store& store, const Session& session, const std::str
                       const Curriculum& newest, const TaskDefinition& task, DeviceClass used) {
     const Curricula curricula(store);
     curricula.require_here(session, person_id, newest);
-    if (builds_limits(session))
+    if (builds_limits(session) || used == DeviceClass::external)
         require_assessable(task, used);
     else
         require_counts(curricula.in_force(session, person_id, newest), task, used);

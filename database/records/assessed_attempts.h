@@ -14,9 +14,10 @@ namespace fulcrum::database {
 bool builds_limits(const Session& session);
 
 /// Throws InputError where the task is practice only with this class of device, or the person's version of
-/// the curriculum does not count it; StoreError where that version is not installed. Anyone who builds limits
-/// is not asked whether the curriculum counts the class: a set for it is built of such attempts before it can
-/// be counted, and the standing leaves them out. `newest`: as for Curricula. Checked as read_progress.
+/// the curriculum does not count it; StoreError where that version is not installed. Whether the curriculum
+/// counts the class is not asked of anyone who builds limits: a set for it is built of such attempts before
+/// it can be counted. Nor of a trace of another program. The standing leaves both out. `newest`: as for
+/// Curricula. Checked as read_progress.
 void require_assessed(const Store& store, const Session& session, const std::string& person_id,
                       const Curriculum& newest, const TaskDefinition& task, DeviceClass used);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/application.h"
+#include "app/services/program.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/database/programme_fixture.h"
 #include "tests/support/own_folder.h"
@@ -71,6 +72,20 @@ TEST_F(CountedDevices, WhoMayBuildLimitsIsNotAskedBecauseASetIsBuiltOfSuchAttemp
     const std::string words = refusal(programme, ann);
     EXPECT_EQ(words.find("does not count"), std::string::npos) << words;
     EXPECT_NE(words.find("curricula/rectal.json"), std::string::npos) << words;
+}
+
+TEST_F(CountedDevices, TheCommandAsksTheSame) {
+    const database::test::Programme programme;
+    try {
+        run_command(
+            {"perform", "A2", "--seed", "5", "--device-class", "mouse-keyboard", "--db", programme.path});
+        ADD_FAILURE() << "it was performed";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.problem()),
+                  "the curriculum rectal@3 does not count attempts with mouse and keyboard, they are "
+                  "practice only");
+    }
+    EXPECT_TRUE(programme.attempts().list(programme.session("station"), {}).empty());
 }
 
 }  // namespace
