@@ -65,6 +65,13 @@ void CurriculumCard::show_person(const std::string& person_id) {
     fill();
 }
 
+void CurriculumCard::refresh() {
+    const QVariant chosen = versions_->currentData();
+    fill();
+    const int again = versions_->findData(chosen);
+    if (again >= 0) versions_->setCurrentIndex(again);
+}
+
 void CurriculumCard::fill() {
     clear_layout(lines_);
     changes_->hide();

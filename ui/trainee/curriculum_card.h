@@ -22,6 +22,8 @@ class CurriculumCard : public QWidget {
     explicit CurriculumCard(Context& context);
     /// Hidden where the session may not read the person's progress.
     void show_person(const std::string& person_id);
+    /// Reads again what is shown; a reason that was begun and the version that was chosen stay.
+    void refresh();
 
   signals:
     /// Standings may have changed.

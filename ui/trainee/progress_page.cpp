@@ -77,8 +77,15 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->addWidget(standing_);
     layout->addWidget(goals_ = new GoalsCard(context, false));
     curriculum_ = new CurriculumCard(context);
-    connect(curriculum_, &CurriculumCard::moved, this,
-            [this] { standing_->show_task(person_id_, task_id_); });
+    connect(curriculum_, &CurriculumCard::moved, this, [this] {
+        standing_->show_task(person_id_, task_id_);
+        show_certificates();
+    });
+    // The first decision settles which version is followed.
+    connect(standing_, &StandingCard::decided, this, [this] {
+        curriculum_->refresh();
+        show_certificates();
+    });
     layout->addWidget(certificates_);
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
@@ -243,7 +250,7 @@ void ProgressPage::load() {
     export_->setVisible(
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
     export_->propose(person_->currentText());
-    certificates_->show_person(person_id_, QFileInfo(export_->path()).absolutePath());
+    show_certificates();
     header_->show_task(person_id_, task_id_);
     standing_->show_task(person_id_, task_id_);
     // Trainees have theirs on the home page.
@@ -275,6 +282,10 @@ void ProgressPage::load() {
         summary_->setText(tr("Reading the attempts …"));
     else
         show_progress();
+}
+
+void ProgressPage::show_certificates() {
+    certificates_->show_person(person_id_, QFileInfo(export_->path()).absolutePath());
 }
 
 void ProgressPage::show_progress() {

@@ -51,6 +51,7 @@ class ProgressPage : public Page {
     std::string newest_task() const;
     /// Reads the attempts in the background; what is shown of the same person and task stays until then.
     void load();
+    void show_certificates();
     /// Metrics, chart and table of what was read.
     void show_progress();
     /// Id, hand and tissue; a version that is not the newest of those that occur follows them. Values of two

@@ -160,6 +160,7 @@ void StandingCard::decide() {
     context_.say(outcome_text(effect));
     reason_->clear();
     fill();
+    emit decided();
 }
 
 }  // namespace fulcrum::ui

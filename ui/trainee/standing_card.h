@@ -18,6 +18,11 @@ class StandingCard : public QWidget {
     /// Hidden for a task that does not belong to the curriculum.
     void show_task(const std::string& person_id, const std::string& task_id);
 
+  signals:
+    /// The standing has changed, and with it what follows from it: certificates, the version that is
+    /// followed.
+    void decided();
+
   private:
     void fill();
     void decide();

@@ -357,6 +357,7 @@ TEST_F(ProgressWithHistory, ADecisionThatChangedNothingSaysSo) {
             .decide(sessions.at(Role::educator), sessions.at(Role::trainee).person_id(), "A2",
                     StandingOverride::Kind::proficient, reason);
     open(Role::trainee);
+    find<QLabel>(*window, "decision_words");
     QStringList lines;
     for (const QLabel* label : window->findChildren<QLabel*>("decision_words"))
         if (label->isVisible()) lines << label->text();
@@ -385,6 +386,30 @@ TEST_F(ProgressWithHistory, ADecisionThatAnotherMadeFirstIsRefusedAndTheCardShow
                   .overrides(sessions.at(Role::educator), sessions.at(Role::trainee).person_id())
                   .size(),
               1U);
+}
+
+TEST_F(ProgressWithHistory, TheCurriculumsCardShowsWhatADecisionSettles) {
+    open(Role::educator);  // Tara has no attempt: a decision keeps the version
+    auto* task = find<QComboBox>(*window, "progress_task");
+    task->setCurrentIndex(task->findData("B1"));
+    emit task->activated(task->currentIndex());
+    const auto lines = [&] {
+        find<QLabel>(*window, "curriculum_name");  // its labels are shown by an event to come
+        QStringList words;
+        for (const QLabel* label : find<QWidget>(*window, "curriculum_card")->findChildren<QLabel*>())
+            if (label->isVisible()) words << label->text();
+        return words.join('\n');
+    };
+    EXPECT_FALSE(lines().contains("by a decision of Ed Educator")) << lines().toStdString();
+    auto* versions = find<QComboBox>(*window, "curriculum_versions");
+    versions->setCurrentIndex(versions->count() - 1);
+    const QString chosen = versions->currentText();
+    QTest::keyClicks(find<QLineEdit>(*window, "curriculum_reason"), "autumn course");
+    QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "course elsewhere");
+    click(*window, "decide_standing");
+    EXPECT_TRUE(lines().contains("by a decision of Ed Educator")) << lines().toStdString();
+    EXPECT_EQ(find<QLineEdit>(*window, "curriculum_reason")->text(), "autumn course");
+    EXPECT_EQ(find<QComboBox>(*window, "curriculum_versions")->currentText(), chosen);
 }
 
 TEST_F(ProgressWithHistory, AnEducatorMovesAPersonToTheNewerCurriculumAfterALook) {
