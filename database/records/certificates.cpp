@@ -204,6 +204,28 @@ std::vector<Certificate> before_merges(const Store& store, const Session& sessio
     return found;
 }
 
+/// What papers say that the program wrote while a decision on a proficiency in force declared it once more:
+/// the same with the days of these decisions, as it was after each of them. `decisions`: newest first.
+std::vector<Certificate> as_declared_again(const Certificate& present,
+                                           const std::vector<OverrideRow>& decisions, std::int64_t at) {
+    std::vector<Certificate> printed;
+    Certificate one = present;
+    for (auto row = decisions.rbegin(); row != decisions.rend(); ++row) {
+        const StandingOverride& decision = row->decision;
+        if (row->own || decision.kind != StandingOverride::Kind::proficient || decision.time > at) continue;
+        const auto task = std::find_if(one.tasks.begin(), one.tasks.end(), [&](const CertificateTask& known) {
+            return known.task == decision.task;
+        });
+        if (task == one.tasks.end() || decision.time <= task->declared_at) continue;
+        task->declared_at = decision.time;
+        task->by_override = true;
+        one.completed_at = std::max(one.completed_at, decision.time);
+        one.code = code_of(one);
+        printed.push_back(one);
+    }
+    return printed;
+}
+
 /// As certificates(). `missing`: a version that the person follows and that is not installed; then none.
 std::vector<Certificate> of_person(const Store& store, const Session& session, const std::string& person_id,
                                    const Curriculum& newest, std::string& missing) {
@@ -236,6 +258,13 @@ std::optional<Certificate> find_certificate(const Store& store, const Session& s
         if (!store.allowed(session, Operation::read_progress, Subject::person(person.id))) continue;
         std::string missing;
         std::vector<Certificate> all = of_person(store, session, person.id, curriculum, missing);
+        if (!all.empty()) {
+            const std::vector<Certificate> present = all;
+            const std::vector<OverrideRow> decisions = Standings(store).overrides(session, person.id);
+            for (const Certificate& one : present)
+                for (Certificate& older : as_declared_again(one, decisions, store.now()))
+                    all.push_back(std::move(older));
+        }
         for (Certificate& one : before_merges(store, session, person, curriculum, missing))
             all.push_back(std::move(one));
         for (Certificate& one : all)

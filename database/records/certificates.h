@@ -43,8 +43,9 @@ std::vector<Certificate> certificates(const Store& store, const Session& session
                                       const std::string& person_id, const Curriculum& curriculum);
 /// The certificate with this code, among the people whose progress the session may read; capitals, spaces and
 /// hyphens of `code` do not matter. Also one that an account had before it was merged into another or another
-/// into it, while the person is proficient in its tasks. Throws AccessDenied, StoreError (also where it is
-/// not found, and people follow a version that is not at this station: it may be theirs).
+/// into it, while the person is proficient in its tasks, and one that was written while a decision on a
+/// proficiency in force declared it once more: with the days on that paper. Throws AccessDenied, StoreError
+/// (also where it is not found, and people follow a version that is not at this station: it may be theirs).
 std::optional<Certificate> find_certificate(const Store& store, const Session& session,
                                             const std::string& code, const Curriculum& curriculum);
 

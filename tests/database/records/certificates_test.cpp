@@ -146,6 +146,42 @@ TEST(Certificates, ADecisionOnAProficiencyInForceConfirmsItsCheckAndChangesNoCod
     EXPECT_EQ(made()[0].completed_at, before.completed_at);
 }
 
+TEST(Certificates, OneWrittenWhenADecisionDeclaredAProficiencyOnceMoreIsStillFound) {
+    const Curriculum curriculum = whole();
+    const auto made = [&](const Programme& programme) {
+        return certificates(*programme.store, programme.session("ann"), programme.id("ann"), curriculum)
+            .at(0);
+    };
+    // Then the day of the newest decision was that of the declaration: as where it is the only one.
+    const auto paper = [&](double again) {
+        const Programme other;
+        declare(other, "ann", {"A1"});
+        other.clock.pass_s(60);
+        declare(other, "ann", {"A3"});
+        other.clock.pass_s(again);
+        declare(other, "ann", {"A2"});
+        return made(other);
+    };
+    const Certificate first = paper(0), second = paper(3600);
+    const Programme programme;
+    declare(programme, "ann", {"A1", "A2", "A3", "A2"});
+    programme.clock.pass_s(3600 - 60);
+    declare(programme, "ann", {"A2"});
+    EXPECT_NE(made(programme).code, first.code);
+    EXPECT_NE(made(programme).code, second.code);
+    for (const Certificate& printed : {first, second}) {
+        const auto found =
+            find_certificate(*programme.store, programme.session("director"), printed.code, curriculum);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->person_id, programme.id("ann"));
+        EXPECT_EQ(found->completed_at, printed.completed_at) << "as on the paper";
+    }
+    const Programme without;
+    declare(without, "ann", {"A1", "A2", "A3"});
+    EXPECT_FALSE(find_certificate(*without.store, without.session("director"), first.code, curriculum))
+        << "nobody decided on that day";
+}
+
 TEST(Certificates, OfSomebodyWithDecisionsAloneStayWhenAVersionIsPublished) {
     const Programme programme;
     const Curriculum before = whole();
