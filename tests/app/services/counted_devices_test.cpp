@@ -62,7 +62,7 @@ TEST_F(CountedDevices, AnAssessedAttemptWithAnotherOneIsRefused) {
               "only");
 }
 
-TEST_F(CountedDevices, WhoMayBuildLimitsIsNotAskedBecauseASetIsBuiltOfSuchAttempts) {
+TEST_F(CountedDevices, AnyoneWhoMayBuildLimitsIsNotAskedBecauseASetIsBuiltOfSuchAttempts) {
     const database::test::Programme programme;
     programme.people().set_roles(programme.session("administrator"), programme.id("ann"),
                                  {database::Role::trainee, database::Role::educator});

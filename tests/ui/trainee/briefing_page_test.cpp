@@ -202,7 +202,7 @@ TEST_F(Briefing, OffersNoAssessedAttemptWithADeviceThatTheFollowedCurriculumDoes
     EXPECT_TRUE(note().contains("not part of your curriculum")) << note().toStdString();
 }
 
-TEST_F(Briefing, OffersItToWhoMayBuildLimitsAndSaysWhatItIsFor) {
+TEST_F(Briefing, OffersItToAnyoneWhoMayBuildLimitsAndSaysWhatItIsFor) {
     Curriculum haptic_only = services.curriculum();
     for (CurriculumTask& one : haptic_only.tasks)
         if (one.task == "A2") one.device_classes = {DeviceClass::haptic};
