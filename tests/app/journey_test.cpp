@@ -295,6 +295,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     bring(*find<QWidget>(window, "action_reason"));
     type(window, "action_reason", "started by mistake");
     click(window, "void_attempt");
+    bring(*find<QWidget>(window, "void_attempt_sure"));
+    click(window, "void_attempt_sure");
     ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "Voided"; }, 60000));
     wait_for_debrief();
     page.step("educator-void", "The educator voids the abandoned attempt, with a reason");

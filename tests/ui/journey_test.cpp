@@ -270,6 +270,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(shown("message_text").contains("reason"));
     type(window, "action_reason", "started by mistake");
     click(window, "void_attempt");
+    click(window, "void_attempt_sure");
     ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "Voided"; }));
     EXPECT_TRUE(shown("debrief_notes").contains("started by mistake"));
     switch_user();

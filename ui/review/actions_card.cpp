@@ -33,6 +33,9 @@ ActionsCard::ActionsCard(Context& context) : context_(context) {
     request_ = make_button(tr("Request a correction"), "request_correction");
     for (QPushButton* button : {void_, reassign_, request_}) row->add(button);
     card_layout(card)->addLayout(row);
+    // On a line of its own: in the row it would appear where the pointer has just pressed.
+    void_sure_ = make_button(tr("Void it for good"), "void_attempt_sure", "primary");
+    card_layout(card)->addWidget(void_sure_, 0, Qt::AlignLeft);
 
     right_person_row_ = new QWidget;
     auto* second = new FlowRow(right_person_row_);
@@ -48,7 +51,9 @@ ActionsCard::ActionsCard(Context& context) : context_(context) {
     second->add(confirm);
     card_layout(card)->addWidget(right_person_row_);
 
-    connect(void_, &QPushButton::clicked, this, &ActionsCard::void_attempt);
+    // Without a reason nothing would be done: then that is said at once.
+    ask_twice(void_, void_sure_, [this] { return !reason_->text().trimmed().isEmpty(); });
+    connect(void_sure_, &QPushButton::clicked, this, &ActionsCard::void_attempt);
     connect(reassign_, &QPushButton::toggled, right_person_row_, &QWidget::setVisible);
     connect(confirm, &QPushButton::clicked, this, &ActionsCard::reassign);
     connect(request_, &QPushButton::clicked, this, &ActionsCard::ask_correction);
@@ -67,6 +72,7 @@ void ActionsCard::open(const database::AttemptSummary& attempt) {
     can_reassign = can_reassign && right_person_->count() > 0;
     setVisible(can_void || can_reassign || can_ask);
     void_->setVisible(can_void);
+    void_sure_->hide();
     reassign_->setVisible(can_reassign);
     reassign_->setChecked(false);
     right_person_row_->setVisible(false);
@@ -113,6 +119,9 @@ void ActionsCard::void_attempt() {
         reason_->clear();
         context_.say(tr("The attempt is voided."));
         emit changed();
+    } else {
+        void_->setFocus();
+        void_sure_->hide();
     }
 }
 

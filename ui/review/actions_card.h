@@ -35,7 +35,7 @@ class ActionsCard : public QWidget {
     std::string attempt_id_, person_id_;
     QLabel* hint_;
     QLineEdit* reason_;
-    QPushButton *void_, *reassign_, *request_;
+    QPushButton *void_, *void_sure_, *reassign_, *request_;
     QWidget* right_person_row_;
     QComboBox* right_person_;
 };

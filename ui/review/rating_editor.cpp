@@ -6,6 +6,7 @@
 
 #include "ui/reports/rating_words.h"
 #include "ui/review/item_choice.h"
+#include "ui/style/flow_row.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -52,23 +53,25 @@ RatingEditor::RatingEditor(Context& context, QWidget* parent) : QWidget(parent),
     remark_->setTabChangesFocus(true);
     remark_->setMaximumHeight(with_text(84));
     layout->addWidget(remark_);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     hand_in_ = make_button(tr("Hand in the rating"), "rating_hand_in", "primary");
     discard_ = make_button(tr("Discard the draft"), "rating_discard");
-    row->addWidget(hand_in_);
-    row->addWidget(discard_);
-    row->addWidget(
-        make_label(tr("The draft is saved. After you hand in a rating, it cannot be changed."), "muted"), 1);
+    discard_sure_ = make_button(tr("Discard it for good"), "rating_discard_sure", "primary");
+    for (QPushButton* button : {hand_in_, discard_, discard_sure_}) row->add(button);
+    row->add(make_label(tr("The draft is saved. After you hand in a rating, it cannot be changed."), "muted"),
+             1, with_text(200));
     layout->addLayout(row);
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &RatingEditor::keep);
     connect(remark_, &QPlainTextEdit::textChanged, this, [this] {
         kept_ = false;
+        discard_sure_->hide();  // the draft is another one now
         pause_.start();
     });
     connect(hand_in_, &QPushButton::clicked, this, &RatingEditor::hand_in);
-    connect(discard_, &QPushButton::clicked, this, &RatingEditor::discard);
+    ask_twice(discard_, discard_sure_);
+    connect(discard_sure_, &QPushButton::clicked, this, &RatingEditor::discard);
     hide();
 }
 
@@ -85,6 +88,7 @@ void RatingEditor::open(const std::optional<database::RatingRow>& draft) {
         remark_->setPlainText(text(draft_->remark));
         show_total();
     }
+    discard_sure_->hide();
     pause_.stop();
     kept_ = true;
 }
@@ -105,6 +109,7 @@ void RatingEditor::build_items() {
         item->set_answer(draft_->answers[i], draft_->answered[i]);
         connect(item, &ItemChoice::chosen, this, [this] {
             kept_ = false;
+            discard_sure_->hide();
             keep();
             show_total();
         });
@@ -171,6 +176,9 @@ void RatingEditor::discard() {
     if (context_.guarded([&] { database::Ratings(context_.store()).discard(*rater_, draft_->id); })) {
         draft_.reset();
         emit discarded();
+    } else {
+        discard_->setFocus();
+        discard_sure_->hide();
     }
 }
 

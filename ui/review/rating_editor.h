@@ -51,7 +51,7 @@ class RatingEditor : public QWidget {
     QVBoxLayout* list_;
     std::vector<ItemChoice*> items_;
     QPlainTextEdit* remark_;
-    QPushButton *hand_in_, *discard_;
+    QPushButton *hand_in_, *discard_, *discard_sure_;
 };
 
 }  // namespace fulcrum::ui

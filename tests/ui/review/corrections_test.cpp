@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableWidget>
 #include <memory>
 
@@ -148,6 +149,34 @@ TEST_F(Corrections, TraineeRequestsAndEducatorReassignsToTheRightPerson) {
     act_as(*theo);
     open_debrief(theirs[0].meta.id);
     EXPECT_TRUE(shown("debrief_notes").contains("Reassigned"));
+}
+
+TEST_F(Corrections, VoidingAsksFirst) {
+    ASSERT_TRUE(become_active(*window));
+    const std::string id = record(*tara);
+    act_as(*educator);
+    open_debrief(id);
+    choose_tab(*window, "debrief_tabs", "Corrections");
+    const auto state = [&] { return database::Attempts(*services.store()).read(*educator, id).state; };
+    click(*window, "void_attempt");
+    EXPECT_TRUE(shown("message_text").contains("reason"));
+    EXPECT_FALSE(sees(*window, "void_attempt_sure")) << "there is nothing to confirm yet";
+    type(*window, "action_reason", "the camera was off");
+    click(*window, "void_attempt");
+    ASSERT_EQ(state(), AttemptState::completed) << "one press voids nothing";
+    ASSERT_TRUE(sees(*window, "void_attempt_sure"));
+    auto* first = find<QPushButton>(*window, "void_attempt");
+    auto* sure = find<QPushButton>(*window, "void_attempt_sure");
+    EXPECT_FALSE(QRect(first->mapTo(window.get(), QPoint()), first->size())
+                     .intersects(QRect(sure->mapTo(window.get(), QPoint()), sure->size())));
+    first->setFocus();
+    QTest::keyClick(first, Qt::Key_Escape);
+    EXPECT_FALSE(sees(*window, "void_attempt_sure"));
+    EXPECT_EQ(state(), AttemptState::completed);
+    click(*window, "void_attempt");
+    click(*window, "void_attempt_sure");
+    ready_debrief();
+    EXPECT_EQ(state(), AttemptState::voided);
 }
 
 TEST_F(Corrections, GateWithoutALimitIsNotAssessed) {

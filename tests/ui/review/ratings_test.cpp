@@ -365,6 +365,8 @@ TEST_F(RatingPages, ADraftSurvivesLeavingThePageAndSigningOut) {
     EXPECT_EQ(ratings().of_attempt(*ed, id).rows.at(0).blinding, database::Blinding::lifted);
     EXPECT_TRUE(find<QRadioButton>(*window, "rate_efficiency_4")->isChecked());
     click(*window, "rating_discard");
+    ASSERT_EQ(ratings().of_attempt(*ed, id).rows.size(), 1U) << "it asks first";
+    click(*window, "rating_discard_sure");
     EXPECT_FALSE(sees(*window, "rating_total"));
     EXPECT_TRUE(sees(*window, "rating_begin"));
     EXPECT_TRUE(ratings().of_attempt(*ed, id).rows.empty());

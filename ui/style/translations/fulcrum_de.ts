@@ -11569,6 +11569,10 @@
         <translation>Für ungültig erklären</translation>
     </message>
     <message>
+        <source>Void it for good</source>
+        <translation>Endgültig für ungültig erklären</translation>
+    </message>
+    <message>
         <source>Reassign …</source>
         <translation>Neu zuordnen …</translation>
     </message>
@@ -16836,6 +16840,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
     <message>
         <source>Discard the draft</source>
         <translation>Entwurf verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard it for good</source>
+        <translation>Endgültig verwerfen</translation>
     </message>
     <message>
         <source>Total: %1</source>
