@@ -181,11 +181,11 @@ QWidget* BenchmarkPage::make_saving() {
     return holder;
 }
 
-const TaskDefinition* BenchmarkPage::task() {
+const TaskDefinition* BenchmarkPage::task() const {
     return context().task(plain(tasks_->currentData().toString()));
 }
 
-BenchmarkKey BenchmarkPage::key() {
+BenchmarkKey BenchmarkPage::key() const {
     return {plain(tasks_->currentData().toString()), plain(variants_->currentData().toString()),
             static_cast<DeviceClass>(devices_->currentData().toInt()),
             plain(fidelities_->currentData().toString())};
@@ -303,16 +303,18 @@ void BenchmarkPage::keep_ticks() {
     std::set<std::string> now;
     for (const ExpertCandidate& one : chosen()) now.insert(one.person_id);
     std::set<std::string>& before = ticked_[benchmark_name(key())];
-    if (now != before) unsaved_ = true;
+    if (now != before) unsaved_.insert_or_assign(benchmark_name(key()), key());
     before = std::move(now);
     look();
 }
 
 QStringList BenchmarkPage::begun_input(Ending ending) const {
     QStringList begun = Page::begun_input(ending);
-    const bool ticked = std::any_of(ticked_.begin(), ticked_.end(),
-                                    [](const auto& of_key) { return !of_key.second.empty(); });
-    if (unsaved_ && (ticked || built_)) begun << tr("a set of limits that is being built");
+    for (const auto& [name, of] : unsaved_) {
+        const auto ticked = ticked_.find(name);
+        if ((ticked != ticked_.end() && !ticked->second.empty()) || (built_ && name == benchmark_name(key())))
+            begun << tr("a set of limits that is being built (%1)").arg(key_text(of));
+    }
     return begun;
 }
 
@@ -375,7 +377,7 @@ void BenchmarkPage::build() {
         },
         [this, built] {
             built_ = std::move(*built);
-            unsaved_ = true;
+            unsaved_.insert_or_assign(benchmark_name(key()), key());
             show_result();
         },
         tr("Building the set …"));
@@ -442,7 +444,7 @@ void BenchmarkPage::put_in_force() {
                       .arg(text(benchmark_name(set.key()))));
     note_->clear();
     ticked_.erase(benchmark_name(set.key()));
-    unsaved_ = false;
+    unsaved_.erase(benchmark_name(set.key()));
     choose_key();
 }
 
@@ -456,7 +458,7 @@ void BenchmarkPage::save() {
                               OutputFile::Existing::keep);
         }))
         return;
-    unsaved_ = false;
+    unsaved_.erase(benchmark_name(set.key()));
     context().say(
         tr("Wrote %1. Attempts are held against it once it is among the program's benchmark sets and "
            "accepted.")

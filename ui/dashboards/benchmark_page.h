@@ -49,8 +49,10 @@ class BenchmarkPage : public Page {
     QFrame* make_experts();
     QFrame* make_result();
     QWidget* make_saving();
-    const TaskDefinition* task();
-    BenchmarkKey key();
+    const TaskDefinition* task() const;
+    BenchmarkKey key() const;
+    /// Task, class of devices and what else is not usual.
+    QString key_text(const BenchmarkKey& key) const;
     void choose_task();
     void choose_key();
     void show_candidates(std::vector<ExpertCandidate> candidates);
@@ -71,7 +73,8 @@ class BenchmarkPage : public Page {
     std::vector<ExpertCandidate> candidates_;
     std::optional<Built> built_;
     std::map<std::string, std::set<std::string>> ticked_;  ///< ids of the people who are chosen for each key
-    bool unsaved_ = false;  ///< the choice or the set is neither in force nor in a file
+    /// By name: what was chosen or built for them is neither in force nor in a file.
+    std::map<std::string, BenchmarkKey> unsaved_;
     BackgroundJob* job_ = nullptr;
     JobBar* job_bar_;
     QComboBox *tasks_, *variants_, *devices_, *fidelities_;

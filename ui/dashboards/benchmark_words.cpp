@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page of building limits says about a set that was built.
+#include <QCoreApplication>
+
+#include "sim_core/scene/fidelity.h"
+#include "sim_core/scene/standard_names.h"
 #include "ui/dashboards/benchmark_page.h"
 #include "ui/dashboards/limit_rows.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
+
+QString BenchmarkPage::key_text(const BenchmarkKey& key) const {
+    QStringList parts{context().task_title(key.task), device_class_text(key.device_class)};
+    if (key.variant != standard_variant) parts << context().variant_title(key.task, key.variant);
+    const NameRow<FidelityLevel>* fidelity = find_row(fidelity_levels, key.fidelity);
+    if (fidelity != nullptr && key.fidelity != standard_fidelity)
+        parts << QCoreApplication::translate("fulcrum::fidelity", fidelity->title);
+    return join_with_dots(parts);
+}
 
 /// What was left out, and which gates the experts themselves failed.
 QStringList BenchmarkPage::explained() const {

@@ -21,12 +21,7 @@
 #include "database/store/accepted_assets.h"
 #include "database/store/audit.h"
 #include "sim_core/scene/json_document.h"
-#include "tests/database/expert_values.h"
-#include "tests/database/large_programme.h"
-#include "tests/support/own_folder.h"
-#include "tests/support/support.h"
-#include "tests/ui/fake_services.h"
-#include "tests/ui/hands.h"
+#include "tests/ui/dashboards/building_limits.h"
 #include "tests/ui/heard.h"
 #include "ui/dashboards/limit_rows.h"
 #include "ui/dashboards/limits_chart.h"
@@ -36,96 +31,6 @@
 
 namespace fulcrum::ui::window_test {
 namespace {
-
-constexpr int expert_people = 10, attempts_of_expert = 6;
-
-class BuildingLimits : public ::testing::Test {
-  protected:
-    BuildingLimits() {
-        apply_theme(*qApp, Theme::light);
-        const std::filesystem::path source = test::source_path("assets");
-        std::filesystem::create_directories(assets);
-        for (const char* part : {"benchmarks", "tasks", "scenes", "curricula", "forms", "schemas"})
-            std::filesystem::copy(source / part, assets / part, std::filesystem::copy_options::recursive);
-        qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(assets.string()));
-        set = load_benchmark((assets / "benchmarks" / "A2.json").string());
-        services = std::make_unique<FakeServices>();
-        services->open_store(false);
-        int written = 0;
-        const auto programme = database::test::make_large_programme(
-            *services->store(), expert_people, attempts_of_expert, 1, 7, {"A2"},
-            [&](database::ScoreRow& score, Random& random) {
-                // The first one is far from the others.
-                const bool outlier = written++ / attempts_of_expert == 0;
-                database::test::write_expert_values(task, set, (outlier ? 9 : 0) + random.uniform(-0.7, 0.7),
-                                                    score);
-            },
-            task.version);
-        director = programme.director;
-        const database::People people(*services->store());
-        const auto alma = people.sign_in("administrator", "correct horse battery");
-        const auto made = people.create(alma, "ed", "Ed Educator", {database::Role::educator});
-        ed = people.change_password(people.sign_in("ed", made.one_time_password), made.one_time_password,
-                                    "a long password");
-        people.set_educators(*director, programme.cohort, {ed->person_id()});
-        window = std::make_unique<MainWindow>(*services);
-        window->resize(1024, 740);
-        window->show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-        window->start();
-        QApplication::setActiveWindow(window.get());
-        open();
-    }
-    ~BuildingLimits() override {
-        window.reset();
-        before.isNull() ? qunsetenv("FULCRUM_ASSETS") : qputenv("FULCRUM_ASSETS", before);
-        use_language(Language::english);
-        apply_theme(*qApp, Theme::light);
-        apply_text_size(*qApp, 100);
-    }
-    void open() {
-        window->context().set_session(*ed);
-        // With large text the list of pages is behind a menu.
-        ASSERT_TRUE(wait_for([&] { return sees(*window, "menu") || sees(*window, "rail_benchmark"); }));
-        choose_page(*window, "rail_benchmark");
-        page = static_cast<BenchmarkPage*>(window->current_page());
-        auto* tasks = find<QComboBox>(*window, "benchmark_task");
-        tasks->setFocus();
-        QTest::keyClick(tasks, Qt::Key_Home);
-        while (tasks->currentData().toString() != "A2") QTest::keyClick(tasks, Qt::Key_Down);
-        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
-    }
-    QTableWidget* people() { return find<QTableWidget>(*window, "benchmark_people"); }
-    /// The check marks of the first `count` lines, by keyboard.
-    void choose_experts(int count) {
-        QTableWidget* table = people();
-        bring(*table);
-        table->setFocus();
-        for (int row = 0; row < count; ++row) {
-            table->setCurrentCell(row, 0);
-            QTest::keyClick(table, Qt::Key_Space);
-            ASSERT_EQ(table->item(row, 0)->checkState(), Qt::Checked);
-        }
-    }
-    void build() {
-        bring(*find<QAbstractButton>(*window, "benchmark_build"));
-        click(*window, "benchmark_build");
-        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
-    }
-    QString label(const char* name) { return find<QLabel>(*window, name)->text(); }
-    std::filesystem::path file() const { return assets / "benchmarks" / "A2.json"; }
-    void keep(const QString& name) { keep_picture(*window, "benchmark-" + name); }
-
-    test::OwnFolder folder;
-    std::filesystem::path assets = folder / "assets";
-    QByteArray before = qgetenv("FULCRUM_ASSETS");
-    TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
-    BenchmarkSet set;
-    std::unique_ptr<FakeServices> services;
-    std::optional<database::Session> director, ed;
-    std::unique_ptr<MainWindow> window;
-    BenchmarkPage* page = nullptr;
-};
 
 TEST_F(BuildingLimits, ASetIsBuiltReadAndPutInForce) {
     ASSERT_EQ(people()->rowCount(), expert_people);
@@ -368,46 +273,6 @@ TEST_F(BuildingLimits, CanBeStoppedAndLeft) {
     open();
     EXPECT_FALSE(sees(*window, "benchmark_verdict"));
     EXPECT_EQ(people()->item(0, 0)->checkState(), Qt::Checked) << "what was chosen stays";
-}
-
-TEST_F(BuildingLimits, WhatWasBegunStaysAndIsNamedBeforeItIsLost) {
-    const OutlivesItsWindows outlives;
-    choose_experts(3);
-    auto* tasks = find<QComboBox>(*window, "benchmark_task");
-    tasks->setFocus();
-    QTest::keyClick(tasks, Qt::Key_Down);
-    ASSERT_NE(tasks->currentData().toString(), "A2");
-    ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
-    const auto expect_chosen = [&](const char* after) {
-        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
-        ASSERT_EQ(people()->rowCount(), expert_people) << after;
-        for (int row = 0; row < expert_people; ++row)
-            EXPECT_EQ(people()->item(row, 0)->checkState() == Qt::Checked, row < 3) << after << row;
-    };
-    QTest::keyClick(tasks, Qt::Key_Up);
-    expect_chosen("another task and back");
-    choose_page(*window, "rail_limits");
-    choose_page(*window, "rail_benchmark");
-    expect_chosen("another page and back");
-    EXPECT_FALSE(window->close());
-    EXPECT_TRUE(label("question_words").endsWith(": a set of limits that is being built."))
-        << label("question_words").toStdString();
-    click(*window, "question_no");
-    emit window->context().switch_user_wanted();
-    EXPECT_TRUE(window->context().signed_in());
-    click(*window, "question_no");
-    for (int row = 3; row < expert_people; ++row) {
-        people()->setCurrentCell(row, 0);
-        QTest::keyClick(people(), Qt::Key_Space);
-    }
-    build();
-    choose_page(*window, "rail_limits");
-    choose_page(*window, "rail_benchmark");
-    EXPECT_TRUE(sees(*window, "benchmark_verdict")) << "the set is still there";
-    bring(*find<QLineEdit>(*window, "benchmark_path"));
-    type(*window, "benchmark_path", QString::fromStdString((folder / "A2-new.json").string()));
-    click(*window, "benchmark_save");
-    EXPECT_TRUE(window->close()) << "a file has it: " << label("message_text").toStdString();
 }
 
 TEST_F(BuildingLimits, AreForEducatorsOnly) {

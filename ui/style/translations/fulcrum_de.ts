@@ -12095,8 +12095,8 @@ und %1 weitere</translation>
         <translation>%1 geschrieben. Versuche werden daran gemessen, sobald der Satz bei den Grenzwerten des Programms liegt und angenommen ist.</translation>
     </message>
     <message>
-        <source>a set of limits that is being built</source>
-        <translation>ein Satz von Grenzwerten, der gebildet wird</translation>
+        <source>a set of limits that is being built (%1)</source>
+        <translation>ein Satz von Grenzwerten, der gebildet wird (%1)</translation>
     </message>
 </context>
 <context>
