@@ -63,6 +63,10 @@ ToRatePage::ToRatePage(Context& context) : Page(context, "to_rate_page") {
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body));
     reading_ = new StoreReading(context, this);
+    connect(&context, &Context::rating_handed_in, this,
+            [this](const QString& attempt_id) { note_handed_in(plain(attempt_id)); });
+    connect(&context, &Context::attempt_voided, this,
+            [this](const QString& attempt_id) { note_voided(plain(attempt_id)); });
 }
 
 void ToRatePage::enter() {
@@ -149,6 +153,23 @@ void ToRatePage::fill() {
     count_->setText(awaited == 0
                         ? tr("%n attempts", nullptr, table_->rowCount())
                         : tr("%n attempts, %1 awaiting rating", nullptr, table_->rowCount()).arg(awaited));
+}
+
+void ToRatePage::note_handed_in(const std::string& attempt_id) {
+    for (RatableAttempt& one : all_) {
+        if (one.attempt_id != attempt_id) continue;
+        ++one.handed_in;
+        ++one.own_handed_in;
+        one.own_draft = one.blind = false;  // name and score are shown from then on
+    }
+    fill();
+}
+
+void ToRatePage::note_voided(const std::string& attempt_id) {
+    all_.erase(std::remove_if(all_.begin(), all_.end(),
+                              [&](const RatableAttempt& one) { return one.attempt_id == attempt_id; }),
+               all_.end());
+    fill();
 }
 
 void ToRatePage::open_row(int row) {

@@ -4,6 +4,7 @@
 // one here can rate it blind.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "database/records/ratings.h"
@@ -34,6 +35,9 @@ class ToRatePage : public Page {
     /// All that were read, or those alone that are not rated yet.
     void fill();
     void open_row(int row);
+    /// Were changed here since they were read.
+    void note_handed_in(const std::string& attempt_id);
+    void note_voided(const std::string& attempt_id);
 
     std::vector<database::RatableAttempt> all_, attempts_;  ///< as read; a row each
     QCheckBox* rated_;

@@ -81,6 +81,10 @@ class Context : public QObject {
     void compare_wanted(const QString& attempt_id);
     /// The debrief without name and score, to rate the attempt blind.
     void rating_wanted(const QString& attempt_id);
+    /// Who is signed in has handed in a form of it; it was voided or reassigned here. A page that is not
+    /// shown need not be read again to leave it out.
+    void rating_handed_in(const QString& attempt_id);
+    void attempt_voided(const QString& attempt_id);
     void progress_wanted(const QString& person_id, const QString& task_id);
     /// The page that explains the metrics, at this one; from there back to a moment of an attempt ("": none).
     void metric_wanted(const QString& metric_id, const QString& attempt_id, double time_s);

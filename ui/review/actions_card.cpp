@@ -118,6 +118,7 @@ void ActionsCard::void_attempt() {
         })) {
         reason_->clear();
         context_.say(tr("The attempt is voided."));
+        emit context_.attempt_voided(text(attempt_id_));
         emit changed();
     } else {
         void_->setFocus();
@@ -135,6 +136,7 @@ void ActionsCard::reassign() {
         })) {
         reason_->clear();
         context_.say(tr("Reassigned to %1; this record is voided.").arg(name));
+        emit context_.attempt_voided(text(attempt_id_));
         emit changed();
     }
 }

@@ -50,6 +50,7 @@ RatingsCard::RatingsCard(Context& context, QWidget* parent) : QFrame(parent), co
     layout->addWidget(editor_);
     connect(editor_, &RatingEditor::handed_in, this, [this] {
         context_.say(tr("The rating is handed in."));
+        emit context_.rating_handed_in(text(attempt_.meta.id));
         emit handed_in();
     });
     connect(editor_, &RatingEditor::discarded, this, [this] {
