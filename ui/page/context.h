@@ -116,6 +116,9 @@ class Page : public QWidget {
     explicit Page(Context& context, const char* name);
     virtual void enter() {}
     virtual void leave() {}
+    /// After a lock. `used`: the control of the page that had the keyboard before; null where there is none
+    /// any longer.
+    virtual void take_keyboard(QWidget* used) { (used != nullptr ? used : this)->setFocus(); }
     /// With another language or text size the pages are made again; a sign-out ends the session; the window
     /// ends. Each ends what those before it end.
     enum class Ending { pages, session, window };

@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QStackedWidget>
 #include <QWindow>
+#include <algorithm>
 #include <typeinfo>
 
 #include "database/records/curricula.h"
@@ -439,6 +440,7 @@ void MainWindow::show_sign_in() {
 void MainWindow::lock() {
     question_->take_back();
     used_before_lock_ = focusWidget();
+    used_name_ = used_before_lock_ != nullptr ? used_before_lock_->objectName() : QString();
     if (TheatrePage* theatre = running_theatre()) theatre->pause();
     keep_comment();
     message_area_->hide();
@@ -454,13 +456,21 @@ void MainWindow::unlock() {
         announce(message_area_, message_text_->text());
         if (message_->property("role").toString() == QLatin1String("message")) message_timer_.start();
     }
-    QWidget* const used = used_before_lock_;
+    Page* const shown = current_page();
+    if (shown == nullptr) return;
+    const auto usable = [shown](const QWidget* one) {
+        return one->isVisible() && one->isEnabled() && shown->isAncestorOf(one);
+    };
+    QWidget* used = used_before_lock_;
+    if (used == nullptr || !usable(used)) {
+        used = nullptr;
+        // What was read behind the lock may have put another one with its name in its place.
+        const QList<QWidget*> same = shown->findChildren<QWidget*>(used_name_);
+        const auto found = std::find_if(same.begin(), same.end(), usable);
+        if (!used_name_.isEmpty() && found != same.end()) used = *found;
+    }
     // The theatre asks what is to happen next, also where the lock closed its attempt.
-    const bool in_theatre = qobject_cast<TheatrePage*>(current_page()) != nullptr;
-    if (!in_theatre && used != nullptr && used->isVisible() && current_page()->isAncestorOf(used))
-        used->setFocus();
-    else if (current_page() != nullptr)
-        current_page()->setFocus();
+    shown->take_keyboard(qobject_cast<TheatrePage*>(shown) != nullptr ? nullptr : used);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -147,6 +147,7 @@ class MainWindow : public QMainWindow {
     bool fitted_ = false;   ///< to the screen, with its real frame
     bool closing_ = false;  ///< although something was begun
     QPointer<QWidget> used_before_lock_;
+    QString used_name_;  ///< its name: the page may be filled again behind the lock
     LockPage* lock_page_ = nullptr;
 };
 

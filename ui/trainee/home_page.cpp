@@ -96,8 +96,8 @@ void HomePage::enter() {
     greeting_->setText(tr("Hello, %1").arg(text(session.display_name())));
     goals_->show_person(session.person_id());
     fill_interrupted();
-    if (go_ != nullptr) go_->setFocus();
-    used_before_ = window()->focusWidget();
+    // Behind the lock the keyboard is the lock's.
+    if (go_ != nullptr && go_->isVisible()) go_->setFocus();
     load();
 }
 
@@ -105,18 +105,32 @@ void HomePage::leave() {
     reading_->stop();
 }
 
-void HomePage::load() {
-    const auto say = [this](const QString& line) {
-        clear_layout(next_);
-        QLabel* words = make_label(line, "muted");
-        words->setObjectName(QStringLiteral("home_reading"));
-        next_->addWidget(words);
-    };
-    if (content_.followed == nullptr) {
-        say(tr("Reading your attempts …"));
-        comments_card_->hide();
-        others_heading_->hide();
+// Where nobody has used the keyboard since the reading began, it is where it would be without the lock.
+void HomePage::take_keyboard(QWidget* used) {
+    QWidget* next = used;
+    if (used == nullptr || used == used_before_.data()) {
+        if (go_ != nullptr && go_->isVisible()) next = go_;
+        if (next == nullptr) next = ladder_->findChild<QPushButton*>();
     }
+    Page::take_keyboard(next != nullptr && next->isVisible() ? next : nullptr);
+    if (reading_->reads()) used_before_ = window()->focusWidget();
+}
+
+void HomePage::say(QLabel* words) {
+    clear_layout(next_);
+    go_.clear();
+    next_->addWidget(words);
+    comments_card_->hide();
+    others_heading_->hide();
+}
+
+void HomePage::load() {
+    if (content_.followed == nullptr) {
+        QLabel* words = make_label(tr("Reading your attempts …"), "muted");
+        words->setObjectName(QStringLiteral("home_reading"));
+        say(words);
+    }
+    used_before_ = window()->focusWidget();
     // Another version may be published while it is read.
     const auto newest = std::make_shared<const Curriculum>(context().services().curriculum());
     std::vector<std::string> tasks;
@@ -127,10 +141,7 @@ void HomePage::load() {
             return read_content(store, session, newest, tasks, device);
         },
         [this](HomeContent content) { show_content(std::move(content)); },
-        [this, say](const QString& why) {
-            content_ = {};
-            say(why);
-        });
+        [this](const QString& why) { show_failure(why); });
 }
 
 void HomePage::show_content(HomeContent content) {
@@ -145,6 +156,31 @@ void HomePage::show_content(HomeContent content) {
         fill_tasks();
     }
     if (untouched && go_ != nullptr) go_->setFocus();
+    if (isVisible()) used_before_.clear();
+}
+
+void HomePage::show_failure(const QString& why) {
+    const QPointer<QWidget> used = window()->focusWidget();
+    const bool untouched = used.data() == used_before_.data();
+    content_ = {};
+    QLabel* words = make_label(tr("Your attempts could not be read: %1").arg(why));
+    words->setObjectName(QStringLiteral("home_failed"));
+    set_tint(words, Tint::bad);
+    say(words);
+    ladder_->set_stages({});
+    clear_layout(cards_);
+    next_->addWidget(make_label(tr("Your tasks appear here once they are read. If trying again does not "
+                                   "help, ask an administrator to check the store (page Station)."),
+                                "muted"));
+    QPushButton* again = make_button(tr("Try again"), "home_again", "primary");
+    connect(again, &QPushButton::clicked, this, [this] {
+        setFocus();  // the button is removed now, and the next control is not what was meant
+        load();
+    });
+    next_->addWidget(again, 0, Qt::AlignLeft);
+    go_ = again;
+    if (isVisible() && (untouched || used == nullptr || !used->isVisible())) again->setFocus();
+    if (isVisible()) used_before_.clear();
 }
 
 /// Leads to what the remedy asks for.

@@ -45,11 +45,15 @@ class HomePage : public Page {
     explicit HomePage(Context& context);
     void enter() override;
     void leave() override;
+    void take_keyboard(QWidget* used) override;
 
   private:
     /// Reads in the background; what is shown stays until then.
     void load();
     void show_content(HomeContent content);
+    /// With why; tasks as they were read before would look current.
+    void show_failure(const QString& why);
+    void say(QLabel* words);
     void fill_next();
     QPushButton* remedy_button(const Recommendation& next, const std::string& latest_attempt);
     void fill_interrupted();
@@ -67,8 +71,8 @@ class HomePage : public Page {
     QGridLayout* cards_;
     StoreReading* reading_;
     HomeContent content_;            ///< `followed` is null until it was read
-    QPointer<QPushButton> go_;       ///< leads to what is recommended
-    QPointer<QWidget> used_before_;  ///< had the keyboard when the page was entered
+    QPointer<QPushButton> go_;       ///< leads to what is recommended, or reads again what could not be read
+    QPointer<QWidget> used_before_;  ///< had the keyboard when the reading began that has not ended
 };
 
 }  // namespace fulcrum::ui

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QPushButton>
 
+#include "database/rows/connection.h"
 #include "tests/ui/held_work.h"
 #include "tests/ui/screens.h"
 #include "ui/language/language.h"
@@ -24,6 +25,15 @@ class ReadingHome : public Screens {
     void activate() { ASSERT_TRUE(become_active(*window)); }
     QString used() {
         return window->focusWidget() == nullptr ? QString() : window->focusWidget()->objectName();
+    }
+    void lock() {
+        QMetaObject::invokeMethod(window->findChild<IdleWatch*>(), "lock");
+        ASSERT_TRUE(sees(*window, "unlock_password"));
+    }
+    void unlock() {
+        type(*window, "unlock_password", "a long password");
+        click(*window, "unlock");
+        ASSERT_TRUE(wait_for([&] { return !sees(*window, "unlock_password"); }));
     }
 };
 
@@ -101,6 +111,87 @@ TEST_F(ReadingHome, EndsWithThePageTheSessionAndTheLanguage) {
     settle();
     EXPECT_EQ(window->focusWidget(), locked) << "not by what was read behind the lock";
     EXPECT_NE(window->findChild<QPushButton*>("next_briefing"), nullptr);
+}
+
+TEST_F(ReadingHome, ThatFailsLeavesNoTasksAndCanBeTriedAgain) {
+    open(QSize(1280, 800));
+    sign_in(Role::trainee);
+    activate();
+    ASSERT_TRUE(sees(*window, "briefing_A2"));
+    services.store()->connection().execute("ALTER TABLE comment RENAME TO comment_away");
+    go_to("rail_home");
+    for (const char* old : {"briefing_A2", "next_briefing", "next_reason", "home_reading"})
+        EXPECT_FALSE(sees(*window, old)) << old;
+    EXPECT_TRUE(find<QLabel>(*window, "home_failed")->text().startsWith("Your attempts could not be read: "));
+    EXPECT_EQ(used(), "home_again");
+    {
+        HeldWork held;
+        QTest::keyClick(window->focusWidget(), Qt::Key_Return);
+        QCoreApplication::processEvents();
+        EXPECT_TRUE(sees(*window, "home_reading"));
+        EXPECT_FALSE(sees(*window, "home_failed"));
+        held.release();
+        settle();
+    }
+    EXPECT_TRUE(sees(*window, "home_failed")) << "it fails again";
+    EXPECT_EQ(used(), "home_again");
+    lock();
+    unlock();
+    EXPECT_EQ(used(), "home_again");
+    services.store()->connection().execute("ALTER TABLE comment_away RENAME TO comment");
+    QTest::keyClick(window->focusWidget(), Qt::Key_Return);
+    settle();
+    EXPECT_FALSE(sees(*window, "home_failed"));
+    EXPECT_TRUE(sees(*window, "briefing_A2"));
+    EXPECT_EQ(used(), "next_briefing");
+}
+
+TEST_F(ReadingHome, BehindALockTheKeyboardComesBackToWhatReplacesItsControl) {
+    open(QSize(1280, 800));
+    activate();
+    {
+        HeldWork held;
+        sign_in_now();
+        lock();
+        held.release();
+        settle();
+    }
+    unlock();
+    EXPECT_EQ(used(), "next_briefing") << "nothing of the page had the keyboard";
+    {
+        HeldWork held;
+        go_to_now("rail_home");
+        find<QPushButton>(*window, "briefing_A2")->setFocus();
+        lock();
+        held.release();
+        settle();
+    }
+    unlock();
+    EXPECT_EQ(used(), "briefing_A2");
+    lock();
+    unlock();
+    EXPECT_EQ(used(), "briefing_A2");
+    window->context().sign_out();
+    HeldWork held;
+    sign_in_now();
+    lock();
+    QMetaObject::invokeMethod(window->findChild<QWidget*>("lock_page"), "unlocked");
+    ASSERT_FALSE(sees(*window, "unlock_password"));
+    held.release();
+    settle();
+    EXPECT_EQ(used(), "next_briefing") << "read after the lock";
+}
+
+TEST_F(ReadingHome, InterruptedAttemptsThatAreScoredBehindTheLockLeaveItTheKeyboard) {
+    open(QSize(1280, 800));
+    sign_in(Role::trainee);
+    activate();
+    ASSERT_TRUE(sees(*window, "next_briefing"));
+    lock();
+    emit window->context().interrupted_scored();
+    EXPECT_EQ(used(), "unlock_password");
+    settle();
+    EXPECT_EQ(used(), "unlock_password");
 }
 
 TEST_F(ReadingHome, ProgressIsReadInTheBackgroundAndTheMetricStaysChosen) {

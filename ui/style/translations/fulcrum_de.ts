@@ -14698,6 +14698,18 @@ Kennzahlen: %2</translation>
         <translation>Ihre Versuche werden gelesen …</translation>
     </message>
     <message>
+        <source>Your attempts could not be read: %1</source>
+        <translation>Ihre Versuche konnten nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Your tasks appear here once they are read. If trying again does not help, ask an administrator to check the store (page Station).</source>
+        <translation>Ihre Aufgaben erscheinen hier, sobald sie gelesen sind. Hilft es nicht, es noch einmal zu versuchen, bitten Sie einen Administrator, den Datenbestand zu prüfen (Seite Station).</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
         <source>Other exercises</source>
         <translation>Weitere Aufgaben</translation>
     </message>
