@@ -56,6 +56,17 @@ class Context : public QObject {
     const std::vector<InterruptedScore>& interrupted() const { return interrupted_; }
     /// Asks for those scores on a thread of its own; interrupted_scored() follows if there were any.
     void score_interrupted();
+    /// Another text size or language, where one was chosen.
+    struct Look {
+        std::optional<int> text_percent;
+        std::optional<Language> language;
+    };
+    /// That was chosen while the window asks whether the pages may be made again for it.
+    const Look& asked_look() const { return asked_look_; }
+    void set_asked_look(const Look& look) {
+        asked_look_ = look;
+        emit appearance_changed();
+    }
     /// Devices other than mouse and keyboard report their activity here, so that the window does not lock.
     void note_input() { emit input_seen(); }
 
@@ -91,7 +102,8 @@ class Context : public QObject {
     void switch_user_wanted();
     /// A backup is to take the store's place.
     void restore_wanted();
-    /// From the page of settings; appearance_changed() follows once the window has it.
+    /// From the page of settings, also of what is in use; appearance_changed() follows once the window has
+    /// it, or asks about it.
     void theme_wanted(fulcrum::ui::Theme theme);
     void text_size_wanted(int percent);
     void language_wanted(fulcrum::ui::Language language);
@@ -102,6 +114,7 @@ class Context : public QObject {
     std::optional<database::Session> session_;
     std::vector<InterruptedScore> interrupted_;
     BackgroundJob* scoring_ = nullptr;
+    Look asked_look_;
 };
 
 /// What a person types here is for nothing unless it is used: Page::begun_input() then has `what`, such as

@@ -169,10 +169,14 @@ void MainWindow::connect_context() {
     });
     connect(&context_, &Context::theme_wanted, this, &MainWindow::set_theme);
     connect(&context_, &Context::text_size_wanted, this, [this](int percent) {
-        unless_begun(Page::Ending::pages, [this, percent] { set_text_size(percent); });
+        Context::Look look = context_.asked_look();
+        look.text_percent = percent;
+        ask_look(look);
     });
     connect(&context_, &Context::language_wanted, this, [this](Language language) {
-        unless_begun(Page::Ending::pages, [this, language] { set_language(language); });
+        Context::Look look = context_.asked_look();
+        look.language = language;
+        ask_look(look);
     });
 }
 
@@ -264,21 +268,6 @@ void MainWindow::set_theme(Theme theme) {
     theme_->setText(theme_title(theme == Theme::light ? Theme::dark : Theme::light));
     theme_->setAccessibleName(theme_->text());
     update();
-    emit context_.appearance_changed();
-}
-
-void MainWindow::set_text_size(int percent) {
-    apply_text_size(*qApp, percent);
-    store_text_percent(percent);
-    rebuild();
-    emit context_.appearance_changed();
-}
-
-void MainWindow::set_language(Language language) {
-    use_language(language);
-    store_language(language);
-    unsetLocale();  // what is made from now on writes dates and numbers as the language does
-    rebuild();
     emit context_.appearance_changed();
 }
 

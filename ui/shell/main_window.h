@@ -111,6 +111,9 @@ class MainWindow : public QMainWindow {
     QStringList begun_input(Page::Ending ending) const;
     /// Does it; where somebody has begun something that it would end, only after a question.
     void unless_begun(Page::Ending ending, const std::function<void()>& end);
+    /// All that was chosen and not answered yet; what is in use is no change.
+    void ask_look(Context::Look look);
+    void use_look(const Context::Look& look);
     void lock();
     void unlock();
     void show_message(const QString& line, bool is_error);

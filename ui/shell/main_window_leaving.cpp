@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ends or replaces pages: another role, a sign-out, the end of the window. Each is asked about first
 // where something that somebody has begun would be lost by it.
+#include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QStackedWidget>
 
 #include "database/records/people.h"
+#include "ui/language/language.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/question_bar.h"
+#include "ui/style/appearance.h"
 #include "ui/style/text.h"
 #include "ui/theatre/theatre_page.h"
 
@@ -71,7 +74,7 @@ void MainWindow::unless_begun(Page::Ending ending, const std::function<void()>& 
         case Page::Ending::pages:
             question.words = tr("Not saved yet, and lost when the pages are made again for this: %1.");
             question.yes = tr("Change it and lose that");
-            question.on_no = [this] { emit context_.appearance_changed(); };
+            question.on_no = [this] { context_.set_asked_look({}); };
             break;
         case Page::Ending::session:
             question.words = tr("Not saved yet, and lost at the sign-out: %1.");
@@ -86,6 +89,37 @@ void MainWindow::unless_begun(Page::Ending ending, const std::function<void()>& 
     // From the task bar the window may be closed while nobody sees it.
     if (isMinimized()) setWindowState((windowState() & ~Qt::WindowMinimized) | Qt::WindowActive);
     question_->ask(question, QuestionBar::Keyboard::comes);
+}
+
+void MainWindow::ask_look(Context::Look look) {
+    if (look.text_percent == text_percent()) look.text_percent.reset();
+    if (look.language == language_in_use()) look.language.reset();
+    question_->take_back();  // it was about what was chosen before
+    context_.set_asked_look(look);
+    if (look.text_percent || look.language)
+        unless_begun(Page::Ending::pages, [this, look] { use_look(look); });
+}
+
+void MainWindow::use_look(const Context::Look& look) {
+    if (look.text_percent) {
+        apply_text_size(*qApp, *look.text_percent);
+        store_text_percent(*look.text_percent);
+    }
+    if (look.language) {
+        use_language(*look.language);
+        store_language(*look.language);
+        unsetLocale();  // what is made from now on writes dates and numbers as the language does
+    }
+    rebuild();
+    context_.set_asked_look({});
+}
+
+void MainWindow::set_text_size(int percent) {
+    use_look({percent, {}});
+}
+
+void MainWindow::set_language(Language language) {
+    use_look({{}, language});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

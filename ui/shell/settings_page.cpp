@@ -86,8 +86,7 @@ QFrame* SettingsPage::build_appearance() {
     grid->addWidget(make_row_title(tr("Text size"), text_size_), 1, 0);
     grid->addWidget(text_size_, 1, 1, Qt::AlignLeft);
     connect(text_size_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-        const int percent = text_size_->itemData(index).toInt();
-        if (percent != text_percent()) emit this->context().text_size_wanted(percent);
+        emit this->context().text_size_wanted(text_size_->itemData(index).toInt());
     });
     card_layout(card)->addLayout(grid);
     card_layout(card)->addWidget(make_label(
@@ -110,10 +109,8 @@ QFrame* SettingsPage::build_language() {
             make_label(tr("The environment variable FULCRUM_LANGUAGE chooses the language of this station. "
                           "Start Fulcrum without it to choose here."),
                        "muted"));
-    connect(language_, &QButtonGroup::idClicked, this, [this](int id) {
-        const auto language = static_cast<Language>(id);
-        if (language != language_in_use()) emit this->context().language_wanted(language);
-    });
+    connect(language_, &QButtonGroup::idClicked, this,
+            [this](int id) { emit this->context().language_wanted(static_cast<Language>(id)); });
     return card;
 }
 
@@ -124,8 +121,9 @@ void SettingsPage::enter() {
 
 void SettingsPage::show_choices() {
     theme_->button(static_cast<int>(current_theme()))->setChecked(true);
-    text_size_->setCurrentIndex(text_size_->findData(text_percent()));
-    language_->button(static_cast<int>(language_in_use()))->setChecked(true);
+    const Context::Look& asked = context().asked_look();
+    text_size_->setCurrentIndex(text_size_->findData(asked.text_percent.value_or(text_percent())));
+    language_->button(static_cast<int>(asked.language.value_or(language_in_use())))->setChecked(true);
 }
 
 }  // namespace fulcrum::ui

@@ -20,7 +20,7 @@ class SettingsPage : public Page {
   private:
     QFrame* build_appearance();
     QFrame* build_language();
-    /// Shows what is in use, whoever changed it.
+    /// Shows what is in use, whoever changed it, or what the window asks about.
     void show_choices();
     QButtonGroup *theme_, *language_;
     QComboBox* text_size_;
