@@ -248,6 +248,7 @@ void BenchmarkPage::run(std::function<void(const database::Store&, const std::fu
 
 void BenchmarkPage::choose_key() {
     built_.reset();
+    known_ = false;
     result_->hide();
     show_candidates({});
     show_left(std::nullopt);
@@ -264,6 +265,7 @@ void BenchmarkPage::choose_key() {
             found->in_force = readable_set(key);
         },
         [this, found] {
+            known_ = true;
             show_left(found->in_force);
             show_candidates(std::move(found->candidates));
         },
@@ -333,9 +335,9 @@ void BenchmarkPage::look() {
         return one.counted() >= least().minimum_attempts;
     });
     if (candidates_.empty()) {
-        count_->setText(job_ != nullptr
-                            ? QString()
-                            : tr("Nobody has an assessed and completed attempt of this kind here."));
+        count_->setText(job_ != nullptr ? QString()
+                        : known_ ? tr("Nobody has an assessed and completed attempt of this kind here.")
+                                 : tr("The attempts were not read. Choose the task again to read them."));
     } else {
         count_->setText(
             tr("Chosen: %1, of them with at least %2 counted attempts: %3. At least %4 are needed.")

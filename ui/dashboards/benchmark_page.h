@@ -71,6 +71,7 @@ class BenchmarkPage : public Page {
              std::function<void()> done, const QString& line);
 
     std::vector<ExpertCandidate> candidates_;
+    bool known_ = false;  ///< whose attempts there are; else reading them failed, was stopped or runs
     std::optional<Built> built_;
     std::map<std::string, std::set<std::string>> ticked_;  ///< ids of the people who are chosen for each key
     /// By name: what was chosen or built for them is neither in force nor in a file.

@@ -98,12 +98,13 @@ void ToRatePage::load() {
         },
         [this](std::vector<RatableAttempt> found) {
             all_ = std::move(found);
+            failed_.clear();
             fill();
         },
         [this](const QString& why) {
             all_.clear();
+            failed_ = why;
             fill();
-            count_->setText(why);
         });
 }
 
@@ -150,9 +151,12 @@ void ToRatePage::fill() {
     open_->setEnabled(table_->rowCount() > 0);
     const auto awaited = std::count_if(attempts_.begin(), attempts_.end(),
                                        [](const RatableAttempt& one) { return one.awaited; });
-    count_->setText(awaited == 0
-                        ? tr("%n attempts", nullptr, table_->rowCount())
-                        : tr("%n attempts, %1 awaiting rating", nullptr, table_->rowCount()).arg(awaited));
+    if (!failed_.isEmpty())
+        count_->setText(failed_);
+    else if (awaited == 0)
+        count_->setText(tr("%n attempts", nullptr, table_->rowCount()));
+    else
+        count_->setText(tr("%n attempts, %1 awaiting rating", nullptr, table_->rowCount()).arg(awaited));
 }
 
 void ToRatePage::note_handed_in(const std::string& attempt_id) {

@@ -40,6 +40,7 @@ class ToRatePage : public Page {
     void note_voided(const std::string& attempt_id);
 
     std::vector<database::RatableAttempt> all_, attempts_;  ///< as read; a row each
+    QString failed_;                                        ///< why they could not be read; empty: they could
     QCheckBox* rated_;
     QLabel* count_;
     QTableWidget* table_;

@@ -275,6 +275,24 @@ TEST_F(BuildingLimits, CanBeStoppedAndLeft) {
     EXPECT_EQ(people()->item(0, 0)->checkState(), Qt::Checked) << "what was chosen stays";
 }
 
+TEST_F(BuildingLimits, ThatWereNotReadDoNotSayThatNobodyHasAttempts) {
+    const auto choose_again = [&] {
+        auto* devices = find<QComboBox>(*window, "benchmark_device");
+        devices->setFocus();
+        QTest::keyClick(devices, Qt::Key_End);
+        QTest::keyClick(devices, Qt::Key_Home);
+        ASSERT_TRUE(wait_for([&] { return page->is_ready(); }));
+    };
+    services->store()->connection().execute("ALTER TABLE attempt_void RENAME TO attempt_void_away");
+    choose_again();
+    EXPECT_EQ(people()->rowCount(), 0);
+    EXPECT_EQ(label("benchmark_count"), "The attempts were not read. Choose the task again to read them.");
+    services->store()->connection().execute("ALTER TABLE attempt_void_away RENAME TO attempt_void");
+    choose_again();
+    EXPECT_EQ(people()->rowCount(), expert_people);
+    EXPECT_TRUE(label("benchmark_count").startsWith("Chosen: 0")) << label("benchmark_count").toStdString();
+}
+
 TEST_F(BuildingLimits, AreForEducatorsOnly) {
     window->context().set_session(*director);
     EXPECT_TRUE(wait_for([&] { return sees(*window, "rail_limits"); }));

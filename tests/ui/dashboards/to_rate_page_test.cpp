@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "database/rows/connection.h"
 #include "tests/ui/held_work.h"
 #include "tests/ui/screens.h"
 
@@ -49,6 +50,22 @@ TEST_F(ToRate, AnAttemptThatWasRatedIsGoneAtOnce) {
     check(*window, "to_rate_rated");
     ASSERT_EQ(rows(), 1);
     EXPECT_EQ(find<QTableWidget>(*window, "to_rate_table")->item(0, 6)->text(), "1");
+}
+
+TEST_F(ToRate, AListThatCouldNotBeReadIsNotAnEmptyOne) {
+    open_list();
+    const auto count = [&] { return find<QLabel>(*window, "to_rate_count")->text(); };
+    services.store()->connection().execute("ALTER TABLE rating RENAME TO rating_away");
+    go_to("rail_rate");
+    EXPECT_EQ(rows(), 0);
+    const QString why = count();
+    EXPECT_FALSE(why.contains("0 attempts")) << why.toStdString();
+    check(*window, "to_rate_rated");
+    EXPECT_EQ(count(), why) << "the choice reads nothing";
+    services.store()->connection().execute("ALTER TABLE rating_away RENAME TO rating");
+    go_to("rail_rate");
+    EXPECT_EQ(rows(), 1);
+    EXPECT_NE(count(), why);
 }
 
 TEST_F(ToRate, AnAttemptThatWasVoidedIsGoneAtOnce) {

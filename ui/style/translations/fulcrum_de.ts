@@ -12095,6 +12095,10 @@ und %1 weitere</translation>
         <translation>%1 geschrieben. Versuche werden daran gemessen, sobald der Satz bei den Grenzwerten des Programms liegt und angenommen ist.</translation>
     </message>
     <message>
+        <source>The attempts were not read. Choose the task again to read them.</source>
+        <translation>Die Versuche wurden nicht gelesen. Wählen Sie die Aufgabe noch einmal, um sie zu lesen.</translation>
+    </message>
+    <message>
         <source>a set of limits that is being built (%1)</source>
         <translation>ein Satz von Grenzwerten, der gebildet wird (%1)</translation>
     </message>
