@@ -137,8 +137,10 @@ void MainWindow::connect_context() {
         if (page<TheatrePage>()->take_over(std::move(from))) show_page(page<TheatrePage>());
     });
     connect(&context_, &Context::interrupted_scored, this, [this] {
-        const KeptFocus focus(current_page());
-        if (typeid(*current_page()) == typeid(HomePage)) current_page()->enter();
+        auto* home = qobject_cast<HomePage*>(current_page());
+        if (home == nullptr) return;
+        const KeptFocus focus(home);
+        home->show_scored();
     });
     connect(&context_, &Context::debrief_wanted, this, [this](const QString& attempt_id, double time_s) {
         page<DebriefPage>()->open(plain(attempt_id), time_s);

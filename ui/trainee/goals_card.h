@@ -26,6 +26,8 @@ class GoalsCard : public QWidget {
     GoalsCard(Context& context, bool own);
     /// Hidden where the session may not read them, and where there is nothing to read or to set.
     void show_person(const std::string& person_id);
+    /// Somebody sets or changes a goal.
+    bool is_edited() const { return editor_ != nullptr && !editor_->isHidden(); }
 
   private:
     QWidget* make_editor();

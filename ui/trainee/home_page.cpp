@@ -101,6 +101,15 @@ void HomePage::enter() {
     load();
 }
 
+void HomePage::show_scored() {
+    fill_interrupted();
+    if (!goals_->is_edited()) goals_->show_person(context().session().person_id());
+    // Not where it is now, which somebody may have chosen.
+    const QPointer<QWidget> before = used_before_;
+    load();
+    used_before_ = before;
+}
+
 void HomePage::leave() {
     reading_->stop();
 }

@@ -46,6 +46,8 @@ class HomePage : public Page {
     void enter() override;
     void leave() override;
     void take_keyboard(QWidget* used) override;
+    /// Attempts were scored in the background: what somebody does on the page stays.
+    void show_scored();
 
   private:
     /// Reads in the background; what is shown stays until then.

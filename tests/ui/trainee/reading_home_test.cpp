@@ -194,6 +194,23 @@ TEST_F(ReadingHome, InterruptedAttemptsThatAreScoredBehindTheLockLeaveItTheKeybo
     EXPECT_EQ(used(), "unlock_password");
 }
 
+TEST_F(ReadingHome, InterruptedAttemptsThatAreScoredLeaveAGoalThatIsBeingSet) {
+    open(QSize(1280, 800));
+    sign_in(Role::trainee);
+    activate();
+    click(*window, "set_goal");
+    ASSERT_TRUE(sees(*window, "goal_kind"));
+    EXPECT_EQ(used(), "goal_kind");
+    emit window->context().interrupted_scored();
+    settle();
+    EXPECT_TRUE(sees(*window, "goal_kind"));
+    EXPECT_EQ(used(), "goal_kind");
+    find<QPushButton>(*window, "briefing_A2")->setFocus();
+    emit window->context().interrupted_scored();
+    settle();
+    EXPECT_EQ(used(), "briefing_A2") << "the keyboard stays, too";
+}
+
 TEST_F(ReadingHome, ProgressIsReadInTheBackgroundAndTheMetricStaysChosen) {
     open(QSize(1280, 800));
     perform();
