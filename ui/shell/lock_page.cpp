@@ -6,7 +6,6 @@
 #include <QLineEdit>
 
 #include "database/records/people.h"
-#include "ui/page/background_job.h"
 #include "ui/shell/sign_in_page.h"
 #include "ui/style/announce.h"
 #include "ui/style/palette.h"
@@ -68,6 +67,10 @@ LockPage::LockPage(Context& context) : Page(context, "lock_page") {
     connect(other_, &QPushButton::clicked, this, &LockPage::switch_user);
     connect(unlock_, &QPushButton::clicked, this, &LockPage::unlock);
     connect(password_, &QLineEdit::returnPressed, this, &LockPage::unlock);
+    // Of somebody who has signed out, it unlocks nothing any longer.
+    connect(&context, &Context::session_changed, this, [this] {
+        if (checking_ != nullptr) checking_->cancel();
+    });
 }
 
 void LockPage::enter() {
@@ -108,6 +111,7 @@ void LockPage::unlock() {
             password_->clear();
             password_->setFocus();
         });
+    checking_ = job;
     connect(job, &BackgroundJob::ended, this, [this] { unlock_->setEnabled(true); });
     job_->watch(job, tr("Unlocking …"));
 }

@@ -3,6 +3,9 @@
 // in, or another user.
 #pragma once
 
+#include <QPointer>
+
+#include "ui/page/background_job.h"
 #include "ui/page/context.h"
 
 class QLabel;
@@ -10,8 +13,6 @@ class QLineEdit;
 class QPushButton;
 
 namespace fulcrum::ui {
-
-class JobBar;
 
 class LockPage : public Page {
     Q_OBJECT
@@ -30,6 +31,7 @@ class LockPage : public Page {
     QLineEdit* password_;
     QPushButton *unlock_, *other_;
     JobBar* job_;
+    QPointer<BackgroundJob> checking_;  ///< the password
 };
 
 }  // namespace fulcrum::ui

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include "tests/ui/held_work.h"
 #include "tests/ui/screens.h"
 #include "ui/page/background_job.h"
 #include "ui/shell/idle_watch.h"
@@ -50,6 +51,26 @@ TEST_F(LockWithDialogs, ClosesADialogNextToTheWindow) {
     lock();
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
     EXPECT_TRUE(sees(*window, "unlock_password"));
+}
+
+TEST_F(LockWithDialogs, APasswordThatIsStillCheckedUnlocksNothingAfterASignOut) {
+    open_as_administrator("rail_settings");
+    ASSERT_TRUE(become_active(*window));
+    HeldWork held;
+    lock();
+    type(*window, "unlock_password", "correct horse");
+    click(*window, "unlock");
+    click(*window, "lock_switch_user");
+    ASSERT_FALSE(window->context().signed_in());
+    QWidget* const used = window->focusWidget();
+    ASSERT_NE(used, nullptr);
+    EXPECT_EQ(used->objectName(), "login");
+    held.release();
+    settle();
+    EXPECT_EQ(window->focusWidget(), used) << "the next person's";
+    sign_in(Role::trainee);
+    lock();
+    EXPECT_TRUE(find<QPushButton>(*window, "unlock")->isEnabled()) << "for the next lock";
 }
 
 TEST_F(LockWithDialogs, ClosesAnOpenList) {
