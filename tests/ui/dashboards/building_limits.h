@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "assessment/scoring/benchmark.h"
+#include "assessment/task/task.h"
 #include "database/records/people.h"
 #include "tests/database/expert_values.h"
 #include "tests/database/large_programme.h"
