@@ -42,86 +42,123 @@ std::string first_version(const Curriculum& newest) {
     return newest.id + "@1";
 }
 
-using Histories = std::map<std::string, std::vector<FollowedCurriculum>>;
+/// A move of a person.
+struct Move {
+    bool kept = false;  ///< written by a decision (keep_version), made by nobody on purpose
+    FollowedCurriculum to;
+};
+/// By person, oldest first.
+using Moves = std::map<std::string, std::vector<Move>>;
 
-/// The version that a person follows from the beginning. `named`: by the first attempt that decides.
-FollowedCurriculum followed_first(const std::optional<std::string>& named, const Curriculum& newest) {
+/// The first attempt that decides.
+struct FirstAttempt {
+    std::string curriculum;
+    std::int64_t time = 0;  ///< UTC ms
+};
+
+// It has the id of its decision, so that every station knows it as one.
+#define FULCRUM_KEPT "EXISTS (SELECT 1 FROM standing_override o WHERE o.id = m.id) "
+
+/// The version that a person follows from the beginning.
+FollowedCurriculum followed_first(const std::optional<FirstAttempt>& begun, const Curriculum& newest) {
     FollowedCurriculum first;
     first.name = newest.name();
-    if (!named) return first;
-    first.name = named->empty() ? first_version(newest) : *named;
+    if (!begun) return first;
+    first.name = begun->curriculum.empty() ? first_version(newest) : begun->curriculum;
     // Before attempts named it there was one version, of whichever curriculum is installed.
-    if (named->empty() && newest.version_named(first.name) == nullptr) first.name = newest.name();
+    if (begun->curriculum.empty() && newest.version_named(first.name) == nullptr) first.name = newest.name();
     return first;
 }
 
-/// The moves of the people (table `p`) for whom `whose` holds with this value, after what they followed. Not
-/// those that another account of the same person made before a merge.
-void add_moves(Connection& connection, const QString& whose, const std::string& value, Histories& to) {
-    Query moves(connection,
-                "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason FROM curriculum_move m " +
-                    join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
-                    " AND " + owner_of("m.author_id") + " <> p.id ORDER BY m.time, m.id");
-    moves.bind(value);
-    while (moves.next())
-        to[moves.text(0)].push_back({moves.text(1), moves.integer(2), moves.text(3), moves.text(4)});
+/// The moves of the people (table `p`) for whom `whose` holds with this value. Not those that another account
+/// of the same person made before a merge.
+Moves read_moves(Connection& connection, const QString& whose, const std::string& value) {
+    Query rows(connection,
+               "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason, CASE WHEN " FULCRUM_KEPT
+               "THEN 1 ELSE 0 END FROM curriculum_move m " +
+                   join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
+                   " AND " + owner_of("m.author_id") + " <> p.id ORDER BY m.time, m.id");
+    rows.bind(value);
+    Moves moves;
+    while (rows.next())
+        moves[rows.text(0)].push_back(
+            {rows.flag(5), {rows.text(1), rows.integer(2), rows.text(3), rows.text(4)}});
+    return moves;
 }
 
-/// Whoever was moved before any attempt decided began with that version: nothing was done under another one.
-void begin_with_first_move(std::vector<FollowedCurriculum>& followed) {
-    if (followed.size() > 1) followed.front().name = followed[1].name;
+/// Of `account` out of its person's, or of all of them where it is empty.
+std::optional<FirstAttempt> read_first(Connection& connection, const std::string& person_id,
+                                       const std::string& account) {
+    Query first(connection, "SELECT a.curriculum, a.started FROM attempt a WHERE " +
+                                belongs_to("a.person_id") +
+                                (account.empty() ? QString() : QString(" AND a.person_id = ?")) +
+                                " AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1");
+    first.bind(person_id);
+    if (!account.empty()) first.bind(account);
+    if (!first.next()) return std::nullopt;
+    return FirstAttempt{first.text(0), first.integer(1)};
 }
 
-/// Where others were merged into this account: from the attempt on with which it began itself, it follows the
-/// version that this attempt names. A merge puts nobody on the version of the doubled account.
-void add_own_beginning(Connection& connection, const std::string& person_id, const Curriculum& newest,
-                       std::vector<FollowedCurriculum>& to) {
-    Query own(connection,
-              "SELECT a.curriculum, a.started FROM attempt a WHERE a.person_id = ? AND EXISTS (SELECT 1 FROM "
-              "person d JOIN person t ON t.id = d.merged_into AND t.merged_into = '' WHERE d.merged_into = "
-              "a.person_id) AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1");
-    own.bind(person_id);
-    if (!own.next()) return;
-    FollowedCurriculum first = followed_first(own.text(0), newest);
-    first.since = own.integer(1);
-    const auto later = std::find_if(to.begin() + 1, to.end(),
-                                    [&](const FollowedCurriculum& one) { return one.since >= first.since; });
-    if ((later - 1)->name != first.name) to.insert(later, std::move(first));
+/// Whether others were merged into this account.
+bool is_merge_target(Connection& connection, const std::string& person_id) {
+    Query merged(connection,
+                 "SELECT 1 FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = '' WHERE "
+                 "d.merged_into = ? LIMIT 1");
+    merged.bind(person_id);
+    return merged.next();
+}
+
+/// The versions that a person follows one after the other. `first`: of all accounts; `own`: of the
+/// account that stays, where others were merged into it. By what was recorded, not by what a station knew
+/// when it wrote a row: so stations that have exchanged agree, in whichever order the rows arrived.
+std::vector<FollowedCurriculum> versions_of(const std::optional<FirstAttempt>& first,
+                                            const std::optional<FirstAttempt>& own,
+                                            const std::vector<Move>& moves, const Curriculum& newest) {
+    std::vector<FollowedCurriculum> followed = {followed_first(first, newest)};
+    for (const Move& move : moves) {
+        // A decision keeps the version of somebody who has begun nothing, and moves nobody who has.
+        if (move.kept && (followed.size() > 1 || (first && first->time < move.to.since))) continue;
+        followed.push_back(move.to);
+    }
+    // Whoever was moved before any attempt decided began with that version: nothing was done under another.
+    if (!first && followed.size() > 1) followed.front().name = followed[1].name;
+    // From the attempt on with which the account that stays began itself, it follows the version that this
+    // attempt names. A merge puts nobody on the version of the doubled account.
+    if (own) {
+        FollowedCurriculum begun = followed_first(own, newest);
+        begun.since = own->time;
+        const auto later =
+            std::find_if(followed.begin() + 1, followed.end(),
+                         [&](const FollowedCurriculum& one) { return one.since >= begun.since; });
+        if ((later - 1)->name != begun.name) followed.insert(later, std::move(begun));
+    }
+    return followed;
 }
 
 /// As followed(), not checked.
 std::vector<FollowedCurriculum> history(Connection& connection, const std::string& person_id,
                                         const Curriculum& newest) {
-    std::optional<std::string> named;
-    {
-        Query first(connection, "SELECT a.curriculum FROM attempt a WHERE " + belongs_to("a.person_id") +
-                                    " AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1");
-        first.bind(person_id);
-        if (first.next()) named = first.text(0);
-    }
-    Histories of_person;
-    std::vector<FollowedCurriculum>& followed = of_person[person_id];
-    followed.push_back(followed_first(named, newest));
-    add_moves(connection, "p.id = ?", person_id, of_person);
-    if (!named) begin_with_first_move(followed);
-    add_own_beginning(connection, person_id, newest, followed);
-    return std::move(followed);
+    const std::optional<FirstAttempt> first = read_first(connection, person_id, {});
+    std::optional<FirstAttempt> own;
+    if (first && is_merge_target(connection, person_id)) own = read_first(connection, person_id, person_id);
+    return versions_of(first, own, read_moves(connection, "p.id = ?", person_id)[person_id], newest);
 }
 
-/// Into which others were merged.
-std::set<std::string> merge_targets(Connection& connection) {
+/// Those whose version history() has to find: others were merged into them, or a decision wrote a move, so
+/// that the last move or the first attempt alone does not say it.
+std::set<std::string> looked_at_closely(Connection& connection) {
     Query rows(connection,
-               "SELECT DISTINCT t.id FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = "
-               "'' WHERE d.merged_into <> ''");
-    std::set<std::string> targets;
-    while (rows.next()) targets.insert(rows.text(0));
-    return targets;
+               "SELECT t.id FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = '' WHERE "
+               "d.merged_into <> '' UNION SELECT " +
+                   owner_of("m.person_id") + " FROM curriculum_move m WHERE " FULCRUM_KEPT);
+    std::set<std::string> people;
+    while (rows.next()) people.insert(rows.text(0));
+    return people;
 }
 
-void write_move(const Store& store, const Session& educator, const std::string& person,
+void write_move(const Store& store, const Session& educator, const std::string& id, const std::string& person,
                 const std::string& from, const std::string& to, const std::string& reason,
                 std::int64_t time) {
-    const std::string id = random_uuid();
     Query(store.connection(),
           "INSERT INTO curriculum_move (id, person_id, curriculum, author_id, time, reason) VALUES "
           "(?, ?, ?, ?, ?, ?)")
@@ -231,22 +268,27 @@ std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_
     const std::map<std::string, BegunWith>& begun_with) const {
     store_.require(session, Operation::read_cohort_table, Subject::cohort(cohort_id));
     Connection& connection = store_.connection();
-    Histories of_people;
-    for (const auto& [person, begun] : begun_with)
-        of_people[person].push_back(followed_first(begun.curriculum, newest));
-    add_moves(connection, "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)", cohort_id,
-              of_people);
-    const std::set<std::string> merged = merge_targets(connection);
-    for (auto& [person, followed] : of_people) {
-        const auto begun = begun_with.find(person);
-        if (begun == begun_with.end() || begun->second.has_copies || merged.count(person) != 0) {
-            followed = history(connection, person, newest);
-        } else if (!begun->second.curriculum) {
-            begin_with_first_move(followed);
-        }
-    }
+    const Moves moves = read_moves(
+        connection, "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)", cohort_id);
+    const std::set<std::string> closely = looked_at_closely(connection);
+    std::set<std::string> everybody;
+    for (const auto& [person, begun] : begun_with) everybody.insert(person);
+    for (const auto& [person, of_person] : moves) everybody.insert(person);
     std::map<std::string, std::vector<CurriculumAssignment>> result;
-    for (const auto& [person, followed] : of_people) result[person] = assignments_of(followed, newest);
+    for (const std::string& person : everybody) {
+        const auto begun = begun_with.find(person);
+        const auto moved = moves.find(person);
+        std::vector<FollowedCurriculum> followed;
+        if (begun == begun_with.end() || begun->second.has_copies || closely.count(person) != 0) {
+            followed = history(connection, person, newest);
+        } else {
+            std::optional<FirstAttempt> first;
+            if (begun->second.curriculum) first = FirstAttempt{*begun->second.curriculum, 0};
+            followed = versions_of(first, std::nullopt,
+                                   moved == moves.end() ? std::vector<Move>() : moved->second, newest);
+        }
+        result[person] = assignments_of(followed, newest);
+    }
     return result;
 }
 
@@ -312,7 +354,7 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
         const std::string& from = last.name;
         if (from == to) continue;
         // After one that was made at a station whose clock is ahead, which it would not replace else.
-        write_move(store_, educator, person, from, to, reason, std::max(now, last.since + 1));
+        write_move(store_, educator, random_uuid(), person, from, to, reason, std::max(now, last.since + 1));
         ++moved;
     }
     transaction.commit();
@@ -320,19 +362,14 @@ int Curricula::move(const Session& educator, const std::vector<std::string>& peo
 }
 
 void Curricula::keep_version(const Session& educator, const std::string& person_id, const Curriculum& newest,
-                             const std::string& reason) const {
+                             const std::string& decision, const std::string& reason) const {
     store_.require(educator, Operation::decide_standing, Subject::person(person_id));
     Connection& connection = store_.connection();
-    {
-        Query begun(connection, "SELECT 1 FROM attempt a WHERE " + belongs_to("a.person_id") +
-                                    " AND " FULCRUM_DECIDES " LIMIT 1");
-        begun.bind(person_id);
-        if (begun.next()) return;
-    }
+    if (read_first(connection, person_id, {})) return;
     const std::vector<FollowedCurriculum> followed = history(connection, person_id, newest);
     if (followed.size() > 1) return;
     const std::string& name = followed.back().name;
-    write_move(store_, educator, person_id, name, name, reason, store_.now());
+    write_move(store_, educator, decision, person_id, name, name, reason, store_.now());
 }
 
 std::vector<CurriculumAssignment> Curricula::of_account(const Session& session, const std::string& person_id,
@@ -340,20 +377,10 @@ std::vector<CurriculumAssignment> Curricula::of_account(const Session& session, 
                                                         const Curriculum& newest) const {
     store_.require(session, Operation::read_progress, Subject::person(person_id));
     Connection& connection = store_.connection();
-    std::optional<std::string> named;
-    {
-        Query first(connection, "SELECT a.curriculum FROM attempt a WHERE " + belongs_to("a.person_id") +
-                                    " AND a.person_id = ? AND " FULCRUM_DECIDES
-                                    " ORDER BY a.started, a.id LIMIT 1");
-        first.bind(person_id).bind(account_id);
-        if (first.next()) named = first.text(0);
-    }
-    Histories of_person;
-    std::vector<FollowedCurriculum>& followed = of_person[person_id];
-    followed.push_back(followed_first(named, newest));
-    add_moves(connection, "m.person_id = ?", account_id, of_person);
-    if (!named) begin_with_first_move(followed);
-    return assignments_of(followed, newest);
+    return assignments_of(
+        versions_of(read_first(connection, person_id, account_id), std::nullopt,
+                    read_moves(connection, "m.person_id = ?", account_id)[person_id], newest),
+        newest);
 }
 
 std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
@@ -362,11 +389,10 @@ std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
         std::int64_t moved = -1, begun = -1;  // time of the last move, of the first attempt; -1: none
         std::string move, attempt, curriculum;
     };
-    std::map<std::string, Decision> decisions, own;
-    const std::set<std::string> merged = merge_targets(store_.connection());
+    std::map<std::string, Decision> decisions;
     Query rows(store_.connection(),
                "SELECT " + owner_of("p.person_id") +
-                   ", m.time, m.id, m.curriculum, a.started, a.id, a.curriculum, p.person_id FROM (SELECT "
+                   ", m.time, m.id, m.curriculum, a.started, a.id, a.curriculum FROM (SELECT "
                    "DISTINCT a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
                    " UNION SELECT person_id FROM curriculum_move) p LEFT JOIN curriculum_move m ON m.id = "
                    "(SELECT n.id FROM curriculum_move n WHERE n.person_id = p.person_id AND " +
@@ -376,12 +402,7 @@ std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
                    " ORDER BY a.started, a.id LIMIT 1)");
     while (rows.next()) {
         if (rows.is_null(1) && rows.is_null(4)) continue;  // as without attempts
-        const std::string owner = rows.text(0);
-        Decision& known = decisions[owner];
-        if (!rows.is_null(4) && rows.text(7) == owner && merged.count(owner) != 0) {
-            own[owner].begun = rows.integer(4);
-            own[owner].curriculum = rows.text(6);
-        }
+        Decision& known = decisions[rows.text(0)];
         if (!rows.is_null(1)) {
             const std::int64_t moved = rows.integer(1);
             const std::string id = rows.text(2);
@@ -398,12 +419,11 @@ std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
             known.curriculum = rows.text(6);
         }
     }
-    // As add_own_beginning().
-    for (const auto& [person, first] : own)
-        if (first.begun > decisions[person].moved) decisions[person].curriculum = first.curriculum;
+    const std::set<std::string> closely = looked_at_closely(store_.connection());
     std::map<std::string, int> result;
     for (const auto& [person, decision] : decisions)
-        ++result[followed_first(decision.curriculum, newest).name];
+        ++result[closely.count(person) != 0 ? history(store_.connection(), person, newest).back().name
+                                            : followed_first(FirstAttempt{decision.curriculum}, newest).name];
     return result;
 }
 

@@ -94,10 +94,11 @@ class Curricula {
     int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
              const std::string& to, const std::string& reason) const;
     /// Within the transaction of a decision on a standing: whoever has neither an attempt that decides nor a
-    /// move stays on the version of the decision from then on, written as a move to it. Checked as
-    /// decide_standing.
+    /// move stays on the version of the decision from then on, written as a move to it with the id of the
+    /// decision. It counts while nothing older of the person is known: no attempt that decides, no other
+    /// move. An exchange or a merge may bring one, a void may take it away again. Checked as decide_standing.
     void keep_version(const Session& educator, const std::string& person_id, const Curriculum& newest,
-                      const std::string& reason) const;
+                      const std::string& decision, const std::string& reason) const;
     /// How many people with such attempts or a move follow each version; somebody who was entered twice is
     /// one, and attempts that name no version are of the one that followed() gives.
     std::map<std::string, int> people(const Curriculum& newest) const;

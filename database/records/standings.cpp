@@ -95,7 +95,7 @@ std::string Standings::decide(const Session& educator, const std::string& person
         // Within the transaction: the same may have been decided since the page was filled.
         require_effect(store_, educator, person_id, row.decision, *newest);
         // First: what is decided is decided under the version that is kept.
-        Curricula(store_).keep_version(educator, person_id, *newest, reason);
+        Curricula(store_).keep_version(educator, person_id, *newest, row.decision.id, reason);
     }
     row.person_id = person_id;
     row.author_id = educator.person_id();

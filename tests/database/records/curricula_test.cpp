@@ -145,6 +145,54 @@ TEST(Curricula, AMergePutsTheAccountThatStaysOnNoOtherVersion) {
     EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@1", 1}, {"rectal@2", 1}}));
 }
 
+TEST(Curricula, ADecisionMovesNobodyWhoHadBegunBefore) {
+    const Followers one;
+    const PersonMerge merge(*one.programme.store);
+    const Session& administrator = one.programme.session("administrator");
+    using Counts = std::map<std::string, int>;
+    const auto decide = [&](const char* login) {
+        one.programme.clock.pass_s(10);
+        Standings(*one.programme.store)
+            .decide(one.educator, one.programme.id(login), "A1", StandingOverride::Kind::proficient,
+                    "examined in theatre", &one.newest);
+    };
+    const auto arrives_later = [&](const char* login, const Curriculum& curriculum) {
+        one.programme.clock.set_forward_s(-7200);
+        const std::string attempt = one.record(login, curriculum);
+        one.programme.clock.set_forward_s(7200);
+        return attempt;
+    };
+    const Curriculum& older = *one.newest.version_named("rectal@1");
+    // By a merge.
+    one.record("eve", older);
+    one.programme.clock.pass_s(3600);
+    decide("ann");
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@1", 1}, {"rectal@2", 1}}));
+    merge.merge(administrator, one.programme.id("eve"), one.programme.id("ann"), "entered twice");
+    EXPECT_EQ(one.of("ann"), "rectal@1") << "begun before the decision";
+    EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@1", 1}}));
+    merge.undo(administrator, one.programme.id("eve"), "another person after all");
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    // By an exchange.
+    const std::string attempt = arrives_later("ann", older);
+    EXPECT_EQ(one.of("ann"), "rectal@1");
+    EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@1", 2}}));
+    one.programme.attempts().void_attempt(one.educator, attempt, "started by mistake");
+    EXPECT_EQ(one.of("ann"), "rectal@2") << "as if she had not begun";
+    EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@1", 1}, {"rectal@2", 1}}));
+    one.programme.clock.pass_s(10);
+    one.record("ann", older);
+    EXPECT_EQ(one.of("ann"), "rectal@2") << "begun after the decision";
+    // A move on purpose counts, whatever comes later.
+    one.programme.clock.pass_s(10);
+    one.curricula.move(one.educator, {one.programme.id("ben")}, one.newest, "rectal@1", "course of spring");
+    arrives_later("ben", one.newest);
+    decide("ben");
+    EXPECT_EQ(one.of("ben"), "rectal@1");
+    EXPECT_TRUE(one.programme.store->check(administrator).ok);
+}
+
 TEST(Curricula, AMoveThatAnotherAccountOfThePersonMadeDoesNotCountAfterAMerge) {
     const Followers one;
     const Session& administrator = one.programme.session("administrator");
