@@ -42,8 +42,9 @@ std::string first_version(const Curriculum& newest) {
     return newest.id + "@1";
 }
 
-/// A move of a person.
+/// A move of one of a person's accounts.
 struct Move {
+    std::string account;
     bool kept = false;  ///< written by a decision (keep_version), made by nobody on purpose
     FollowedCurriculum to;
 };
@@ -73,16 +74,17 @@ FollowedCurriculum followed_first(const std::optional<FirstAttempt>& begun, cons
 /// The moves of the people (table `p`) for whom `whose` holds with this value. Not those that another account
 /// of the same person made before a merge.
 Moves read_moves(Connection& connection, const QString& whose, const std::string& value) {
-    Query rows(connection,
-               "SELECT p.id, m.curriculum, m.time, w.display_name, m.reason, CASE WHEN " FULCRUM_KEPT
-               "THEN 1 ELSE 0 END FROM curriculum_move m " +
-                   join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose +
-                   " AND " + owner_of("m.author_id") + " <> p.id ORDER BY m.time, m.id");
+    Query rows(
+        connection,
+        "SELECT p.id, m.person_id, m.curriculum, m.time, w.display_name, m.reason, CASE WHEN " FULCRUM_KEPT
+        "THEN 1 ELSE 0 END FROM curriculum_move m " +
+            join_owner("m.person_id", "p") + "JOIN person w ON w.id = m.author_id WHERE " + whose + " AND " +
+            owner_of("m.author_id") + " <> p.id ORDER BY m.time, m.id");
     rows.bind(value);
     Moves moves;
     while (rows.next())
         moves[rows.text(0)].push_back(
-            {rows.flag(5), {rows.text(1), rows.integer(2), rows.text(3), rows.text(4)}});
+            {rows.text(1), rows.flag(6), {rows.text(2), rows.integer(3), rows.text(4), rows.text(5)}});
     return moves;
 }
 
@@ -108,23 +110,30 @@ bool is_merge_target(Connection& connection, const std::string& person_id) {
     return merged.next();
 }
 
-/// The versions that a person follows one after the other. `first`: of all accounts; `own`: of the
-/// account that stays, where others were merged into it. By what was recorded, not by what a station knew
-/// when it wrote a row: so stations that have exchanged agree, in whichever order the rows arrived.
-std::vector<FollowedCurriculum> versions_of(const std::optional<FirstAttempt>& first,
+/// The versions that a person follows one after the other. `first`: of all accounts; `own`: of `account`, the
+/// one that stays, where others were merged into it. By what was recorded, not by what a station knew when it
+/// wrote a row: so stations that have exchanged agree, in whichever order the rows arrived.
+std::vector<FollowedCurriculum> versions_of(const std::string& account,
+                                            const std::optional<FirstAttempt>& first,
                                             const std::optional<FirstAttempt>& own,
                                             const std::vector<Move>& moves, const Curriculum& newest) {
     std::vector<FollowedCurriculum> followed = {followed_first(first, newest)};
+    std::int64_t own_since = own ? own->time : std::numeric_limits<std::int64_t>::max();
     for (const Move& move : moves) {
         // A decision keeps the version of somebody who has begun nothing, and moves nobody who has.
         if (move.kept && (followed.size() > 1 || (first && first->time < move.to.since))) continue;
+        // A merged account moves nobody who has begun under the one that stays.
+        if (move.account == account)
+            own_since = std::min(own_since, move.to.since);
+        else if (own_since <= move.to.since)
+            continue;
         followed.push_back(move.to);
     }
     // Whoever was moved before any attempt decided began with that version: nothing was done under another.
     if (!first && followed.size() > 1) followed.front().name = followed[1].name;
     // From the attempt on with which the account that stays began itself, it follows the version that this
     // attempt names. A merge puts nobody on the version of the doubled account.
-    if (own) {
+    if (own && own->time == own_since) {
         FollowedCurriculum begun = followed_first(own, newest);
         begun.since = own->time;
         const auto later =
@@ -141,7 +150,8 @@ std::vector<FollowedCurriculum> history(Connection& connection, const std::strin
     const std::optional<FirstAttempt> first = read_first(connection, person_id, {});
     std::optional<FirstAttempt> own;
     if (first && is_merge_target(connection, person_id)) own = read_first(connection, person_id, person_id);
-    return versions_of(first, own, read_moves(connection, "p.id = ?", person_id)[person_id], newest);
+    return versions_of(person_id, first, own, read_moves(connection, "p.id = ?", person_id)[person_id],
+                       newest);
 }
 
 /// Those whose version history() has to find: others were merged into them, or a decision wrote a move, so
@@ -284,7 +294,7 @@ std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_
         } else {
             std::optional<FirstAttempt> first;
             if (begun->second.curriculum) first = FirstAttempt{*begun->second.curriculum, 0};
-            followed = versions_of(first, std::nullopt,
+            followed = versions_of(person, first, std::nullopt,
                                    moved == moves.end() ? std::vector<Move>() : moved->second, newest);
         }
         result[person] = assignments_of(followed, newest);
@@ -378,7 +388,7 @@ std::vector<CurriculumAssignment> Curricula::of_account(const Session& session, 
     store_.require(session, Operation::read_progress, Subject::person(person_id));
     Connection& connection = store_.connection();
     return assignments_of(
-        versions_of(read_first(connection, person_id, account_id), std::nullopt,
+        versions_of(account_id, read_first(connection, person_id, account_id), std::nullopt,
                     read_moves(connection, "m.person_id = ?", account_id)[person_id], newest),
         newest);
 }

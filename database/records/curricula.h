@@ -59,7 +59,8 @@ class Curricula {
   public:
     explicit Curricula(const Store& store) : store_(store) {}
 
-    /// Oldest first, never empty. A person without such attempts follows `newest`. Checked as read_progress.
+    /// Oldest first, never empty. A person without such attempts follows `newest`. Moves of an account that
+    /// was merged into this one count up to the first attempt or move of this one. Checked as read_progress.
     std::vector<FollowedCurriculum> followed(const Session& session, const std::string& person_id,
                                              const Curriculum& newest) const;
     /// The same for standing_of(). They point into `newest`. A version that is not installed: `newest` in its

@@ -193,6 +193,36 @@ TEST(Curricula, ADecisionMovesNobodyWhoHadBegunBefore) {
     EXPECT_TRUE(one.programme.store->check(administrator).ok);
 }
 
+TEST(Curricula, MovesOfAMergedAccountDoNotMoveWhoeverHasBegunUnderTheOneThatStays) {
+    const Followers one;
+    const PersonMerge merge(*one.programme.store);
+    const Session& administrator = one.programme.session("administrator");
+    using Counts = std::map<std::string, int>;
+    const std::string ann = one.programme.id("ann"), ben = one.programme.id("ben"),
+                      eve = one.programme.id("eve");
+    one.programme.people().set_members(one.programme.session("director"), one.programme.cohort,
+                                       {ann, ben, eve});
+    one.record("eve", *one.newest.version_named("rectal@1"));
+    one.programme.clock.pass_s(3600);
+    one.record("ann", *one.newest.version_named("rectal@1"));
+    one.programme.clock.pass_s(3600);
+    ASSERT_EQ(one.curricula.move(one.educator, {eve}, one.newest, "rectal@2", "another course"), 1);
+    merge.merge(administrator, eve, ann, "entered twice");
+    EXPECT_EQ(one.of("ann"), "rectal@1") << "it was the other account that was moved";
+    EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@1", 1}}));
+    one.programme.clock.pass_s(10);
+    EXPECT_EQ(one.curricula.move(one.educator, {ann}, one.newest, "rectal@2", "new rules"), 1);
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    // Under an account that has begun nothing, all that the merged one did counts.
+    merge.undo(administrator, eve, "another person after all");
+    merge.merge(administrator, eve, ben, "entered twice");
+    EXPECT_EQ(one.of("ben"), "rectal@2");
+    EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@2", 2}}));
+    one.programme.clock.pass_s(10);
+    one.record("ben", one.newest);
+    EXPECT_EQ(one.of("ben"), "rectal@2");
+}
+
 TEST(Curricula, AMoveThatAnotherAccountOfThePersonMadeDoesNotCountAfterAMerge) {
     const Followers one;
     const Session& administrator = one.programme.session("administrator");
