@@ -21,11 +21,12 @@ bool is_unfinished(const TaskStanding& one) {
     return one.standing != Standing::locked && !waits && !is_done(one);
 }
 
-/// A check, or a proficiency to regain, where the limits with this device are provisional as far as is known.
-bool needs_firm_limits(const TaskStanding& one, DeviceClass device) {
-    const std::vector<DeviceClass>& with = one.provisional_with;
-    return (one.standing == Standing::due || one.standing == Standing::relapsed) &&
-           std::find(with.begin(), with.end(), curriculum_class(device)) != with.end();
+/// What provisional limits cannot do: a check, or a proficiency to regain.
+bool needs_firm_limits(const TaskStanding& one) {
+    return one.standing == Standing::due || one.standing == Standing::relapsed;
+}
+bool contains(const std::vector<DeviceClass>& classes, DeviceClass one) {
+    return std::find(classes.begin(), classes.end(), one) != classes.end();
 }
 
 /// Chooses among the tasks of a curriculum.
@@ -56,17 +57,21 @@ class Chooser {
     const TaskStanding* longest_due(bool with_device) const {
         const TaskStanding* due = nullptr;
         for (const TaskStanding& one : standings_)
-            if (one.standing == Standing::due && assessable(one) == with_device &&
-                !needs_firm_limits(one, device_) && (due == nullptr || one.next_check < due->next_check))
+            if (one.standing == Standing::due && can_be_done(one, with_device) &&
+                (due == nullptr || one.next_check < due->next_check))
                 due = &one;
         return due;
     }
     /// Of the tasks whose proficiency was lost.
     const TaskStanding* relapsed(bool with_device) const {
         return longest_ago([&](const TaskStanding& one) {
-            return one.standing == Standing::relapsed && assessable(one) == with_device &&
-                   !needs_firm_limits(one, device_);
+            return one.standing == Standing::relapsed && can_be_done(one, with_device);
         });
+    }
+    /// A check or a proficiency that attempts with the device cannot complete or restore: they do not count,
+    /// or the limits are provisional as far as is known.
+    bool is_left_to_others(const TaskStanding& one) const {
+        return needs_firm_limits(one) && (!assessable(one) || provisional_here(one));
     }
     bool assessable(const TaskStanding& one) const {
         const CurriculumTask* task = curriculum_.find(one.task);
@@ -81,17 +86,41 @@ class Chooser {
         return task == nullptr ? std::string() : task->stage;
     }
     Recommendation say(RecommendationReason reason, const TaskStanding& one) const {
-        const CurriculumTask* task = curriculum_.find(one.task);
+        const bool elsewhere = reason == RecommendationReason::check_elsewhere ||
+                               reason == RecommendationReason::relapsed_elsewhere;
         return {reason,
                 one.task,
                 stage_of(one),
                 last_of(one),
                 one.next_check,
                 {},
-                task == nullptr ? std::vector<DeviceClass>() : task->device_classes};
+                elsewhere ? others(one) : classes_of(one),
+                elsewhere && provisional_here(one)};
     }
 
   private:
+    /// Whether it can be done with the device, or if not `with_device`, with another one only.
+    bool can_be_done(const TaskStanding& one, bool with_device) const {
+        return is_left_to_others(one) != with_device && (with_device || !others(one).empty());
+    }
+    bool provisional_here(const TaskStanding& one) const {
+        return contains(one.provisional_with, curriculum_class(device_));
+    }
+    std::vector<DeviceClass> classes_of(const TaskStanding& one) const {
+        const CurriculumTask* task = curriculum_.find(one.task);
+        return task == nullptr ? std::vector<DeviceClass>() : task->device_classes;
+    }
+    /// With which it can be done: where attempts with the device count, those that are known to have firm
+    /// limits, otherwise all that are not known to have provisional ones.
+    std::vector<DeviceClass> others(const TaskStanding& one) const {
+        if (provisional_here(one)) return one.firm_with;
+        std::vector<DeviceClass> classes = classes_of(one);
+        classes.erase(std::remove_if(classes.begin(), classes.end(),
+                                     [&](DeviceClass each) { return contains(one.provisional_with, each); }),
+                      classes.end());
+        return classes;
+    }
+
     const Curriculum& curriculum_;
     const std::vector<TaskStanding>& standings_;
     const std::map<std::string, std::int64_t>& last_attempts_;
@@ -167,7 +196,7 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
     if (const TaskStanding* one = choose.relapsed(true))
         return choose.say(RecommendationReason::relapsed, *one);
     const auto waits = [&](const TaskStanding& one) {
-        return is_unfinished(one) && !one.never_met && !needs_firm_limits(one, device);
+        return is_unfinished(one) && !one.never_met && !choose.is_left_to_others(one);
     };
     if (const TaskStanding* one = choose.lowest_stage(
             [&](const TaskStanding& each) { return waits(each) && choose.assessable(each); }))
@@ -184,7 +213,7 @@ Recommendation recommend(const Curriculum& curriculum, const std::vector<TaskSta
             [](const TaskStanding& each) { return each.standing == Standing::awaiting_rating; }))
         return choose.say(RecommendationReason::awaits_rating, *one);
     if (const TaskStanding* one =
-            choose.longest_ago([&](const TaskStanding& each) { return needs_firm_limits(each, device); }))
+            choose.longest_ago([&](const TaskStanding& each) { return choose.is_left_to_others(each); }))
         return choose.say(RecommendationReason::check_provisional, *one);
     if (const TaskStanding* one = choose.lowest_stage(is_unfinished))
         return choose.say(RecommendationReason::rule_never_met, *one);

@@ -22,7 +22,7 @@ enum class RecommendationReason : std::uint8_t {
     relapsed,            ///< proficiency was lost
     not_tried,           ///< unlocked, never attempted
     longest_ago,         ///< unlocked, of those in its stage the one not practised longest
-    check_elsewhere,     ///< a retention check is due, which cannot be taken with this device
+    check_elsewhere,     ///< a retention check is due, which cannot be completed with this device
     relapsed_elsewhere,  ///< proficiency was lost, and cannot be restored with this device
     practice_only,       ///< what is left cannot be assessed with this device
     check_provisional,   ///< a check, or to regain proficiency, is left, which provisional limits cannot do
@@ -45,7 +45,9 @@ struct Recommendation {
     std::int64_t last = 0;                    ///< UTC ms of the latest attempt, practice included; 0: none
     std::int64_t check = 0;                   ///< UTC ms, of a check that is due: since when
     std::optional<ChosenRemedy> remedy = {};  ///< remedy
-    std::vector<DeviceClass> devices = {};    ///< whose attempts count for the task
+    /// Whose attempts count for the task; elsewhere: those that may complete the check, restore proficiency.
+    std::vector<DeviceClass> devices = {};
+    bool provisional_here = false;  ///< elsewhere: with this device, whose attempts count, the limits are
 };
 
 /// `standings`: of `curriculum`, in its order. `last_attempts`: by task, UTC ms, practice included.

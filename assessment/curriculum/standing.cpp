@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -39,12 +38,8 @@ class TaskRun {
         ++attempts_;
         // There it could not have been passed either.
         if (one.without_limits) return;
-        judged_ = true;
         by_firm_limits_ = !one.provisional;
-        if (one.provisional)
-            provisional_with_.insert(curriculum_class(one.device_class));
-        else
-            provisional_with_.erase(curriculum_class(one.device_class));
+        judge_with(one.device_class, one.provisional);
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
             if (passes_ == 0) first_pass_ = one.time;
@@ -114,10 +109,13 @@ class TaskRun {
         result.first_pass = first_pass_;
         result.first_declared_at = first_declared_at_;
         result.by_override = declared_at_ != 0 ? declared_by_override_ : unlocked_by_override;
-        result.provisional_with.assign(provisional_with_.begin(), provisional_with_.end());
+        for (const auto& [device, provisional] : judged_with_)
+            if (counts(task, device))
+                (provisional ? result.provisional_with : result.firm_with).push_back(device);
+        const bool none_firm = result.firm_with.empty() && !result.provisional_with.empty();
         if (relapsed_) {
             result.standing = Standing::relapsed;
-            result.provisional = judged_ && !by_firm_limits_;
+            result.provisional = none_firm;
             return result;
         }
         if (declared_at_ != 0) {
@@ -127,7 +125,7 @@ class TaskRun {
             result.standing = at >= next_check_ ? Standing::due
                               : maintained_     ? Standing::maintained
                                                 : Standing::proficient;
-            result.provisional = judged_ && !by_firm_limits_ && result.standing == Standing::due;
+            result.provisional = none_firm && result.standing == Standing::due;
             return result;
         }
         result.standing = passes_ > 0     ? Standing::passed
@@ -154,6 +152,10 @@ class TaskRun {
         std::int64_t day = 0;
         int passes = 0, failures = 0;
     };
+
+    void judge_with(DeviceClass device, bool provisional) {
+        judged_with_[curriculum_class(device)] = provisional;
+    }
 
     /// Met, until firm limits judge: from then on proficiency can be reached, and is left to reach.
     bool shown_as_met() const { return met_provisionally_ && !by_firm_limits_; }
@@ -216,9 +218,8 @@ class TaskRun {
 
     int attempts_ = 0, passes_ = 0;
     bool provisional_ = false, met_provisionally_ = false;
-    bool judged_ = false;                     ///< an attempt was, by limits of either kind
-    bool by_firm_limits_ = false;             ///< the latest attempt was judged by them
-    std::set<DeviceClass> provisional_with_;  ///< classes whose latest attempt was not
+    bool by_firm_limits_ = false;              ///< the latest attempt was judged by them
+    std::map<DeviceClass, bool> judged_with_;  ///< by class: whether the limits are provisional
     std::int64_t first_ = 0, first_pass_ = 0, last_ = 0;
     RuleRun all_, firm_;
     std::vector<Outcome> since_relapse_;

@@ -96,10 +96,11 @@ struct PersonRecord {
 struct TaskStanding {
     std::string task;
     Standing standing = Standing::locked;
-    /// Passed: every pass so far is by provisional limits. Due, relapsed: the latest attempt was judged by
-    /// them, and they neither complete a check nor restore proficiency.
+    /// Passed: every pass so far is by provisional limits. Due, relapsed: of no class that counts the limits
+    /// are known to be firm, and provisional ones neither complete a check nor restore proficiency.
     bool provisional = false;
-    std::vector<DeviceClass> provisional_with = {};  ///< classes whose latest attempt they judged
+    /// Classes that the task counts and whose latest attempt was judged by provisional limits, by firm ones.
+    std::vector<DeviceClass> provisional_with = {}, firm_with = {};
     bool met_provisionally = false;     ///< the rule is met by provisional limits, still those in use
     bool one_more_day = false;          ///< the rule is met but for passes on a second day
     bool one_more_pass = false;         ///< enough passes before a move; the new rule is met by one to come

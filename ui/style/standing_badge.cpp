@@ -16,6 +16,12 @@ QString say(const char* source, int count = -1) {
     return QCoreApplication::translate("fulcrum::ui::standing", source, nullptr, count);
 }
 
+QString classes_text(const std::vector<DeviceClass>& classes) {
+    QStringList names;
+    for (const DeviceClass one : classes) names << device_class_text(one);
+    return names.join(QStringLiteral(", "));
+}
+
 QPainterPath tick(const QRectF& box) {
     QPainterPath path;
     path.moveTo(box.left() + 0.26 * box.width(), box.top() + 0.53 * box.height());
@@ -202,6 +208,34 @@ QString text_without_decision(const TaskStanding& standing) {
     return {};
 }
 
+/// What completes a check that is due, or restores proficiency.
+QString check_detail(const TaskStanding& standing) {
+    if (standing.standing == Standing::due) {
+        if (standing.provisional)
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                         "Provisional limits, which judged your latest attempt, cannot "
+                                         "complete the check. An educator can decide."));
+        if (!standing.provisional_with.empty())
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                         "Pass twice on one day to complete the check. Provisional "
+                                         "limits cannot complete it; passes with these count: %1."))
+                .arg(classes_text(standing.firm_with));
+        return say(
+            QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass twice on one day to complete the check."));
+    }
+    if (standing.provisional)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                     "Provisional limits, which judged your latest attempt, cannot "
+                                     "restore proficiency. An educator can decide."));
+    if (!standing.provisional_with.empty())
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
+                                     "Three passes in four attempts restore proficiency. Provisional "
+                                     "limits cannot restore it; passes with these count: %1."))
+            .arg(classes_text(standing.firm_with));
+    return say(
+        QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Three passes in four attempts restore proficiency."));
+}
+
 }  // namespace
 
 QString standing_name(const TaskStanding& standing) {
@@ -262,19 +296,8 @@ QString standing_detail(const TaskStanding& standing) {
             return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Next check on %1."))
                 .arg(date_text(standing.next_check));
         case Standing::due:
-            if (standing.provisional)
-                return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
-                                             "Provisional limits, which judged your latest attempt, cannot "
-                                             "complete the check. An educator can decide."));
-            return say(
-                QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass twice on one day to complete the check."));
         case Standing::relapsed:
-            if (standing.provisional)
-                return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
-                                             "Provisional limits, which judged your latest attempt, cannot "
-                                             "restore proficiency. An educator can decide."));
-            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",
-                                         "Three passes in four attempts restore proficiency."));
+            return check_detail(standing);
     }
     if (standing.met_provisionally)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing",

@@ -64,6 +64,34 @@ std::map<std::string, double> worse_values(const std::vector<database::MetricRow
     return values;
 }
 
+/// What the device in use cannot do, and which ones can.
+QString elsewhere_text(const Recommendation& next, DeviceClass device) {
+    if (next.reason == RecommendationReason::check_elsewhere) {
+        if (next.provisional_here)
+            return words(QT_TRANSLATE_NOOP(
+                             "fulcrum::ui::next_task",
+                             "A retention check of this task has been due since %1. The limits for %2 "
+                             "are provisional and cannot complete it; passes with these count: %3. "
+                             "Until then you can practise it."))
+                .arg(date_text(next.check), device_class_text(device), classes_text(next.devices));
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                       "A retention check of this task has been due since %1. It cannot "
+                                       "be taken with %2, but with: %3. Until then you can practise it."))
+            .arg(date_text(next.check), device_class_text(device), classes_text(next.devices));
+    }
+    if (next.provisional_here)
+        return words(QT_TRANSLATE_NOOP(
+                         "fulcrum::ui::next_task",
+                         "Your results in this task have fallen below proficiency. The limits for "
+                         "%1 are provisional and cannot restore it; passes with these count: %2. "
+                         "Until then you can practise it."))
+            .arg(device_class_text(device), classes_text(next.devices));
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                   "Your results in this task have fallen below proficiency, which cannot be "
+                                   "restored with %1, but with: %2. Until then you can practise it."))
+        .arg(device_class_text(device), classes_text(next.devices));
+}
+
 }  // namespace
 
 TaskHistory history_of(const database::PersonProgress& progress) {
@@ -135,16 +163,8 @@ QString reason_text(const Recommendation& next, const QString& stage, DeviceClas
         case RecommendationReason::remedy:
             break;  // remedy_reason_text()
         case RecommendationReason::check_elsewhere:
-            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "A retention check of this task has been due since %1. It cannot "
-                                           "be taken with %2, but with: %3. Until then you can practise it."))
-                .arg(date_text(next.check), device_class_text(device), classes_text(next.devices));
         case RecommendationReason::relapsed_elsewhere:
-            return words(QT_TRANSLATE_NOOP(
-                             "fulcrum::ui::next_task",
-                             "Your results in this task have fallen below proficiency, which cannot be "
-                             "restored with %1, but with: %2. Until then you can practise it."))
-                .arg(device_class_text(device), classes_text(next.devices));
+            return elsewhere_text(next, device);
         case RecommendationReason::practice_only:
             return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
                                            "The remaining tasks cannot be assessed with %1, but you can "

@@ -75,9 +75,53 @@ TEST_F(Recommended, TheLimitsOfTheDeviceInUseDecide) {
     attempt(next_begin + next_day, true);
     const std::int64_t due = next_begin + 15 * next_day;
     for (int i = 0; i < 2; ++i) attempt(due + i * next_hour, true, DeviceClass::tracked).provisional = true;
-    EXPECT_TRUE(at(due + next_hour).provisional);
+    EXPECT_FALSE(at(due + next_hour).provisional) << "it can be completed";
     EXPECT_EQ(next(due + next_hour, DeviceClass::tracked).task, "B");
     EXPECT_EQ(next(due + next_hour).reason, RecommendationReason::check_due) << "by firm limits";
+}
+
+TEST_F(Recommended, TheClassWithFirmLimitsIsNamedToWhoeverHasTheOther) {
+    attempt(next_begin, true);
+    attempt(next_begin + next_day, true);
+    decide("B", next_begin + 2 * next_day);
+    const std::int64_t due = next_begin + 15 * next_day;
+    attempt(due, true, DeviceClass::tracked).provisional = true;
+    const std::vector<DeviceClass> haptic = {DeviceClass::haptic};
+    EXPECT_EQ(at(due).firm_with, haptic);
+    EXPECT_EQ(at(due).provisional_with, std::vector<DeviceClass>{DeviceClass::tracked});
+    Recommendation check = next(due, DeviceClass::tracked);
+    EXPECT_EQ(check.reason, RecommendationReason::check_elsewhere);
+    EXPECT_EQ(check.task, "A");
+    EXPECT_EQ(check.devices, haptic);
+    EXPECT_TRUE(check.provisional_here);
+    check = next(due, DeviceClass::mouse_keyboard);
+    EXPECT_EQ(check.reason, RecommendationReason::check_elsewhere);
+    EXPECT_EQ(check.devices, haptic) << "the others cannot complete it";
+    EXPECT_FALSE(check.provisional_here) << "its attempts do not count at all";
+    for (int i = 1; i <= 2; ++i) attempt(due + i * next_hour, false);
+    const Recommendation lost = next(due + 2 * next_hour, DeviceClass::tracked);
+    EXPECT_EQ(lost.reason, RecommendationReason::relapsed_elsewhere);
+    EXPECT_EQ(lost.devices, haptic);
+    EXPECT_FALSE(at(due + 2 * next_hour).provisional);
+}
+
+TEST_F(Recommended, NoDeviceIsNamedWhoseLimitsAreProvisional) {
+    decide("A", next_begin);
+    decide("B", next_begin + next_day);
+    const std::int64_t due = next_begin + 14 * next_day;
+    attempt(due, true).provisional = true;
+    attempt(due, true, DeviceClass::tracked).provisional = true;
+    EXPECT_EQ(next(due, DeviceClass::mouse_keyboard).task, "A");
+    EXPECT_EQ(next(due, DeviceClass::mouse_keyboard).reason, RecommendationReason::check_provisional);
+    // Of a version that counts none of these classes nothing is known yet.
+    Curriculum later = followed;
+    later.version = 2;
+    later.tasks[0].device_classes = {DeviceClass::mouse_keyboard};
+    record.assignments.push_back({due + next_hour, &later});
+    EXPECT_TRUE(at(due).provisional);
+    EXPECT_FALSE(at(due + next_hour).provisional);
+    EXPECT_EQ(recommend(later, standing_of(record, due + next_hour), {}, DeviceClass::mouse_keyboard).reason,
+              RecommendationReason::check_due);
 }
 
 TEST_F(Recommended, ACheckOfADecisionThatProvisionalLimitsCannotCompleteHidesNothingElse) {

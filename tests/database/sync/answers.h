@@ -214,11 +214,11 @@ inline void say(Answer& to, const PersonRecord& record) {
     to.all(record.assignments, record.attempts, record.overrides, record.ratings);
 }
 inline void say(Answer& to, const TaskStanding& at) {
-    to.all(at.task, at.standing, at.provisional, at.provisional_with, at.met_provisionally, at.one_more_day,
-           at.one_more_pass, at.never_met, at.more_variants, at.rating_late, at.rated_low, at.rated_attempt,
-           at.rated_time, at.raters, at.raters_needed, at.stalled, at.by_override, at.overdue, at.attempts,
-           at.passes, at.progress, at.waits_for, at.declared_at, at.first_declared_at, at.next_check,
-           at.first_attempt, at.first_pass, at.last_attempt, at.counted);
+    to.all(at.task, at.standing, at.provisional, at.provisional_with, at.firm_with, at.met_provisionally,
+           at.one_more_day, at.one_more_pass, at.never_met, at.more_variants, at.rating_late, at.rated_low,
+           at.rated_attempt, at.rated_time, at.raters, at.raters_needed, at.stalled, at.by_override,
+           at.overdue, at.attempts, at.passes, at.progress, at.waits_for, at.declared_at,
+           at.first_declared_at, at.next_check, at.first_attempt, at.first_pass, at.last_attempt, at.counted);
 }
 inline void say(Answer& to, const RecentAttempt& one) {
     to.all(one.attempt_id, one.started, one.passed, one.provisional, one.points);

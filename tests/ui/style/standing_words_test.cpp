@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ui/style/standing_badge.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -10,6 +11,11 @@ TEST(StandingWords, DoNotPromiseThatPassesOnProvisionalLimitsCompleteACheck) {
     TaskStanding check;
     check.standing = Standing::due;
     EXPECT_EQ(standing_detail(check), "Pass twice on one day to complete the check.");
+    check.provisional_with = {DeviceClass::tracked};
+    check.firm_with = {DeviceClass::haptic, DeviceClass::mouse_keyboard};
+    EXPECT_TRUE(standing_detail(check).startsWith("Pass twice on one day to complete the check. Prov"));
+    EXPECT_TRUE(standing_detail(check).endsWith(": " + device_class_text(DeviceClass::haptic) + ", " +
+                                                device_class_text(DeviceClass::mouse_keyboard) + "."));
     check.provisional = true;
     EXPECT_FALSE(standing_detail(check).contains("Pass twice"));
     EXPECT_TRUE(standing_detail(check).contains("An educator can decide"));
@@ -34,6 +40,9 @@ TEST(StandingWords, DoNotPromiseThatPassesOnProvisionalLimitsRestoreProficiency)
     TaskStanding lost;
     lost.standing = Standing::relapsed;
     EXPECT_EQ(standing_detail(lost), "Three passes in four attempts restore proficiency.");
+    lost.provisional_with = {DeviceClass::tracked};
+    lost.firm_with = {DeviceClass::haptic};
+    EXPECT_TRUE(standing_detail(lost).endsWith(": " + device_class_text(DeviceClass::haptic) + "."));
     lost.provisional = true;
     EXPECT_FALSE(standing_detail(lost).contains("Three passes"));
     EXPECT_TRUE(standing_detail(lost).contains("An educator can decide"));

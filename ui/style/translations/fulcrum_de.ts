@@ -20677,8 +20677,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Eine Kontrolle dieser Aufgabe ist seit %1 fällig. Mit %2 ist sie nicht möglich, aber mit: %3. Bis dahin können Sie die Aufgabe üben.</translation>
     </message>
     <message>
+        <source>A retention check of this task has been due since %1. The limits for %2 are provisional and cannot complete it; passes with these count: %3. Until then you can practise it.</source>
+        <translation>Eine Kontrolle dieser Aufgabe ist seit %1 fällig. Die Grenzwerte für %2 sind vorläufig und können sie nicht abschließen; es zählen bestandene Versuche mit: %3. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
         <source>Your results in this task have fallen below proficiency, which cannot be restored with %1, but with: %2. Until then you can practise it.</source>
         <translation>Ihre Ergebnisse in dieser Aufgabe reichen nicht mehr für „sicher beherrscht“. Mit %1 lässt es sich nicht wiederherstellen, aber mit: %2. Bis dahin können Sie die Aufgabe üben.</translation>
+    </message>
+    <message>
+        <source>Your results in this task have fallen below proficiency. The limits for %1 are provisional and cannot restore it; passes with these count: %2. Until then you can practise it.</source>
+        <translation>Ihre Ergebnisse in dieser Aufgabe reichen nicht mehr für „sicher beherrscht“. Die Grenzwerte für %1 sind vorläufig und können es nicht wiederherstellen; es zählen bestandene Versuche mit: %2. Bis dahin können Sie die Aufgabe üben.</translation>
     </message>
     <message>
         <source>The remaining tasks cannot be assessed with %1, but you can practise this one.</source>
@@ -21016,8 +21024,16 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <translation>Bestehen Sie zweimal an einem Tag, um die Kontrolle abzuschließen.</translation>
     </message>
     <message>
+        <source>Pass twice on one day to complete the check. Provisional limits cannot complete it; passes with these count: %1.</source>
+        <translation>Bestehen Sie zweimal an einem Tag, um die Kontrolle abzuschließen. Vorläufige Grenzwerte können sie nicht abschließen; es zählen bestandene Versuche mit: %1.</translation>
+    </message>
+    <message>
         <source>Three passes in four attempts restore proficiency.</source>
         <translation>Drei bestandene von vier Versuchen stellen „sicher beherrscht“ wieder her.</translation>
+    </message>
+    <message>
+        <source>Three passes in four attempts restore proficiency. Provisional limits cannot restore it; passes with these count: %1.</source>
+        <translation>Drei bestandene von vier Versuchen stellen „sicher beherrscht“ wieder her. Vorläufige Grenzwerte können es nicht wiederherstellen; es zählen bestandene Versuche mit: %1.</translation>
     </message>
     <message>
         <source>You have enough passes, but the limits are provisional: later tasks are unlocked, and proficiency is not declared.</source>
