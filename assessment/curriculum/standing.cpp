@@ -58,6 +58,11 @@ class TaskRun {
         }
     }
 
+    /// Attempts with the class are judged by these limits, provisional or firm.
+    void judge_with(DeviceClass device, bool provisional) {
+        judged_with_[curriculum_class(device)] = provisional;
+    }
+
     void follow(const CurriculumTask& task) {
         all_.follow(task);
         firm_.follow(task);
@@ -153,10 +158,6 @@ class TaskRun {
         int passes = 0, failures = 0;
     };
 
-    void judge_with(DeviceClass device, bool provisional) {
-        judged_with_[curriculum_class(device)] = provisional;
-    }
-
     /// Met, until firm limits judge: from then on proficiency can be reached, and is left to reach.
     bool shown_as_met() const { return met_provisionally_ && !by_firm_limits_; }
     const RuleRun& shown() const { return provisional_ && !by_firm_limits_ ? all_ : firm_; }
@@ -232,18 +233,19 @@ class TaskRun {
 /// What was recorded, in the order in which it happened.
 struct Entry {
     std::int64_t time = 0;
-    int kind = 0;  // at the same time: assignments, then overrides, attempts, ratings
+    int kind = 0;  // at the same time: assignments, then overrides, attempts, ratings, limits
     std::string_view id;
     const CurriculumAssignment* assignment = nullptr;
     const StandingOverride* decision = nullptr;
     const CountedAttempt* attempt = nullptr;
     const ReleasedRating* rating = nullptr;
+    const LimitsPutInForce* limits = nullptr;
 };
 
 std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
     std::vector<Entry> entries;
     entries.reserve(record.assignments.size() + record.overrides.size() + record.attempts.size() +
-                    record.ratings.size());
+                    record.ratings.size() + record.limits.size());
     for (const CurriculumAssignment& one : record.assignments)
         if (one.time <= at) entries.push_back({one.time, 0, {}, &one, nullptr, nullptr, nullptr});
     for (const StandingOverride& one : record.overrides)
@@ -255,6 +257,9 @@ std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
     }
     for (const ReleasedRating& one : record.ratings)
         if (one.time <= at) entries.push_back({one.time, 3, one.id, nullptr, nullptr, nullptr, &one});
+    for (const LimitsPutInForce& one : record.limits)
+        if (one.time <= at)
+            entries.push_back({one.time, 4, one.id, nullptr, nullptr, nullptr, nullptr, &one});
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         if (std::tie(a.time, a.kind) != std::tie(b.time, b.kind))
             return std::tie(a.time, a.kind) < std::tie(b.time, b.kind);
@@ -274,6 +279,8 @@ class Programme {
     void take(const Entry& entry) {
         if (entry.assignment != nullptr) follow(*entry.assignment->curriculum);
         if (entry.decision != nullptr) decide(*entry.decision);
+        if (entry.limits != nullptr)
+            runs_[entry.limits->task].judge_with(entry.limits->device_class, entry.limits->provisional);
         if (entry.attempt != nullptr) {
             const auto found = std::find_if(tasks_.begin(), tasks_.end(), [&](const Followed& one) {
                 return one.task->task == entry.attempt->task;

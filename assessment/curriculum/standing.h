@@ -79,6 +79,15 @@ enum class DecisionEffect : std::uint8_t {
     check_passed  ///< one that was due
 };
 
+/// From `time` on attempts at the standard variant of the task with this class of devices are judged by a
+/// set of these limits.
+struct LimitsPutInForce {
+    std::string id, task;
+    DeviceClass device_class = DeviceClass::haptic;
+    std::int64_t time = 0;  ///< UTC ms
+    bool provisional = false;
+};
+
 /// From `time` on the trainee follows this curriculum.
 struct CurriculumAssignment {
     std::int64_t time = 0;  ///< UTC ms
@@ -90,7 +99,8 @@ struct PersonRecord {
     std::vector<CurriculumAssignment> assignments;
     std::vector<CountedAttempt> attempts;
     std::vector<StandingOverride> overrides;
-    std::vector<ReleasedRating> ratings = {};  ///< of these attempts
+    std::vector<ReleasedRating> ratings = {};   ///< of these attempts
+    std::vector<LimitsPutInForce> limits = {};  ///< as far as is known; attempts show which judged them
 };
 
 struct TaskStanding {
@@ -99,7 +109,8 @@ struct TaskStanding {
     /// Passed: every pass so far is by provisional limits. Due, relapsed: of no class that counts the limits
     /// are known to be firm, and provisional ones neither complete a check nor restore proficiency.
     bool provisional = false;
-    /// Classes that the task counts and whose latest attempt was judged by provisional limits, by firm ones.
+    /// Classes that the task counts with provisional limits, with firm ones: those that were put in force
+    /// last, or that judged the latest attempt since.
     std::vector<DeviceClass> provisional_with = {}, firm_with = {};
     bool met_provisionally = false;     ///< the rule is met by provisional limits, still those in use
     bool one_more_day = false;          ///< the rule is met but for passes on a second day

@@ -173,7 +173,7 @@ std::vector<Certificate> before_merges(const Store& store, const Session& sessio
     std::vector<Certificate> found;
     const std::vector<std::string> accounts = accounts_of(store.connection(), person.id);
     if (accounts.size() < 2 || store.is_demo() || person.kind != PersonKind::real) return found;
-    const PersonRecord whole = Standings(store).record(session, person.id, newest);
+    const PersonRecord whole = Standings(store).record(session, person.id, newest, false);
     const std::int64_t at = store.now();
     if (const std::string name = missing_in(whole.assignments, at); !name.empty()) {
         missing = name;
@@ -229,7 +229,7 @@ std::vector<Certificate> as_declared_again(const Certificate& present,
 /// As certificates(). `missing`: a version that the person follows and that is not installed; then none.
 std::vector<Certificate> of_person(const Store& store, const Session& session, const std::string& person_id,
                                    const Curriculum& newest, std::string& missing) {
-    const PersonRecord record = Standings(store).record(session, person_id, newest);
+    const PersonRecord record = Standings(store).record(session, person_id, newest, false);
     const std::int64_t at = store.now();  // one moment: a move may come into force at any
     if (store.is_demo()) return {};
     const std::optional<Person> person = People(store).find(session, person_id);

@@ -6,6 +6,7 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/curricula.h"
+#include "database/records/limits_in_force.h"
 #include "database/records/report_data.h"
 #include "database/records/report_parts.h"
 #include "database/rows/person_kind.h"
@@ -38,6 +39,8 @@ std::map<std::string, Decisions> decisions_in(const Store& store, const Session&
     for (auto& [person, followed] :
          Curricula(store).assignments_in(session, cohort_id, curriculum, begun_with))
         result[person].followed = std::move(followed);
+    const std::vector<LimitsPutInForce> limits = limits_put_in_force(store.connection());
+    for (auto& [person, decisions] : result) decisions.limits = limits;
     for (OverrideRow& row : read_overrides(store.connection(), {})) {
         const auto person = result.find(row.owner_id);
         if (person != result.end()) person->second.overrides.push_back(std::move(row));

@@ -73,7 +73,7 @@ CountedAttempt counted_attempt(const AttemptSummary& attempt) {
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
                                  std::int64_t at, const std::vector<CurriculumAssignment>& followed,
-                                 std::vector<ReleasedRating> ratings) {
+                                 std::vector<ReleasedRating> ratings, std::vector<LimitsPutInForce> limits) {
     PersonStandings person;
     std::vector<const AttemptSummary*> by_time;
     for (const AttemptSummary& attempt : attempts)
@@ -83,6 +83,7 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     });
     PersonRecord record;
     record.ratings = std::move(ratings);
+    record.limits = std::move(limits);
     record.assignments = followed;
     if (followed.empty()) record.assignments.push_back({0, &curriculum});
     const Curriculum& own = *curriculum_at(record.assignments, at);

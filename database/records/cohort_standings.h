@@ -68,12 +68,14 @@ struct PersonStandings {
 
 /// What a person's attempts and decisions of educators give at `at`. `attempts`: of any kind, not voided, in
 /// any order. `followed`: the versions of the curriculum that the person has followed, empty: `curriculum`
-/// from the beginning. `ratings`: released ones of these attempts. The tasks are those of `curriculum`; one
-/// that the person's own version lacks is locked; one that only the own version has is in `own_tasks`. Pure.
+/// from the beginning. `ratings`: released ones of these attempts. `limits`: as PersonRecord. The tasks are
+/// those of `curriculum`; one that the person's own version lacks is locked; one that only the own version
+/// has is in `own_tasks`. Pure.
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
                                  std::int64_t at, const std::vector<CurriculumAssignment>& followed = {},
-                                 std::vector<ReleasedRating> ratings = {});
+                                 std::vector<ReleasedRating> ratings = {},
+                                 std::vector<LimitsPutInForce> limits = {});
 
 /// One task over the people of a cohort.
 struct TaskOverview {

@@ -208,7 +208,7 @@ std::map<std::string, bool> awaited_attempts(const Store& store, const Session& 
     for (const std::string& person : people) {
         if (person == rater.person_id()) continue;
         const std::int64_t now = store.now();
-        const PersonRecord record = Standings(store).record(rater, person, curriculum);
+        const PersonRecord record = Standings(store).record(rater, person, curriculum, false);
         // What another version would wait for is not said.
         if (!missing_in(record.assignments, now).empty()) continue;
         for (const TaskStanding& one : standing_of(record, now)) {

@@ -7,6 +7,7 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/curricula.h"
+#include "database/records/limits_in_force.h"
 #include "database/records/ratings.h"
 #include "database/rows/person_kind.h"
 
@@ -131,7 +132,8 @@ Decisions decisions_of(const Store& store, const Session& session, const std::st
                        const Curriculum& curriculum) {
     Decisions decisions = {Curricula(store).assignments(session, person_id, curriculum),
                            read_overrides(store.connection(), person_id),
-                           {}};
+                           {},
+                           limits_put_in_force(store.connection())};
     if (asks_for_ratings(curriculum)) decisions.ratings = released_ratings(store.connection(), person_id);
     return decisions;
 }
@@ -139,7 +141,7 @@ Decisions decisions_of(const Store& store, const Session& session, const std::st
 PersonStandings standings_of(PersonSource& source, const Curriculum& curriculum, std::int64_t at,
                              const Decisions& decisions) {
     PersonStandings standings = person_standings(source.attempts, decisions.overrides, curriculum, at,
-                                                 decisions.followed, decisions.ratings);
+                                                 decisions.followed, decisions.ratings, decisions.limits);
     const std::set<std::string> uncounted(standings.uncounted.begin(), standings.uncounted.end());
     for (AttemptSummary& attempt : source.attempts)
         if (attempt.counting && uncounted.count(attempt.meta.id) != 0) attempt.counting = false;

@@ -35,7 +35,8 @@ AttemptFilter all_of_person(const std::string& person_id);
 struct Decisions {
     std::vector<CurriculumAssignment> followed;
     std::vector<OverrideRow> overrides;
-    std::vector<ReleasedRating> ratings;  ///< empty where the curriculum asks for none
+    std::vector<ReleasedRating> ratings;   ///< empty where the curriculum asks for none
+    std::vector<LimitsPutInForce> limits;  ///< as PersonRecord
 };
 
 Decisions decisions_of(const Store& store, const Session& session, const std::string& person_id,

@@ -4,6 +4,7 @@
 #include "database/records/attempt_query.h"
 #include "database/records/cohort_standings.h"
 #include "database/records/curricula.h"
+#include "database/records/limits_in_force.h"
 #include "database/records/ratings.h"
 #include "database/rows/crypto.h"
 #include "database/store/audit.h"
@@ -50,7 +51,7 @@ void require_effect(const Store& store, const Session& educator, const std::stri
 }  // namespace
 
 PersonRecord Standings::record(const Session& session, const std::string& person_id,
-                               const Curriculum& curriculum) const {
+                               const Curriculum& curriculum, bool with_limits) const {
     store_.require(session, Operation::read_progress, Subject::person(person_id));
     PersonRecord record;
     record.assignments = Curricula(store_).assignments(session, person_id, curriculum);
@@ -68,6 +69,7 @@ PersonRecord Standings::record(const Session& session, const std::string& person
     for (const OverrideRow& row : overrides(session, person_id))
         if (!row.own) record.overrides.push_back(row.decision);
     if (asks_for_ratings(curriculum)) record.ratings = released_ratings(store_.connection(), person_id);
+    if (with_limits) record.limits = limits_put_in_force(store_.connection());
     return record;
 }
 

@@ -18,9 +18,10 @@ class Standings {
     explicit Standings(const Store& store) : store_(store) {}
 
     /// Checked as read_progress. The person follows the versions of `curriculum` that Curricula gives; it
-    /// must outlive the record.
-    PersonRecord record(const Session& session, const std::string& person_id,
-                        const Curriculum& curriculum) const;
+    /// must outlive the record. `with_limits` false: of many people, where nobody asks whether a check can be
+    /// completed.
+    PersonRecord record(const Session& session, const std::string& person_id, const Curriculum& curriculum,
+                        bool with_limits = true) const;
     /// Of a person, newest first, also those that do not count (OverrideRow::own). Checked as read_progress.
     std::vector<OverrideRow> overrides(const Session& session, const std::string& person_id) const;
     /// Unlocks a task for a person or declares the person proficient in it. Never for oneself. `reason`: 1 to

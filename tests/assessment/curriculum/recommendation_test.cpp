@@ -105,6 +105,24 @@ TEST_F(Recommended, TheClassWithFirmLimitsIsNamedToWhoeverHasTheOther) {
     EXPECT_FALSE(at(due + 2 * next_hour).provisional);
 }
 
+TEST_F(Recommended, ACheckCountsByTheLimitsThatAreInForceNow) {
+    decide("A", next_begin);
+    const std::int64_t due = next_begin + 14 * next_day, later = due + next_hour;
+    attempt(due, true).provisional = true;
+    EXPECT_EQ(next(due).task, "B");
+    record.limits.push_back({"set", "A", DeviceClass::haptic, later, false});
+    EXPECT_TRUE(at(later - 1).provisional) << "the past is not changed";
+    EXPECT_FALSE(at(later).provisional);
+    EXPECT_EQ(next(later).reason, RecommendationReason::check_due);
+    attempt(later + next_hour, true);
+    attempt(later + 2 * next_hour, true);
+    EXPECT_EQ(at(later + 2 * next_hour).standing, Standing::maintained);
+    // What judges attempts since then says more: a limit that the set leaves provisional, for example.
+    record.attempts.resize(1);
+    attempt(later + next_hour, true).provisional = true;
+    EXPECT_TRUE(at(later + next_hour).provisional);
+}
+
 TEST_F(Recommended, NoDeviceIsNamedWhoseLimitsAreProvisional) {
     decide("A", next_begin);
     decide("B", next_begin + next_day);

@@ -234,6 +234,53 @@ TEST(Standings, AFailureByAReplacedSetFromBeforeFilesWereKeptCountsAsAnAttemptTh
     EXPECT_FALSE(known.provisional);
 }
 
+TEST(Standings, ACheckCountsByTheLimitsThatAreInForceNow) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    const Session& educator = programme.session("educator");
+    Standings(*programme.store)
+        .decide(educator, programme.id("ann"), "A2", StandingOverride::Kind::proficient, "instructor");
+    programme.clock.pass_s(15 * 86400.0);
+    programme.record("ann");
+    const auto now = [&] { return standing_of_ann(programme, curriculum, "A2", programme.store->now()); };
+    EXPECT_EQ(now().standing, Standing::due);
+    EXPECT_TRUE(now().provisional);
+    const auto put_in_force = [&](char digest, int version, bool provisional, const char* variant) {
+        programme.clock.pass_s(60);
+        const std::string text = R"({"task": "A2", "device_class": "mouse-keyboard", "fidelity": "standard")"
+                                 R"(, "variant_family": ")" +
+                                 std::string(variant) + R"(", "version": )" + std::to_string(version) +
+                                 R"(, "provisional": )" + (provisional ? "true}" : "false}");
+        AcceptedAssets(*programme.store)
+            .accept(educator, {"benchmarks/A2-mouse-keyboard.json", std::string(64, digest)}, "ours", text);
+    };
+    put_in_force('a', 1, false, "narrow");
+    EXPECT_TRUE(now().provisional) << "of another variant";
+    const std::int64_t before = programme.store->now();
+    put_in_force('b', 4, false, "standard");
+    EXPECT_FALSE(now().provisional);
+    EXPECT_EQ(now().firm_with, std::vector<DeviceClass>{DeviceClass::mouse_keyboard});
+    EXPECT_TRUE(standing_of_ann(programme, curriculum, "A2", before).provisional);
+    put_in_force('c', 3, true, "standard");
+    EXPECT_FALSE(now().provisional) << "older than the one in force";
+    // So the cohort's educator is not asked to build what there is.
+    programme.clock.pass_s(15 * 86400.0);
+    const auto concern = [&] {
+        CohortTableOptions options;
+        options.curriculum = &curriculum;
+        const CohortTable table = Reports(*programme.store).cohort_table(educator, programme.cohort, options);
+        for (const PersonStandings& one : table.standings)
+            for (const Concern& each : one.concerns)
+                if (each.kind == ConcernKind::check_overdue) return each;
+        ADD_FAILURE() << "no check is overdue";
+        return Concern();
+    };
+    EXPECT_FALSE(concern().provisional);
+    put_in_force('d', 5, true, "standard");
+    EXPECT_TRUE(now().provisional);
+    EXPECT_TRUE(concern().provisional);
+}
+
 TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
     const Programme programme;
     const Curriculum curriculum = rectal();

@@ -210,8 +210,11 @@ inline void say(Answer& to, const CountedAttempt& one) {
 inline void say(Answer& to, const CurriculumAssignment& assignment) {
     to.all(assignment.time, assignment.curriculum->name(), assignment.missing);
 }
+inline void say(Answer& to, const LimitsPutInForce& one) {
+    to.all(one.id, one.task, one.device_class, one.time, one.provisional);
+}
 inline void say(Answer& to, const PersonRecord& record) {
-    to.all(record.assignments, record.attempts, record.overrides, record.ratings);
+    to.all(record.assignments, record.attempts, record.overrides, record.ratings, record.limits);
 }
 inline void say(Answer& to, const TaskStanding& at) {
     to.all(at.task, at.standing, at.provisional, at.provisional_with, at.firm_with, at.met_provisionally,
