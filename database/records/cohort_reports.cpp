@@ -129,7 +129,10 @@ CohortSource::CohortSource(const Store& store, const Session& session, const std
     for (const PersonSource& person : people_) {
         BegunWith& begun = begun_with[person.person.id];
         const auto first = std::find_if(person.attempts.begin(), person.attempts.end(), decides_curriculum);
-        if (first != person.attempts.end()) begun.curriculum = first->meta.curriculum;
+        if (first != person.attempts.end()) {
+            begun.curriculum = first->meta.curriculum;
+            begun.since = first->meta.started;
+        }
         begun.has_copies = std::any_of(
             person.attempts.begin(), person.attempts.end(),
             [this](const AttemptSummary& attempt) { return copies_.count(attempt.meta.id) != 0; });

@@ -154,16 +154,41 @@ std::vector<FollowedCurriculum> history(Connection& connection, const std::strin
                        newest);
 }
 
-/// Those whose version history() has to find: others were merged into them, or a decision wrote a move, so
-/// that the last move or the first attempt alone does not say it.
-std::set<std::string> looked_at_closely(Connection& connection) {
+/// Into which others were merged.
+std::set<std::string> merge_targets(Connection& connection) {
     Query rows(connection,
-               "SELECT t.id FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = '' WHERE "
-               "d.merged_into <> '' UNION SELECT " +
-                   owner_of("m.person_id") + " FROM curriculum_move m WHERE " FULCRUM_KEPT);
-    std::set<std::string> people;
-    while (rows.next()) people.insert(rows.text(0));
-    return people;
+               "SELECT DISTINCT t.id FROM person d JOIN person t ON t.id = d.merged_into AND t.merged_into = "
+               "'' WHERE d.merged_into <> ''");
+    std::set<std::string> targets;
+    while (rows.next()) targets.insert(rows.text(0));
+    return targets;
+}
+
+/// Of a person's accounts.
+struct Begun {
+    std::optional<FirstAttempt> first, own;  ///< of all; of the one that the others were merged into
+    std::string first_id;
+};
+
+/// By person; those without an attempt that decides are left out.
+std::map<std::string, Begun> begun_by_everybody(Connection& connection) {
+    Query rows(connection, "SELECT " + owner_of("p.person_id") +
+                               ", p.person_id, a.started, a.id, a.curriculum FROM (SELECT DISTINCT "
+                               "a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
+                               ") p JOIN attempt a ON a.id = (SELECT a.id FROM attempt a WHERE a.person_id "
+                               "= p.person_id AND " FULCRUM_DECIDES " ORDER BY a.started, a.id LIMIT 1)");
+    std::map<std::string, Begun> everybody;
+    while (rows.next()) {
+        Begun& person = everybody[rows.text(0)];
+        const FirstAttempt attempt{rows.text(4), rows.integer(2)};
+        const std::string id = rows.text(3);
+        if (rows.text(0) == rows.text(1)) person.own = attempt;
+        if (person.first && std::tie(person.first->time, person.first_id) <= std::tie(attempt.time, id))
+            continue;
+        person.first = attempt;
+        person.first_id = id;
+    }
+    return everybody;
 }
 
 void write_move(const Store& store, const Session& educator, const std::string& id, const std::string& person,
@@ -280,7 +305,7 @@ std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_
     Connection& connection = store_.connection();
     const Moves moves = read_moves(
         connection, "p.id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)", cohort_id);
-    const std::set<std::string> closely = looked_at_closely(connection);
+    const std::set<std::string> merged = merge_targets(connection);
     std::set<std::string> everybody;
     for (const auto& [person, begun] : begun_with) everybody.insert(person);
     for (const auto& [person, of_person] : moves) everybody.insert(person);
@@ -289,11 +314,12 @@ std::map<std::string, std::vector<CurriculumAssignment>> Curricula::assignments_
         const auto begun = begun_with.find(person);
         const auto moved = moves.find(person);
         std::vector<FollowedCurriculum> followed;
-        if (begun == begun_with.end() || begun->second.has_copies || closely.count(person) != 0) {
+        if (begun == begun_with.end() || begun->second.has_copies || merged.count(person) != 0) {
             followed = history(connection, person, newest);
         } else {
             std::optional<FirstAttempt> first;
-            if (begun->second.curriculum) first = FirstAttempt{*begun->second.curriculum, 0};
+            if (begun->second.curriculum)
+                first = FirstAttempt{*begun->second.curriculum, begun->second.since};
             followed = versions_of(person, first, std::nullopt,
                                    moved == moves.end() ? std::vector<Move>() : moved->second, newest);
         }
@@ -375,10 +401,8 @@ void Curricula::keep_version(const Session& educator, const std::string& person_
                              const std::string& decision, const std::string& reason) const {
     store_.require(educator, Operation::decide_standing, Subject::person(person_id));
     Connection& connection = store_.connection();
-    if (read_first(connection, person_id, {})) return;
-    const std::vector<FollowedCurriculum> followed = history(connection, person_id, newest);
-    if (followed.size() > 1) return;
-    const std::string& name = followed.back().name;
+    if (!read_moves(connection, "p.id = ?", person_id).empty()) return;
+    const std::string name = history(connection, person_id, newest).back().name;
     write_move(store_, educator, decision, person_id, name, name, reason, store_.now());
 }
 
@@ -394,46 +418,13 @@ std::vector<CurriculumAssignment> Curricula::of_account(const Session& session, 
 }
 
 std::map<std::string, int> Curricula::people(const Curriculum& newest) const {
-    // Each row is one entry of a person; somebody who was entered twice has two, which belong to one person.
-    struct Decision {
-        std::int64_t moved = -1, begun = -1;  // time of the last move, of the first attempt; -1: none
-        std::string move, attempt, curriculum;
-    };
-    std::map<std::string, Decision> decisions;
-    Query rows(store_.connection(),
-               "SELECT " + owner_of("p.person_id") +
-                   ", m.time, m.id, m.curriculum, a.started, a.id, a.curriculum FROM (SELECT "
-                   "DISTINCT a.person_id FROM attempt a WHERE " FULCRUM_OWN_TASK
-                   " UNION SELECT person_id FROM curriculum_move) p LEFT JOIN curriculum_move m ON m.id = "
-                   "(SELECT n.id FROM curriculum_move n WHERE n.person_id = p.person_id AND " +
-                   owner_of("n.author_id") + " <> " + owner_of("n.person_id") +
-                   " ORDER BY n.time DESC, n.id DESC LIMIT 1) LEFT JOIN attempt a ON a.id = (SELECT a.id "
-                   "FROM attempt a WHERE a.person_id = p.person_id AND " FULCRUM_DECIDES
-                   " ORDER BY a.started, a.id LIMIT 1)");
-    while (rows.next()) {
-        if (rows.is_null(1) && rows.is_null(4)) continue;  // as without attempts
-        Decision& known = decisions[rows.text(0)];
-        if (!rows.is_null(1)) {
-            const std::int64_t moved = rows.integer(1);
-            const std::string id = rows.text(2);
-            if (std::tie(moved, id) <= std::tie(known.moved, known.move)) continue;
-            known.moved = moved;
-            known.move = id;
-            known.curriculum = rows.text(3);
-        } else if (!rows.is_null(4) && known.moved < 0) {
-            const std::int64_t begun = rows.integer(4);
-            const std::string id = rows.text(5);
-            if (known.begun >= 0 && std::tie(known.begun, known.attempt) <= std::tie(begun, id)) continue;
-            known.begun = begun;
-            known.attempt = id;
-            known.curriculum = rows.text(6);
-        }
-    }
-    const std::set<std::string> closely = looked_at_closely(store_.connection());
+    Connection& connection = store_.connection();
+    std::map<std::string, Begun> begun = begun_by_everybody(connection);
+    Moves moves = read_moves(connection, "m.curriculum <> ?", {});  // all
+    for (const auto& [person, of_person] : moves) begun.try_emplace(person);
     std::map<std::string, int> result;
-    for (const auto& [person, decision] : decisions)
-        ++result[closely.count(person) != 0 ? history(store_.connection(), person, newest).back().name
-                                            : followed_first(FirstAttempt{decision.curriculum}, newest).name];
+    for (const auto& [person, of_person] : begun)
+        ++result[versions_of(person, of_person.first, of_person.own, moves[person], newest).back().name];
     return result;
 }
 

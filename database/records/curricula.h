@@ -52,6 +52,7 @@ bool decides_curriculum(const AttemptSummary& attempt);
 /// What the attempts of a person say of the version from the beginning.
 struct BegunWith {
     std::optional<std::string> curriculum;  ///< named by the first that decides; nothing: there is none
+    std::int64_t since = 0;                 ///< UTC ms, when that one began
     bool has_copies = false;                ///< of reassigned attempts: which of them decide is asked
 };
 
@@ -94,10 +95,10 @@ class Curricula {
     /// StoreError, as preview() does.
     int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
              const std::string& to, const std::string& reason) const;
-    /// Within the transaction of a decision on a standing: whoever has neither an attempt that decides nor a
-    /// move stays on the version of the decision from then on, written as a move to it with the id of the
-    /// decision. It counts while nothing older of the person is known: no attempt that decides, no other
-    /// move. An exchange or a merge may bring one, a void may take it away again. Checked as decide_standing.
+    /// Within the transaction of a decision on a standing: whoever has no move yet stays on the version of
+    /// the decision, written as a move to it with the id of the decision. It counts while nothing older of
+    /// the person is known: no attempt that decides, no other move. An exchange or a merge may bring one, a
+    /// void may take it away again. Checked as decide_standing.
     void keep_version(const Session& educator, const std::string& person_id, const Curriculum& newest,
                       const std::string& decision, const std::string& reason) const;
     /// How many people with such attempts or a move follow each version; somebody who was entered twice is

@@ -26,9 +26,9 @@ class Standings {
     std::vector<OverrideRow> overrides(const Session& session, const std::string& person_id) const;
     /// Unlocks a task for a person or declares the person proficient in it. Never for oneself. `reason`: 1 to
     /// 4,000 characters. `newest`: a decision that changes nothing is refused, one on a task that is not of
-    /// the person's version, and one on a person whose version is not installed; whoever has no attempt and
-    /// no move stays on this version from then on (null: nothing of it is asked or settled). Throws
-    /// AccessDenied, StoreError. Returns the id.
+    /// the person's version, and one on a person whose version is not installed; whoever has no move stays on
+    /// the version followed, also should the attempts be voided (null: nothing of it is asked or settled).
+    /// Throws AccessDenied, StoreError. Returns the id.
     std::string decide(const Session& educator, const std::string& person_id, const std::string& task_id,
                        StandingOverride::Kind kind, const std::string& reason,
                        const Curriculum* newest = nullptr) const;

@@ -193,13 +193,30 @@ TEST(Curricula, ADecisionMovesNobodyWhoHadBegunBefore) {
     EXPECT_TRUE(one.programme.store->check(administrator).ok);
 }
 
+TEST(Curricula, ADecisionKeepsTheVersionAlsoWhereTheAttemptsAreVoidedLater) {
+    const Followers one;
+    const auto decide = [&](const char* task) {
+        one.programme.clock.pass_s(10);
+        Standings(*one.programme.store)
+            .decide(one.educator, one.programme.id("ann"), task, StandingOverride::Kind::proficient,
+                    "examined in theatre", &one.newest);
+    };
+    const std::string attempt = one.record("ann", *one.newest.version_named("rectal@1"));
+    decide("A1");
+    decide("A2");
+    EXPECT_EQ(one.curricula.followed(one.educator, one.programme.id("ann"), one.newest).size(), 1U);
+    one.programme.attempts().void_attempt(one.educator, attempt, "the camera was off");
+    EXPECT_EQ(one.of("ann"), "rectal@1") << "what was decided was decided under it";
+    EXPECT_EQ(one.curricula.people(one.newest), (std::map<std::string, int>{{"rectal@1", 1}}));
+}
+
 TEST(Curricula, MovesOfAMergedAccountDoNotMoveWhoeverHasBegunUnderTheOneThatStays) {
     const Followers one;
     const PersonMerge merge(*one.programme.store);
     const Session& administrator = one.programme.session("administrator");
     using Counts = std::map<std::string, int>;
-    const std::string ann = one.programme.id("ann"), ben = one.programme.id("ben"),
-                      eve = one.programme.id("eve");
+    const std::string &ann = one.programme.id("ann"), &ben = one.programme.id("ben"),
+                      &eve = one.programme.id("eve");
     one.programme.people().set_members(one.programme.session("director"), one.programme.cohort,
                                        {ann, ben, eve});
     one.record("eve", *one.newest.version_named("rectal@1"));
@@ -213,14 +230,10 @@ TEST(Curricula, MovesOfAMergedAccountDoNotMoveWhoeverHasBegunUnderTheOneThatStay
     one.programme.clock.pass_s(10);
     EXPECT_EQ(one.curricula.move(one.educator, {ann}, one.newest, "rectal@2", "new rules"), 1);
     EXPECT_EQ(one.of("ann"), "rectal@2");
-    // Under an account that has begun nothing, all that the merged one did counts.
     merge.undo(administrator, eve, "another person after all");
     merge.merge(administrator, eve, ben, "entered twice");
-    EXPECT_EQ(one.of("ben"), "rectal@2");
+    EXPECT_EQ(one.of("ben"), "rectal@2") << "has begun nothing: all that the other account did counts";
     EXPECT_EQ(one.curricula.people(one.newest), (Counts{{"rectal@2", 2}}));
-    one.programme.clock.pass_s(10);
-    one.record("ben", one.newest);
-    EXPECT_EQ(one.of("ben"), "rectal@2");
 }
 
 TEST(Curricula, AMoveThatAnotherAccountOfThePersonMadeDoesNotCountAfterAMerge) {
