@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -38,7 +39,7 @@ class TaskRun {
         ++attempts_;
         // There it could not have been passed either.
         if (one.without_limits) return;
-        by_firm_limits_ = !one.provisional;
+        last_class_ = curriculum_class(one.device_class);
         judge_with(one.device_class, one.provisional);
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
@@ -158,9 +159,14 @@ class TaskRun {
         int passes = 0, failures = 0;
     };
 
+    /// Whether the limits of the class used last are firm now.
+    bool by_firm_limits() const {
+        return std::any_of(judged_with_.begin(), judged_with_.end(),
+                           [&](const auto& one) { return one.first == last_class_ && !one.second; });
+    }
     /// Met, until firm limits judge: from then on proficiency can be reached, and is left to reach.
-    bool shown_as_met() const { return met_provisionally_ && !by_firm_limits_; }
-    const RuleRun& shown() const { return provisional_ && !by_firm_limits_ ? all_ : firm_; }
+    bool shown_as_met() const { return met_provisionally_ && !by_firm_limits(); }
+    const RuleRun& shown() const { return provisional_ && !by_firm_limits() ? all_ : firm_; }
 
     /// Whether ratings are missing, by limits that are firm or by provisional ones.
     bool show_ratings(const CurriculumTask& task, const RatingsByAttempt& ratings, std::int64_t at,
@@ -219,7 +225,7 @@ class TaskRun {
 
     int attempts_ = 0, passes_ = 0;
     bool provisional_ = false, met_provisionally_ = false;
-    bool by_firm_limits_ = false;              ///< the latest attempt was judged by them
+    std::optional<DeviceClass> last_class_;    ///< of the latest attempt that limits judged
     std::map<DeviceClass, bool> judged_with_;  ///< by class: whether the limits are provisional
     std::int64_t first_ = 0, first_pass_ = 0, last_ = 0;
     RuleRun all_, firm_;

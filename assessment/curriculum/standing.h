@@ -5,7 +5,7 @@
 //
 // Provisional limits allow a pass, never proficiency. Whoever meets the rule on them is shown as "passed
 // (provisional)", and the next tasks unlock, so that a site without expert sets of its own can be used. Once
-// the latest attempt was judged by firm limits, the standing shows what is left to proficiency on these. A
+// the limits of the class of devices used last are firm, the standing shows what is left to proficiency. A
 // failure where no set of limits applies is an attempt that neither meets a rule nor breaks it.
 //
 // Where a rule asks for ratings, the attempt that completes the passes is the one to be rated, and stays it

@@ -123,6 +123,25 @@ TEST_F(Recommended, ACheckCountsByTheLimitsThatAreInForceNow) {
     EXPECT_TRUE(at(later + next_hour).provisional);
 }
 
+TEST_F(Recommended, ProficiencyIsLeftToReachOnceFirmLimitsAreInForce) {
+    attempt(next_begin, true).provisional = true;
+    attempt(next_begin + next_day, true).provisional = true;
+    const std::int64_t later = next_begin + 2 * next_day;
+    EXPECT_TRUE(at(later).met_provisionally);
+    EXPECT_EQ(next(later).task, "B");
+    record.limits.push_back({"other", "A", DeviceClass::tracked, later, false});
+    EXPECT_TRUE(at(later).met_provisionally) << "of another class than the one in use";
+    record.limits.push_back({"set", "A", DeviceClass::haptic, later + 1, false});
+    EXPECT_TRUE(at(later).met_provisionally) << "the past is not changed";
+    EXPECT_FALSE(at(later + 1).met_provisionally);
+    EXPECT_DOUBLE_EQ(at(later + 1).progress, 0);
+    EXPECT_EQ(next(later + 1).task, "A");
+    EXPECT_EQ(standing_of(record, later + 1).back().standing, Standing::open) << "what was unlocked stays";
+    attempt(later + next_hour, true);
+    attempt(later + next_day, true);
+    EXPECT_EQ(at(later + next_day).standing, Standing::proficient);
+}
+
 TEST_F(Recommended, NoDeviceIsNamedWhoseLimitsAreProvisional) {
     decide("A", next_begin);
     decide("B", next_begin + next_day);
