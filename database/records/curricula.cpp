@@ -130,7 +130,8 @@ std::vector<FollowedCurriculum> versions_of(const std::string& account,
         followed.push_back(move.to);
     }
     // Whoever was moved before any attempt decided began with that version: nothing was done under another.
-    if (!first && followed.size() > 1) followed.front().name = followed[1].name;
+    if (followed.size() > 1 && (!first || followed[1].since <= first->time))
+        followed.front().name = followed[1].name;
     // From the attempt on with which the account that stays began itself, it follows the version that this
     // attempt names. A merge puts nobody on the version of the doubled account.
     if (own && own->time == own_since) {

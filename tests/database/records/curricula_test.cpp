@@ -184,6 +184,8 @@ TEST(Curricula, ADecisionMovesNobodyWhoHadBegunBefore) {
     one.programme.clock.pass_s(10);
     one.record("ann", older);
     EXPECT_EQ(one.of("ann"), "rectal@2") << "begun after the decision";
+    EXPECT_EQ(one.curricula.followed(one.educator, one.programme.id("ann"), one.newest)[0].name, "rectal@2")
+        << "so it moved nobody";
     // A move on purpose counts, whatever comes later.
     one.programme.clock.pass_s(10);
     one.curricula.move(one.educator, {one.programme.id("ben")}, one.newest, "rectal@1", "course of spring");
