@@ -221,6 +221,11 @@ TEST(NextReason, NamesTheDevicesThatACheckNeeds) {
         const QString reason = reason_text(next, "Basics", DeviceClass::mouse_keyboard, 0);
         EXPECT_TRUE(reason.contains(device_class_text(DeviceClass::mouse_keyboard)));
         EXPECT_TRUE(reason.contains("but with: " + both + ".")) << reason.toStdString();
+        next.provisional_here = true;
+        const QString limits = reason_text(next, "Basics", DeviceClass::tracked, 0);
+        EXPECT_TRUE(limits.contains("The limits for tracked instruments are provisional"));
+        EXPECT_TRUE(limits.contains("passes with these count: " + both + ".")) << limits.toStdString();
+        next.provisional_here = false;
     }
 }
 
