@@ -9,7 +9,9 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <iterator>
 
+#include "sim_core/scene/cutting_values.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
 #include "ui/style/flow_row.h"
@@ -35,13 +37,24 @@ QString range_of(const SiteTissueValue& one) {
         .arg(number(one.minimum), number(one.maximum));
 }
 
+/// As the table above the versions writes it. A key that scenes have no longer is shown as it was stored.
+QString in_words(const std::string& tissue, const std::string& key, double value) {
+    const auto* const known = std::find_if(std::begin(cutting_keys), std::end(cutting_keys),
+                                           [&](const CuttingKey& row) { return key == row.key; });
+    if (known == std::end(cutting_keys))
+        return QStringLiteral("%1, %2: %3").arg(asset_text(tissue), text(key), number(value));
+    return QStringLiteral("%1, %2: %3 %4")
+        .arg(asset_text(tissue), QCoreApplication::translate("fulcrum::tissues", known->words), number(value),
+             QString::fromLatin1(known->unit))
+        .trimmed();
+}
+
 QString in_words(const database::TissueValues& values) {
     QStringList parts;
     for (const auto& [tissue, named] : values) {
-        for (const auto& [key, value] : named)
-            parts << QStringLiteral("%1 %2 = %3").arg(asset_text(tissue), text(key), number(value));
+        for (const auto& [key, value] : named) parts << in_words(tissue, key, value);
     }
-    return parts.isEmpty() ? TissuesPage::tr("scene value") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? TissuesPage::tr("scene value") : parts.join(QStringLiteral("; "));
 }
 
 }  // namespace

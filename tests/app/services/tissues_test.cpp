@@ -243,6 +243,35 @@ TEST_F(SiteTissue, EducatorsSetValuesOnTheirPageAndTheBriefingStatesIt) {
     window.context().sign_out();
 }
 
+TEST_F(SiteTissue, VersionsNameTheirParametersInTheLanguageInUse) {
+    set(tough, "as in our patients");
+    // The second key as after an update that took it out of the scenes; the store does not check that.
+    Tissues(store).set(*programme.educator, "B2", 1,
+                       {{"areolar", {{"energy_factor", 0.5}, {"old_key", 2.0}}}}, "measured again");
+    programme.store.reset();
+    const auto services = make_services(programme.folder.path().toStdString());
+    MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.start();
+    window.context().set_session(*programme.educator);
+    constexpr int values_column = 3;
+    const auto values = [&](int row) {
+        auto* versions = find<QTableWidget>(window, "tissue_versions");
+        return versions->rowCount() > row ? versions->item(row, values_column)->text().toStdString() : "none";
+    };
+    click(window, "rail_tissues");
+    EXPECT_EQ(values(0), "areolar, Fraction of these forces with energy on: 0.5; areolar, old_key: 2");
+    EXPECT_EQ(values(1), "areolar, Force across the tissue to break through: 0.11 N");
+    EXPECT_TRUE(shown_whole(*find<QTableWidget>(window, "tissue_versions")));
+    window.set_language(Language::german);
+    click(window, "rail_tissues");
+    EXPECT_EQ(values(1), "lockeres Bindegewebe, Kraft quer zum Gewebe bis zum Durchbruch: 0,11 N");
+    window.set_language(Language::english);
+    window.context().sign_out();
+}
+
 TEST_F(SiteTissue, ValuesThatNoLongerFitTheSceneAreShownAndReset) {
     // Below the scene's dynamic_friction_n, as after an update that raised it; the store does not check that.
     Tissues(store).set(*programme.educator, "B2", 0, {{"areolar", {{"static_friction_n", 0.01}}}},
