@@ -44,8 +44,8 @@ std::vector<Role> roles_at_server(Connection& server, const std::string& person_
 void require_account_password(const Store& store, const std::string& password) {
     try {
         const Connection same(ServerAddress::parse(store.path()), true, password);
-    } catch (const StoreError& error) {
-        if (std::string(error.what()).find("password") == std::string::npos) throw;
+    } catch (const ConnectError& error) {
+        if (error.why() != ServerRefusal::password) throw;
         throw SignInRefused(SignInRefused::Reason::wrong, 0,
                             QT_TRANSLATE_NOOP("errors", "login or password wrong"));
     }

@@ -15,6 +15,8 @@
 #include <random>
 #include <thread>
 
+#include "database/rows/server_refusal.h"
+
 namespace fulcrum::database {
 namespace {
 
@@ -112,11 +114,13 @@ Connection::Connection(const ServerAddress& server, bool read_only, const std::s
     if (server.port != 0) database_.setPort(server.port);
     if (!password.empty()) database_.setPassword(QString::fromStdString(password));
     database_.setConnectOptions(QString::fromStdString(server.options()));
+    const auto asked = std::chrono::steady_clock::now();
     if (!database_.open()) {
+        const bool answered = std::chrono::steady_clock::now() - asked < refused_within;
         const std::string said = database_.lastError().text().simplified().toStdString();
         database_ = QSqlDatabase();
         QSqlDatabase::removeDatabase(QString::fromStdString(name_));
-        fail_to_connect(path_, said);
+        fail_to_connect(path_, answered ? refusal_of(server, password) : ServerRefusal::none, said);
     }
     set_up_server();
 }

@@ -47,6 +47,25 @@ class StoreError : public HintedError {
     StoreErrorKind kind_;
 };
 
+/// Why a programme server does not let this program in.
+enum class ServerRefusal : std::uint8_t {
+    none,      ///< it did not answer, or it is something else
+    password,  ///< another one than the account's, or none where the server asks for one
+    account,   ///< there is no such account, or it may not sign in
+    database,  ///< there is no such database
+};
+
+/// A connection to a programme server that could not be made.
+class ConnectError : public StoreError {
+  public:
+    ConnectError(ServerRefusal why, const Sentence& problem, const Sentence& hint)
+        : StoreError(StoreErrorKind::unreachable, problem, hint), why_(why) {}
+    ServerRefusal why() const noexcept { return why_; }
+
+  private:
+    ServerRefusal why_;
+};
+
 /// Why access is denied.
 enum class DenialReason : std::uint8_t {
     none,  ///< it is not

@@ -15,8 +15,32 @@ namespace {
                      {QT_TRANSLATE_NOOP("errors", "the address of the server %1"), problem}, hint);
 }
 
-bool contains(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
+const char* hint_of(ServerRefusal why, const std::string& said) {
+    switch (why) {
+        case ServerRefusal::password:
+            return QT_TRANSLATE_NOOP(
+                "errors",
+                "put the right password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or "
+                "name such a file in PGPASSFILE");
+        case ServerRefusal::account:
+            return QT_TRANSLATE_NOOP(
+                "errors",
+                "name the account that the administrator of the server made for this station or this person; "
+                "if its access was withdrawn, ask the server's owner for a new token (`fulcrum server "
+                "enrol`)");
+        case ServerRefusal::database:
+            return QT_TRANSLATE_NOOP(
+                "errors",
+                "have the administrator of the server make it: createdb, then `fulcrum server create`");
+        case ServerRefusal::none:
+            break;
+    }
+    // Words of libpq, not of the server; the name of the protocol is the same in every language.
+    if (said.find("SSL") != std::string::npos)
+        return QT_TRANSLATE_NOOP(
+            "errors", "the connection must be encrypted: have the server's administrator turn ssl on");
+    return QT_TRANSLATE_NOOP(
+        "errors", "check the address, the network, and that the server runs, and try again; nothing is lost");
 }
 
 }  // namespace
@@ -100,31 +124,9 @@ std::string ServerAddress::options() const {
     return result;
 }
 
-void fail_to_connect(const std::string& server, const std::string& said) {
-    const char* hint = QT_TRANSLATE_NOOP(
-        "errors", "check the address, the network, and that the server runs, and try again; nothing is lost");
-    if (contains(said, "not permitted to log in"))
-        hint = QT_TRANSLATE_NOOP(
-            "errors",
-            "its access was withdrawn: ask the server's owner for a new token (`fulcrum server enrol`)");
-    else if (contains(said, "password"))
-        hint = QT_TRANSLATE_NOOP(
-            "errors",
-            "put the right password into ~/.pgpass (HOST:PORT:DATABASE:USER:PASSWORD, mode 0600), or name "
-            "such a "
-            "file in PGPASSFILE");
-    else if (contains(said, "database \"") && contains(said, "does not exist"))
-        hint = QT_TRANSLATE_NOOP(
-            "errors", "have the administrator of the server make it: createdb, then `fulcrum server create`");
-    else if (contains(said, "role \"") && contains(said, "does not exist"))
-        hint = QT_TRANSLATE_NOOP(
-            "errors",
-            "name the account that the administrator of the server made for this station or this person");
-    else if (contains(said, "SSL"))
-        hint = QT_TRANSLATE_NOOP(
-            "errors", "the connection must be encrypted: have the server's administrator turn ssl on");
-    throw StoreError(StoreErrorKind::unreachable,
-                     {QT_TRANSLATE_NOOP("errors", "%1: cannot connect (%2)"), server, said}, hint);
+void fail_to_connect(const std::string& server, ServerRefusal why, const std::string& said) {
+    throw ConnectError(why, {QT_TRANSLATE_NOOP("errors", "%1: cannot connect (%2)"), server, said},
+                       hint_of(why, said));
 }
 
 void fail_on_server(const std::string& server, const std::string& state, const std::string& said) {

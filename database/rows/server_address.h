@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "database/rows/errors.h"
+
 namespace fulcrum::database {
 
 struct ServerAddress {
@@ -23,8 +25,8 @@ struct ServerAddress {
     std::string options() const;
 };
 
-/// Throws the StoreError for a connection that could not be made; `said`: in libpq's words.
-[[noreturn]] void fail_to_connect(const std::string& server, const std::string& said);
+/// Throws the ConnectError for a connection that could not be made; `said`: in libpq's words.
+[[noreturn]] void fail_to_connect(const std::string& server, ServerRefusal why, const std::string& said);
 /// The same for a statement that failed; `state`: the SQLSTATE, empty where the connection was lost.
 [[noreturn]] void fail_on_server(const std::string& server, const std::string& state,
                                  const std::string& said);

@@ -24,10 +24,9 @@ const char* const ask_for_another =
     QT_TRANSLATE_NOOP("errors", "ask the server's owner for a new one (`fulcrum server enrol`)");
 
 bool is_refused_account(const StoreError& error) {
-    const std::string said = error.what();
-    return said.find("password authentication failed") != std::string::npos ||
-           said.find("not permitted to log in") != std::string::npos ||
-           (said.find("role \"") != std::string::npos && said.find("does not exist") != std::string::npos);
+    const auto* refused = dynamic_cast<const ConnectError*>(&error);
+    return refused != nullptr &&
+           (refused->why() == ServerRefusal::password || refused->why() == ServerRefusal::account);
 }
 
 /// A connection that the server refuses for the token's account says nothing of why.
@@ -202,7 +201,7 @@ Enrolment enrol_station(const Store& store, const Session& session, const Server
                               is_enrolled_there(link, store.station_id());
         if (!was_lost) refuse_answer(store, token, said, server.text());
     } catch (const StoreError& error) {
-        if (error.kind() != StoreErrorKind::unreachable || !is_refused_account(error)) throw;
+        if (!is_refused_account(error)) throw;
         // Its end has come; the enrolment may have been complete but for the answer.
         if (!begun || !is_enrolled_there(link, store.station_id()))
             refuse_unknown(store, token, server.text());

@@ -52,8 +52,10 @@ const passwd* other_account() {
     give_up("no account but root");
 }
 
-/// Starts a program whose output goes to `log`; it ends with this process.
-pid_t start(const std::vector<std::string>& words, const passwd* account, const std::string& log) {
+/// Starts a program whose output goes to `log`; it ends with this process. `language`: of its messages, where
+/// it has a locale other than "C".
+pid_t start(const std::vector<std::string>& words, const passwd* account, const std::string& log,
+            const char* language = nullptr) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -70,6 +72,7 @@ pid_t start(const std::vector<std::string>& words, const passwd* account, const 
         ::_exit(126);
     ::prctl(PR_SET_PDEATHSIG, SIGQUIT);
     if (::chdir("/") != 0) ::_exit(126);
+    if (language != nullptr) ::setenv("LANGUAGE", language, 1);
     ::execv(arguments[0], arguments.data());
     ::_exit(127);
 }
@@ -112,7 +115,7 @@ PostgresqlServer* PostgresqlServer::of_this_process() {
         if (account != nullptr && ::chown(folder.c_str(), account->pw_uid, account->pw_gid) != 0)
             give_up("its folder");
         const pid_t initdb = start({programs + "/initdb", "--no-sync", "-U", "owner", "--auth=trust",
-                                    "--locale=C.UTF-8", "-D", data},
+                                    "--locale=C.UTF-8", "--lc-messages=C", "-D", data},
                                    account, log);
         int status = 0;
         ::waitpid(initdb, &status, 0);
@@ -123,7 +126,7 @@ PostgresqlServer* PostgresqlServer::of_this_process() {
         running.process =
             start({programs + "/postgres", "-D", data, "-k", folder, "-c", "listen_addresses=", "-c",
                    "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off"},
-                  account, log);
+                  account, log, "de");
         wait_until_ready(running, data, log);
         auto made = std::unique_ptr<PostgresqlServer>(new PostgresqlServer());
         made->socket_folder_ = folder;
@@ -177,6 +180,25 @@ ServerAddress PostgresqlServer::as(ServerAddress address, const std::string& use
 
 void PostgresqlServer::execute(const ServerAddress& address, const std::string& sql) const {
     Connection(address).execute(QString::fromStdString(sql));
+}
+
+void PostgresqlServer::write_german(bool german) const {
+    // The language is that of LANGUAGE (see above), for which every locale but "C" will do.
+    const std::string locale = german ? "C.UTF-8" : "C";
+    ServerAddress address;
+    address.host = socket_folder_;
+    address.user = "owner";
+    address.database = "postgres";
+    execute(address, "ALTER SYSTEM SET lc_messages = '" + locale + "'");
+    execute(address, "SELECT pg_reload_conf()");
+    // A connection has what the server had when the connection was made.
+    for (int tries = 0; tries < 3000; ++tries) {
+        Connection connection(address);
+        Query now(connection, "SHOW lc_messages");
+        if (now.next() && now.text(0) == locale) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    give_up("its language stays another one than " + locale);
 }
 
 }  // namespace fulcrum::database::test

@@ -22,6 +22,8 @@ class PostgresqlServer {
     static ServerAddress as(ServerAddress address, const std::string& user);
     static constexpr const char* station_password = "a station's secret";
     void execute(const ServerAddress& address, const std::string& sql) const;
+    /// Its messages are German from now on, where those of its package are installed, or English as at first.
+    void write_german(bool german) const;
 
   private:
     PostgresqlServer() = default;

@@ -6357,8 +6357,8 @@
         <translation>hat keine Rolle, die diese Person innehat</translation>
     </message>
     <message>
-        <source>name the account that the administrator of the server made for this station or this person</source>
-        <translation>nennen Sie das Konto, das der Administrator des Servers für diese Station oder diese Person angelegt hat</translation>
+        <source>name the account that the administrator of the server made for this station or this person; if its access was withdrawn, ask the server&apos;s owner for a new token (`fulcrum server enrol`)</source>
+        <translation>nennen Sie das Konto, das der Administrator des Servers für diese Station oder diese Person angelegt hat; wurde sein Zugang beendet, lassen Sie sich vom Eigentümer des Servers ein neues Token geben (`fulcrum server enrol`)</translation>
     </message>
     <message>
         <source>nothing is lost; try again when the server can be reached</source>
@@ -7939,10 +7939,6 @@
     <message>
         <source>ask the administrator for the right to it: `sudo chmod a+rw %1`, and a+x for the folder that it is in</source>
         <translation>bitten Sie die Administration um das Recht dazu: `sudo chmod a+rw %1`, und a+x für seinen Ordner</translation>
-    </message>
-    <message>
-        <source>its access was withdrawn: ask the server&apos;s owner for a new token (`fulcrum server enrol`)</source>
-        <translation>sein Zugang wurde beendet: Lassen Sie sich vom Eigentümer des Servers ein neues Token geben (`fulcrum server enrol`)</translation>
     </message>
     <message>
         <source>the server was set up by an older program</source>
