@@ -101,6 +101,7 @@ QWidget* ServerCard::make_form() {
     enrol_ = make_button(tr("Enrol this station"), "enrol_station", "primary");
     for (QLineEdit* field : {address_, token_}) {
         layout->addWidget(field);
+        mark_begun(field, tr("an enrolment of this station that is not complete yet"));
         connect(field, &QLineEdit::textChanged, this, &ServerCard::update_buttons);
     }
     connect(enrol_, &QPushButton::clicked, this, &ServerCard::enrol);
@@ -136,6 +137,7 @@ void ServerCard::show_link() {
     token_->clear();
     update_buttons();
     if (!linked) return;
+    address_->setModified(false);  // it has been used
     place_->setText(tr("Enrolled at %1").arg(text(linked->address)));
     QStringList cohorts;
     for (const std::string& name : linked->cohorts) cohorts << text(name);

@@ -26,7 +26,10 @@ FirstStartPage::FirstStartPage(Context& context) : Page(context, "first_start_pa
     steps_->addWidget(build_recovery());
     steps_->addWidget(join_ = new JoinForm(context));
     connect(join_, &JoinForm::back, this, [this] { steps_->setCurrentIndex(0); });
-    connect(join_, &JoinForm::joined, this, &FirstStartPage::programme_joined);
+    connect(join_, &JoinForm::joined, this, [this] {
+        forget_input();
+        emit programme_joined();
+    });
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scrolled(steps_, 860, PagePlace::centred));
@@ -113,7 +116,9 @@ QWidget* FirstStartPage::build_form() {
     auto* form = new QFormLayout;
     form->setSpacing(10);
     const auto field = [form](const QString& label, const char* name, bool secret) {
-        return make_field(form, label, name, secret);
+        QLineEdit* edit = make_field(form, label, name, secret);
+        mark_begun(edit, tr("a programme that is not created yet"));
+        return edit;
     };
     programme_ = field(tr("Programme"), "programme_name", false);
     programme_->setPlaceholderText(tr("for example: Department of Surgery"));
@@ -180,6 +185,14 @@ void FirstStartPage::enter() {
     start_create_->setFocus();
 }
 
+QStringList FirstStartPage::begun_input(Ending ending) const {
+    return ending == Ending::session ? QStringList() : Page::begun_input(ending);
+}
+
+void FirstStartPage::forget_input() {
+    for (QLineEdit* edit : findChildren<QLineEdit*>()) edit->clear();
+}
+
 void FirstStartPage::create() {
     if (!create_->isEnabled()) return;
     if (password_->text() != repeat_->text()) {
@@ -214,8 +227,7 @@ void FirstStartPage::create() {
             *created = database::People(store).create_programme(programme, login, name, password);
         },
         [this, created] {
-            password_->clear();
-            repeat_->clear();
+            forget_input();
             code_->setText(text((*created)->recovery_code));
             context().set_session((*created)->administrator);
             steps_->setCurrentIndex(2);

@@ -20,6 +20,10 @@ class FirstStartPage : public Page {
   public:
     explicit FirstStartPage(Context& context);
     void enter() override;
+    /// A sign-out leaves this page as it is.
+    QStringList begun_input(Ending ending) const override;
+    /// There is a programme: what was typed to create or join one is for nothing.
+    void forget_input();
     void look_around();
 
   signals:

@@ -42,6 +42,7 @@ JoinForm::JoinForm(Context& context) : context_(context) {
     join_ = make_button(tr("Join"), "join_confirm", "primary");
     connect(join_, &QPushButton::clicked, this, &JoinForm::join);
     for (QLineEdit* edit : {address_, token_}) {
+        mark_begun(edit, tr("a programme that is not joined yet"));
         connect(edit, &QLineEdit::textChanged, this, &JoinForm::update_button);
     }
     enter_leads_on({address_, token_}, join_);

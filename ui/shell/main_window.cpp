@@ -216,6 +216,7 @@ void MainWindow::start() {
             context_.services().open_store(false);
         const bool ready = context_.services().store() != nullptr && !context_.store().is_demo() &&
                            context_.store().has_administrator();
+        if (on_server() || ready) first->forget_input();
         if (on_server()) {
             context_.set_session(database::People(context_.store()).account_session());
             show_home();

@@ -25,7 +25,9 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
     auto* form = new QFormLayout;
     form->setSpacing(10);
     const auto field = [form](const QString& label, const char* name) {
-        return make_field(form, label, name, true);
+        QLineEdit* edit = make_field(form, label, name, true);
+        mark_begun(edit, tr("a new password"));
+        return edit;
     };
     old_ = field(tr("Current password"), "old_password");
     new_ = field(tr("New password"), "new_password");
@@ -48,7 +50,7 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
     connect(change_, &QPushButton::clicked, this, &PasswordPage::change);
     connect(cancel_, &QPushButton::clicked, this, [this] {
         if (this->context().session().must_change_password()) {
-            this->context().sign_out();
+            emit this->context().switch_user_wanted();
         } else {
             emit this->context().home_wanted();
         }
@@ -66,9 +68,12 @@ void PasswordPage::enter() {
                   "one that only you know.")
              : tr("It takes effect at your next sign-in."));
     cancel_->setText(must ? tr("Sign out") : tr("Cancel"));
-    for (QLineEdit* edit : {old_, new_, again_}) edit->clear();
     problem_->clear();
     old_->setFocus();
+}
+
+void PasswordPage::leave() {
+    for (QLineEdit* edit : {old_, new_, again_}) edit->clear();
 }
 
 void PasswordPage::change() {

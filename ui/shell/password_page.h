@@ -18,6 +18,8 @@ class PasswordPage : public Page {
   public:
     explicit PasswordPage(Context& context);
     void enter() override;
+    /// No password stays on a page that is not shown.
+    void leave() override;
 
   private:
     void change();

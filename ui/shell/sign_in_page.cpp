@@ -109,6 +109,7 @@ QFrame* SignInPage::build_recovery() {
     recovery_code_ = make_field(form, tr("Recovery code"), "recovery_code_field", false);
     recovery_password_ = make_field(form, tr("New password"), "recovery_password", true);
     card_layout(card)->addLayout(form);
+    for (QLineEdit* edit : {recovery_code_, recovery_password_}) mark_begun(edit, tr("a new password"));
     recover_ = make_button(tr("Set the new password"), "recover");
     connect(recover_, &QPushButton::clicked, this, &SignInPage::recover);
     card_layout(card)->addWidget(recover_, 0, Qt::AlignRight);
@@ -161,6 +162,10 @@ void SignInPage::enter() {
         fill_picker();
         login_->setFocus();
     }
+}
+
+void SignInPage::leave() {
+    for (QLineEdit* edit : {password_, recovery_code_, recovery_password_}) edit->clear();
 }
 
 void SignInPage::fill_picker() {

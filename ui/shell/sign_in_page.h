@@ -20,6 +20,8 @@ class SignInPage : public Page {
   public:
     explicit SignInPage(Context& context);
     void enter() override;
+    /// No password and no recovery code stays on a page that is not shown.
+    void leave() override;
 
   signals:
     /// From the demo back to the first screen.

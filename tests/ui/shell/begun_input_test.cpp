@@ -160,5 +160,111 @@ TEST_F(BegunInput, NotesOfARatingAreKeptWhenTheWindowCloses) {
     EXPECT_EQ(ratings.rows[0].remark, "Slow start");
 }
 
+TEST_F(BegunInput, OfANewPasswordIsNamedWithoutIt) {
+    open_page(Role::trainee, "rail_password");
+    type(*window, "new_password", "correct horse");
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(question(), "Not saved yet, and lost when the window closes: a new password.");
+    click(*window, "question_no");
+    click(*window, "switch_user");
+    EXPECT_TRUE(window->context().signed_in());
+    EXPECT_EQ(question(), "Not saved yet, and lost at the sign-out: a new password.");
+    click(*window, "question_no");
+    EXPECT_EQ(typed("new_password"), "correct horse");
+    go_to("rail_home");
+    EXPECT_TRUE(window->close()) << "a page that was left has no password";
+}
+
+TEST_F(BegunInput, OfTheFirstPasswordIsNamedBeforeItsOwnSignOut) {
+    database::Session once = sessions.at(Role::administrator);
+    {
+        const database::People people(*services.store());
+        const auto made = people.create(sessions.at(Role::administrator), "nora", "Nora", {Role::trainee});
+        once = people.sign_in("nora", made.one_time_password);
+    }
+    open({1280, 800});
+    ASSERT_TRUE(become_active(*window));
+    window->context().set_session(once);
+    settle();
+    type(*window, "new_password", "correct horse");
+    click(*window, "password_cancel");
+    EXPECT_TRUE(window->context().signed_in());
+    EXPECT_TRUE(question().endsWith(": a new password.")) << question().toStdString();
+    click(*window, "question_yes");
+    EXPECT_FALSE(window->context().signed_in());
+    // The way back of the last administrator, on the page of the sign-in.
+    click(*window, "forgotten_password");
+    type(*window, "recovery_password", "correct horse");
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(question().endsWith(": a new password.")) << question().toStdString();
+    click(*window, "question_no");
+    sign_in(Role::administrator);
+    EXPECT_TRUE(window->close());
+}
+
+TEST_F(BegunInput, OfAnEnrolmentIsNamedWithoutItsToken) {
+    open_page(Role::administrator, "rail_station");
+    type(*window, "server_token", "0A1B2");
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(question(),
+              "Not saved yet, and lost when the window closes: an enrolment of this station that is not "
+              "complete yet.");
+}
+
+class BegunFirstStart : public BegunInput {
+  protected:
+    ~BegunFirstStart() override {
+        if (window != nullptr) window->set_language(Language::english);
+        window.reset();  // before its services
+    }
+    FakeServices empty;
+};
+
+TEST_F(BegunFirstStart, IsNamedUntilTheProgrammeIsThere) {
+    window = std::make_unique<MainWindow>(empty);
+    window->resize(1280, 800);
+    window->show();
+    ASSERT_TRUE(become_active(*window));
+    window->start();
+    click(*window, "create_programme");
+    type(*window, "administrator_password", "correct horse");
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(question(),
+              "Not saved yet, and lost when the window closes: a programme that is not created yet.");
+    click(*window, "question_no");
+    EXPECT_EQ(typed("administrator_password"), "correct horse");
+    click(*window, "create_back");
+    click(*window, "join_programme");
+    type(*window, "join_token", "0A1B2");
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(
+        question().endsWith(": a programme that is not created yet; a programme that is not joined yet."))
+        << question().toStdString();
+    click(*window, "question_no");
+    click(*window, "join_back");
+    // Over the demonstration another language is chosen; a sign-out there leaves the first page alone.
+    click(*window, "look_around");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "pick_demo_person"); }));
+    window->context().set_session(database::People(*empty.store()).demo_session("dora", Role::director));
+    settle();
+    go_to("rail_settings");
+    check(*window, "language_de");
+    EXPECT_EQ(language_in_use(), Language::english);
+    EXPECT_TRUE(question().contains("a programme that is not created yet")) << question().toStdString();
+    click(*window, "question_no");
+    click(*window, "switch_user");
+    EXPECT_FALSE(window->context().signed_in());
+    click(*window, "leave_demo");
+    click(*window, "create_programme");
+    EXPECT_EQ(typed("administrator_password"), "correct horse");
+    type_programme(*window);
+    click(*window, "create_confirm");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "recovery_code"); }));
+    check(*window, "code_noted");
+    click(*window, "code_continue");
+    settle();
+    EXPECT_TRUE(window->close()) << question().toStdString();
+}
+
 }  // namespace
 }  // namespace fulcrum::ui::window_test

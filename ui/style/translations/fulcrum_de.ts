@@ -14331,6 +14331,10 @@ Kennzahlen: %2</translation>
 <context>
     <name>fulcrum::ui::FirstStartPage</name>
     <message>
+        <source>a programme that is not created yet</source>
+        <translation>ein Programm, das noch nicht angelegt ist</translation>
+    </message>
+    <message>
         <source>A simulator for laparoscopic rectal surgery with its training programme: tasks, scores with their evidence, reviews and reports.</source>
         <translation>Ein Simulator für die laparoskopische Rektumchirurgie mit seinem Ausbildungsprogramm: Aufgaben, Bewertungen mit ihren Belegen, Durchsichten und Berichte.</translation>
     </message>
@@ -15114,6 +15118,10 @@ Kennzahlen: %2</translation>
 </context>
 <context>
     <name>fulcrum::ui::JoinForm</name>
+    <message>
+        <source>a programme that is not joined yet</source>
+        <translation>ein Programm, dem diese Station noch nicht beigetreten ist</translation>
+    </message>
     <message>
         <source>Join a programme</source>
         <translation>Einem Programm beitreten</translation>
@@ -16259,6 +16267,10 @@ Kennzahlen: %2</translation>
 </context>
 <context>
     <name>fulcrum::ui::PasswordPage</name>
+    <message>
+        <source>a new password</source>
+        <translation>ein neues Passwort</translation>
+    </message>
     <message>
         <source>Choose a new password</source>
         <translation>Neues Passwort wählen</translation>
@@ -18084,6 +18096,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 <context>
     <name>fulcrum::ui::ServerCard</name>
     <message>
+        <source>an enrolment of this station that is not complete yet</source>
+        <translation>eine Aufnahme dieser Station, die noch nicht abgeschlossen ist</translation>
+    </message>
+    <message>
         <source>Programme server</source>
         <translation>Programmserver</translation>
     </message>
@@ -18216,6 +18232,10 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
 </context>
 <context>
     <name>fulcrum::ui::SignInPage</name>
+    <message>
+        <source>a new password</source>
+        <translation>ein neues Passwort</translation>
+    </message>
     <message>
         <source>Sign in</source>
         <translation>Anmelden</translation>
