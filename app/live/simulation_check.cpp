@@ -10,6 +10,7 @@
 #include "assessment/metrics/version.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/number_text.h"
+#include "sim_core/telemetry/event_types.h"
 
 namespace fulcrum::app {
 namespace {
@@ -41,34 +42,10 @@ bool same_versions(const std::vector<database::MetricRow>& stored,
     return true;
 }
 
-/// What the clock, the devices or the end of the program decided: a simulation from the inputs has it not, or
-/// at another place.
-bool is_made_outside(EventKind kind) {
-    switch (kind) {
-        case EventKind::attempt_begin:
-        case EventKind::pause:
-        case EventKind::resume:
-        case EventKind::device_lost:
-        case EventKind::device_back:
-        case EventKind::device_fault:
-        case EventKind::world_late:
-        case EventKind::simulator_fault:
-        case EventKind::stability_limited:
-        case EventKind::completed:
-        case EventKind::abandoned:
-        case EventKind::timed_out:
-        case EventKind::interrupted:
-        case EventKind::samples_lost:
-            return true;
-        default:
-            return false;
-    }
-}
-
 std::vector<Event> simulated_kinds(const std::vector<Event>& events) {
     std::vector<Event> kept;
     for (const Event& event : events)
-        if (!is_made_outside(event.kind)) kept.push_back(event);
+        if (is_from_simulation(event.kind)) kept.push_back(event);
     return kept;
 }
 

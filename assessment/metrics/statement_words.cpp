@@ -8,7 +8,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/task/attempt_words.h"
 #include "sim_core/numerics/number_text.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 
 namespace fulcrum {
 

@@ -10,7 +10,7 @@
 
 #include "assessment/trace/csv_reader.h"
 #include "sim_core/numerics/files.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 
 namespace fulcrum {
 

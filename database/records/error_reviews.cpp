@@ -9,8 +9,7 @@
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
 #include "database/store/audit.h"
-#include "sim_core/telemetry/event_errors.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 
 namespace fulcrum::database {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 
 namespace fulcrum {
 namespace {

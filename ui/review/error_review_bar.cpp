@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "database/records/reviews.h"
-#include "sim_core/telemetry/event_errors.h"
+#include "sim_core/telemetry/event_types.h"
 #include "ui/review/attempt_model.h"
 #include "ui/style/announce.h"
 #include "ui/style/flow_row.h"

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "database/rows/trace_codec.h"
+#include "sim_core/telemetry/event_types.h"
 #include "ui/language/language.h"
-#include "ui/review/event_words.h"
 #include "ui/style/flow_row.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -34,6 +34,52 @@ void show_progress(HudState& hud, double value) {
     hud.display.goal_progress = whole > 0 ? std::min(1.0, value / whole) : 0;
     if (goal.kind == GoalKind::run_bowel) hud.display.run_covered_m = value;
     if (goal.kind == GoalKind::divide_line) hud.display.cut_divided_m = value;
+}
+
+struct ShownTargets {
+    std::vector<bool> done;
+    int active = -1;
+};
+
+/// What an event leaves on the display until another one changes it.
+void show_event(HudState& hud, ShownTargets& targets, const Event& event) {
+    const EventType* type = find_type(event.kind);
+    if (type == nullptr) return;
+    if (type->weight == EventWeight::critical) hud.display.critical = true;
+    switch (type->mark) {
+        case ReplayMark::none:
+            break;
+        case ReplayMark::goal:
+            hud.display.goal = event.detail;
+            hud.display.goal_progress = hud.display.run_covered_m = 0;
+            break;
+        case ReplayMark::progress:
+            if (event.detail == hud.display.goal) show_progress(hud, static_cast<double>(event.value));
+            break;
+        case ReplayMark::movement:
+            hud.display.moving_seen = true;
+            break;
+        case ReplayMark::target_shown:
+            targets.active = event.detail;
+            break;
+        case ReplayMark::target_reached: {
+            if (event.detail < 0) break;
+            const auto index = static_cast<std::size_t>(event.detail);
+            targets.done.resize(std::max(targets.done.size(), index + 1), false);
+            targets.done[index] = true;
+            if (targets.active == event.detail) targets.active = -1;
+            break;
+        }
+        case ReplayMark::blood:
+            hud.display.blood_ml = event.value;
+            break;
+        case ReplayMark::traction:
+            if (event.hand < hand_count) hud.display.traction_n_m = static_cast<double>(event.value);
+            break;
+        case ReplayMark::traction_over:
+            hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();
+            break;
+    }
 }
 
 }  // namespace
@@ -266,35 +312,15 @@ void ReplayPanel::fill_hud() {
     }
     hud.display.lift_height_m = std::numeric_limits<double>::quiet_NaN();  // no event says it
     hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();   // said only while tissue is cut
-    std::vector<bool> done;
-    int active = -1;
+    ShownTargets targets;
     for (const Event& event : model_->trace->events) {
         if (event.tick > tick) break;
-        if (event.kind == EventKind::phase_begin) {
-            hud.display.goal = event.detail;
-            hud.display.goal_progress = hud.display.run_covered_m = 0;
-        }
-        if (event.kind == EventKind::blood_loss) hud.display.blood_ml = event.value;
-        if (event.kind == EventKind::cut_traction && event.hand < hand_count)
-            hud.display.traction_n_m = static_cast<double>(event.value);
-        if (event.kind == EventKind::cut_end)
-            hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();
-        if (event.kind == EventKind::target_shown) active = event.detail;
-        if (event.kind == EventKind::goal_progress && event.detail == hud.display.goal) {
-            show_progress(hud, static_cast<double>(event.value));
-        }
-        if (event.kind == EventKind::target_reached && event.detail >= 0) {
-            done.resize(std::max(done.size(), static_cast<std::size_t>(event.detail) + 1), false);
-            done[static_cast<std::size_t>(event.detail)] = true;
-            if (active == event.detail) active = -1;
-        }
-        if (event.kind == EventKind::first_movement) hud.display.moving_seen = true;
-        if (is_critical(event.kind)) hud.display.critical = true;
+        show_event(hud, targets, event);
     }
     hud.display.elapsed_s = time_;
     hud.display.remaining_s = std::max(0.0, model_->duration - time_);
     if (!alone_) view_->set_hud(hud);
-    view_->set_targets(done, active, false);
+    view_->set_targets(targets.done, targets.active, false);
 }
 
 }  // namespace fulcrum::ui

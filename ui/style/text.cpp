@@ -12,7 +12,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "assessment/task/limit_source.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 #include "ui/language/language.h"
 
 namespace fulcrum::ui {
@@ -51,7 +51,7 @@ QString day_format() {
 }
 
 QString event_text(const std::string& name) {
-    const NameRow<EventKind>* row = find_row(event_kinds, name);
+    const EventType* row = find_row(event_kinds, name);
     return row == nullptr ? text(name) : QCoreApplication::translate("fulcrum::events", row->title);
 }
 

@@ -14,7 +14,7 @@
 #include "database/scoring/loaded_task.h"
 #include "sim_core/devices/device_page.h"
 #include "sim_core/instrument/device.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 
 namespace fulcrum::app {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {

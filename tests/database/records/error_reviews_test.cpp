@@ -5,8 +5,7 @@
 
 #include "database/sync/station_erasure.h"
 #include "database/sync/trace_fetch.h"
-#include "sim_core/telemetry/event_errors.h"
-#include "sim_core/telemetry/event_names.h"
+#include "sim_core/telemetry/event_types.h"
 #include "tests/database/sync/stations.h"
 
 namespace fulcrum::database::test {
@@ -142,7 +141,7 @@ TEST(RecordedErrors, AreOfWhoeverPerformsAndNeverOfTheDevice) {
     int errors = 0, critical = 0;
     for (const auto& row : event_kinds) {
         errors += is_error(row.kind) ? 1 : 0;
-        critical += error_weight(row.kind) == ErrorWeight::critical ? 1 : 0;
+        critical += row.weight == EventWeight::critical ? 1 : 0;
     }
     EXPECT_EQ(errors, 12);
     EXPECT_EQ(critical, 3);

@@ -6,8 +6,10 @@
 
 #include "database/records/people.h"
 #include "database/records/recorder.h"
+#include "sim_core/telemetry/event_types.h"
 #include "ui/review/attempt_model.h"
 #include "ui/review/event_words.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -95,6 +97,25 @@ TEST(EventLines, ArePenaltiesAndCriticalByTheirTable) {
     EXPECT_FALSE(is_critical(EventKind::drop));
     EXPECT_FALSE(is_penalty(EventKind::grasp));
     EXPECT_FALSE(is_penalty(EventKind::goal_progress));
+}
+
+TEST(EventLines, EveryTypeHasTheLineOfItsRow) {
+    for (const EventType& type : event_kinds) {
+        Event event;
+        event.kind = type.kind;
+        event.value = 1;
+        const QString words = event_words(event, {});
+        EXPECT_EQ(words.isEmpty(), type.line == LineContent::none) << type.name;
+        EXPECT_FALSE(words.contains('%')) << type.name << ": " << words.toStdString();
+        if (type.line != LineContent::name) continue;
+        QString name = event_text(type.name);
+        name[0] = name[0].toUpper();
+        EXPECT_EQ(words.toStdString(), name.toStdString());
+    }
+    Event newer;
+    newer.kind = static_cast<EventKind>(std::size(event_kinds));
+    EXPECT_TRUE(event_words(newer, {}).isEmpty());
+    EXPECT_FALSE(is_penalty(newer.kind));
 }
 
 TEST(EventLines, TinyPiecesHaveNoLine) {
