@@ -14,9 +14,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -25,6 +27,8 @@
 
 namespace fulcrum::database::test {
 namespace {
+
+namespace files = std::filesystem;
 
 [[noreturn]] void give_up(const std::string& why) {
     std::fprintf(stderr, "the tests' PostgreSQL does not start: %s\n", why.c_str());
@@ -82,6 +86,45 @@ std::string contents(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Where a new cluster of these programs is kept: in the folder of the executables of the tests.
+files::path kept_cluster(const std::string& programs) {
+    const auto installed = files::last_write_time(programs + "/initdb").time_since_epoch().count();
+    return files::read_symlink("/proc/self/exe").parent_path() / ("postgresql-" + std::to_string(installed));
+}
+
+/// False where that is not possible.
+bool copy_cluster(const files::path& from, const files::path& to, const passwd* account) {
+    std::error_code trouble;
+    files::copy(from, to, files::copy_options::recursive, trouble);
+    if (!trouble) files::permissions(to, files::perms::owner_all, trouble);
+    if (trouble || account == nullptr) return !trouble;
+    if (::lchown(to.c_str(), account->pw_uid, account->pw_gid) != 0) return false;
+    for (const auto& entry : files::recursive_directory_iterator(to))
+        if (::lchown(entry.path().c_str(), account->pw_uid, account->pw_gid) != 0) return false;
+    return true;
+}
+
+/// initdb takes longer than most tests: its outcome is copied, and made where there is none yet. Several
+/// processes may begin at once; the first that is finished gives the copy its name.
+void make_cluster(const std::string& programs, const std::string& data, const std::string& log,
+                  const passwd* account) {
+    const files::path kept = kept_cluster(programs);
+    std::error_code trouble;
+    if (files::exists(kept)) {
+        if (copy_cluster(kept, data, account)) return;
+        files::remove_all(data, trouble);  // of an account whose files this one may not read
+    }
+    const pid_t initdb = start({programs + "/initdb", "--no-sync", "-U", "owner", "--auth=trust",
+                                "--locale=C.UTF-8", "--lc-messages=C", "-D", data},
+                               account, log);
+    int status = 0;
+    ::waitpid(initdb, &status, 0);
+    if (status != 0) give_up(contents(log));
+    const files::path copy = kept.string() + ".new-" + std::to_string(::getpid());
+    if (copy_cluster(data, copy, nullptr)) files::rename(copy, kept, trouble);
+    files::remove_all(copy, trouble);
+}
+
 struct Running {
     QTemporaryDir folder{QDir::tempPath() + "/fulcrum-pg-XXXXXX"};
     pid_t process = -1;
@@ -114,12 +157,7 @@ PostgresqlServer* PostgresqlServer::of_this_process() {
                           log = folder + "/log";
         if (account != nullptr && ::chown(folder.c_str(), account->pw_uid, account->pw_gid) != 0)
             give_up("its folder");
-        const pid_t initdb = start({programs + "/initdb", "--no-sync", "-U", "owner", "--auth=trust",
-                                    "--locale=C.UTF-8", "--lc-messages=C", "-D", data},
-                                   account, log);
-        int status = 0;
-        ::waitpid(initdb, &status, 0);
-        if (status != 0) give_up(contents(log));
+        make_cluster(programs, data, log, account);
         std::ofstream(data + "/pg_hba.conf") << "local all +fulcrum_station scram-sha-256\n"
                                                 "local all +fulcrum_enrol scram-sha-256\nlocal all all "
                                                 "trust\n";
