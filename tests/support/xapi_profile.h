@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -136,6 +137,14 @@ inline const nlohmann::json* concept_of_profile(const nlohmann::json& profile, c
     return nullptr;
 }
 
+/// The schema in this text. Each text is parsed once: thousands of statements name the same few.
+inline const nlohmann::json& parsed_schema(const std::string& text) {
+    static std::map<std::string, nlohmann::json> parsed;
+    const auto found = parsed.find(text);
+    if (found != parsed.end()) return found->second;
+    return parsed.emplace(text, nlohmann::json::parse(text)).first->second;
+}
+
 inline std::vector<std::string> extension_problems(const nlohmann::json& profile,
                                                    const nlohmann::json& statement) {
     std::vector<std::string> problems;
@@ -149,8 +158,8 @@ inline std::vector<std::string> extension_problems(const nlohmann::json& profile
                 problems.push_back(id + " is no " + type + " of the profile");
                 continue;
             }
-            const nlohmann::json schema =
-                nlohmann::json::parse(concept_of->at("inlineSchema").get<std::string>());
+            const nlohmann::json& schema =
+                parsed_schema(concept_of->at("inlineSchema").get_ref<const std::string&>());
             const std::string wrong = schema_problem(schema, value);
             if (!wrong.empty()) problems.push_back(id + ": " + wrong);
             if (!concept_of->contains("recommendedVerbs")) continue;
