@@ -133,7 +133,9 @@ void enter_reports(const std::vector<ReportsRow>& measured) {
         "same machine. Its trainees have assessed attempts of all tasks, each with nine gates, the metrics "
         "of its row and the digests of three files. Each time is by the clock. *Grid and dashboard* is the "
         "query behind both, and what the dashboard makes of it; an educator's account has it from the "
-        "server alone, whose row policies look at each row. The reports are those of the whole cohort, "
+        "server alone, whose row policies look at each row. *Grid in the window* is from a director's "
+        "click on *Cohorts* in the program's window until the grid with everyone's row is painted; the "
+        "dashboard, where a director begins, was shown before. The reports are those of the whole cohort, "
         "written to a file; the PDF has pages for everyone. Statements for a record store have every "
         "metric of an attempt: the row with most metrics has as many as an attempt of the delivered "
         "demonstration on average, without a limit. –: not measured, or no limit.");

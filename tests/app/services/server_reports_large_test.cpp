@@ -1,25 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long the grid and the reports of a large cohort take from the station's store and from the programme
-// server. With FULCRUM_REPORTS_PAGE=FOLDER the times are entered in a page there.
+// server, and how long the window takes to open the grid. With FULCRUM_REPORTS_PAGE=FOLDER the times are
+// entered in a page there.
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QPaintEvent>
+#include <QTableView>
+#include <QTimer>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/services/application.h"
 #include "app/services/demo.h"
 #include "tests/app/reports_large_page.h"
 #include "tests/app/services/server_reports.h"
+#include "tests/ui/hands.h"
+#include "ui/dashboards/cohort_grid.h"
+#include "ui/shell/main_window.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::app::program_test {
 namespace {
+
+/// Waits for the first picture of the cohort's grid that has a row for each of so many people.
+class GridPicture : public QObject {
+  public:
+    explicit GridPicture(int people) : people_(people) { qApp->installEventFilter(this); }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Paint) return false;
+        const auto* view = qobject_cast<const QTableView*>(watched->parent());
+        if (view == nullptr || watched != view->viewport() ||
+            view->objectName() != QLatin1String("cohort_grid") || view->model()->rowCount() != people_)
+            return false;
+        const QRect first_cell = view->visualRect(view->model()->index(0, 1));
+        painted_ = painted_ || static_cast<QPaintEvent*>(event)->region().intersects(first_cell);
+        return false;
+    }
+    /// Returns when it has been painted, and what was waiting at that moment is done.
+    void wait() {
+        QElapsedTimer waited;
+        waited.start();
+        QTimer wakes_up;  // the loop below, should nothing else happen
+        wakes_up.start(1000);
+        while (!painted_ && waited.elapsed() < 60000)
+            QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+        EXPECT_TRUE(painted_) << "the grid was not painted with " << people_ << " people";
+        QCoreApplication::processEvents();
+    }
+
+  private:
+    int people_;
+    bool painted_ = false;
+};
 
 /// FULCRUM_REPORT_TRAINEES=200 FULCRUM_REPORT_ATTEMPTS=300 is the size that the limits are meant for; where
 /// the size is set, the clock counts.
@@ -60,6 +102,8 @@ class ServerReportsLarge : public ServerReports {
         double full, every;
     };
     static constexpr Budget grid_budget{1, 0.2}, report_budget{5, 1.5};
+    /// Making and painting a page takes its time without any attempt.
+    static constexpr Budget window_budget{1, 0.5};
     static bool by_the_clock() { return qEnvironmentVariableIsSet("FULCRUM_REPORT_TRAINEES"); }
     double limit_of(const Budget& budget) const {
         const double share = trainees * attempts / (200.0 * 300.0);
@@ -113,6 +157,57 @@ class ServerReportsLarge : public ServerReports {
         EXPECT_EQ(overview.size(), curriculum.tasks.size());
         return table.rows.size();
     }
+    /// The program's window on this store: from a director's click on *Cohorts* to the picture of the grid.
+    /// `session`: who signs in at a station; a server's address has signed in whose account it names.
+    Times open_grid(const std::string& store, const std::optional<Session>& session) const {
+        const auto services = make_services(folder.path().toStdString(), store);
+        ui::MainWindow window(*services);
+        window.resize(1280, 800);
+        window.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+        window.start();
+        if (session) window.context().set_session(*session);
+        if (!window.context().signed_in()) {
+            ADD_FAILURE() << "nobody is signed in at " << store;
+            return {};
+        }
+        ui::window_test::wait_until_read(window);  // the dashboard, where a director begins
+        GridPicture picture(trainees);
+        const Times took = seconds([&] {
+            ui::window_test::click(window, "rail_cohort");
+            picture.wait();
+        });
+        expect_values_of_query(window);
+        return took;
+    }
+    /// Each cell of the grid, as it is read aloud.
+    void expect_values_of_query(ui::MainWindow& window) const {
+        ui::window_test::wait_until_read(window);
+        const auto* grid = ui::window_test::find<QTableView>(window, "cohort_grid");
+        ASSERT_NE(grid, nullptr);
+        ui::Context& context = window.context();
+        const Curriculum& shown = context.services().curriculum();
+        const database::CohortTable table =
+            database::Reports(context.store())
+                .cohort_table(context.session(), made->cohort, grid_options(shown));
+        std::map<std::string, const database::PersonStandings*> wanted;
+        for (const database::PersonStandings& person : table.standings) wanted[person.person_id] = &person;
+        const QAbstractItemModel& cells = *grid->model();
+        ASSERT_EQ(wanted.size(), static_cast<std::size_t>(trainees));
+        ASSERT_EQ(cells.rowCount(), trainees);
+        for (int row = 0; row < cells.rowCount(); ++row) {
+            const auto found = wanted.find(ui::plain(cells.index(row, 0).data(Qt::UserRole).toString()));
+            ASSERT_NE(found, wanted.end()) << row;
+            const database::PersonStandings& person = *found->second;
+            ASSERT_EQ(cells.columnCount(), static_cast<int>(person.tasks.size()) + 2);
+            int column = 0;
+            for (const database::PersonTask& task : person.tasks)
+                ASSERT_EQ(cells.index(row, ++column).data(Qt::AccessibleTextRole).toString(),
+                          ui::grid_cell_text(ui::account_text(person.name, person.active),
+                                             context.task_title(task.standing.task), task));
+            wanted.erase(found);
+        }
+    }
     /// Returns how long its file is, in bytes.
     std::uintmax_t write_cohort(bool of_server, const ui::ReportFormatRow& format) const {
         ui::ReportRequest request;
@@ -159,6 +254,9 @@ TEST_F(ServerReportsLarge, TakeAboutAsLongFromEitherStore) {
                 at_server = seconds([&] { there = query_grid(*server, *director); });
     EXPECT_EQ(here, there);
     note("grid and dashboard", grid_budget, at_station, at_server);
+    const Times opened_at_station = open_grid(path, made->director),
+                opened_at_server = open_grid(server->path(), std::nullopt);
+    note("grid in the window", window_budget, opened_at_station, opened_at_server);
     for (const ui::ReportFormatRow& format : ui::report_formats)
         EXPECT_GT(measure_cohort(format, report_budget), 0U) << format.name;
     // An educator's account: the row policies ask for each row whose it is.
