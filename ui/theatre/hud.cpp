@@ -22,26 +22,6 @@ const Palette& dark() {
     return palette_of(Theme::dark);
 }
 
-/// In pixels of the layout: points at 96 to the inch.
-QFont hud_font(double points, bool bold = false) {
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(static_cast<int>(std::lround(points * 96 / 72)));
-    font.setBold(bold);
-    return font;
-}
-
-/// The layout is made for text at 96 dots per inch in a picture of at least this size; the painter's scale
-/// makes both follow the desktop's text size and the window's, as far as the picture has room. What is to be
-/// painted on, in its units.
-QRectF scaled(QPainter& painter, const QRectF& area, QSizeF smallest) {
-    const double asked = painter.device()->logicalDpiY() / 96.0 * text_percent() / 100.0;
-    const double room = std::min(area.width() / smallest.width(), area.height() / smallest.height());
-    const double scale = std::min(asked, std::max(room, 1.0));
-    painter.translate(area.topLeft());
-    painter.scale(scale, scale);
-    return {QPointF(0, 0), area.size() / scale};
-}
-
 void draw_goal_bar(QPainter& painter, const QRectF& bar, double share, const QColor& colour) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(255, 255, 255, 40));
@@ -380,17 +360,33 @@ void paint_reticle(QPainter& painter, const QRectF& area, const HudState& state)
 
 }  // namespace
 
+QFont hud_font(double points, bool bold) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(static_cast<int>(std::lround(points * 96 / 72)));
+    font.setBold(bold);
+    return font;
+}
+
+QRectF scaled_to_text(QPainter& painter, const QRectF& area, QSizeF smallest) {
+    const double asked = painter.device()->logicalDpiY() / 96.0 * text_percent() / 100.0;
+    const double room = std::min(area.width() / smallest.width(), area.height() / smallest.height());
+    const double scale = std::min(asked, std::max(room, 1.0));
+    painter.translate(area.topLeft());
+    painter.scale(scale, scale);
+    return {QPointF(0, 0), area.size() / scale};
+}
+
 void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state, double covered) {
     const Palette& p = dark();
     constexpr double least_width = 557, least_height = 360;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     if (state.wanted_size > 0)
-        paint_reticle(painter, scaled(painter, whole, {least_width, least_height}), state);
+        paint_reticle(painter, scaled_to_text(painter, whole, {least_width, least_height}), state);
     painter.restore();
     painter.save();
-    const QRectF area = scaled(painter, whole.adjusted(0, 0, 0, -covered),
-                               {least_width, covered > 0 ? hud_height_above : least_height});
+    const QRectF area = scaled_to_text(painter, whole.adjusted(0, 0, 0, -covered),
+                                       {least_width, covered > 0 ? hud_height_above : least_height});
     painter.setRenderHint(QPainter::Antialiasing);
     const double picture = whole.height() * area.width() / whole.width();  // round, in the whole height
     const double side = 0.5 * (area.width() - std::min(area.width(), picture));
@@ -437,7 +433,7 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state, do
 void paint_cover(QPainter& painter, const QRectF& whole, const QString& heading, const QStringList& lines) {
     const Palette& p = dark();
     painter.save();
-    const QRectF area = scaled(painter, whole, {1000, 600});
+    const QRectF area = scaled_to_text(painter, whole, {1000, 600});
     painter.setRenderHint(QPainter::Antialiasing);
     const double line_height = 30, width = std::min(area.width() - 60, 940.0);
     const double height = 90 + line_height * lines.size();

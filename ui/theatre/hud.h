@@ -3,6 +3,7 @@
 // Painted with QPainter in the black corners next to the round image; nothing smaller than 12 pt.
 #pragma once
 
+#include <QFont>
 #include <QRectF>
 #include <QString>
 
@@ -40,6 +41,12 @@ struct HudState {
     QString place;                ///< where it happens: "replay ×0.5" instead of the mode, "" live
 };
 
+/// In pixels of the layout: points at 96 to the inch.
+QFont hud_font(double points, bool bold = false);
+/// The layout is made for text at 96 dots per inch in a picture of at least this size; the painter's scale
+/// makes both follow the desktop's text size and the window's, as far as the picture has room. What is to be
+/// painted on, in its units.
+QRectF scaled_to_text(QPainter& painter, const QRectF& area, QSizeF smallest);
 /// Sets what the HUD shows of the scope's work in this scene.
 void set_scope(HudState& hud, const Scene& scene);
 /// In words: "shears", "clip applier, 5 clips", "suction, in 1.2 s".

@@ -3,10 +3,12 @@
 
 #include <QCoreApplication>
 #include <QPainter>
-#include <cmath>
+#include <algorithm>
+#include <vector>
 
 #include "ui/language/language.h"
 #include "ui/style/palette.h"
+#include "ui/theatre/hud.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -59,40 +61,48 @@ void add_ghosts(SceneFrame& frame, const Scene& scene, const Realignment& realig
     }
 }
 
-void paint_realignment(QPainter& painter, const QRectF& area, const Realignment& realignment) {
+void paint_realignment(QPainter& painter, const QRectF& whole, const Realignment& realignment) {
+    struct Line {
+        QString words;
+        QFont font;
+        QColor colour;
+        double height;
+    };
+    constexpr int wrapped = static_cast<int>(Qt::AlignLeft) | static_cast<int>(Qt::AlignVCenter) |
+                            static_cast<int>(Qt::TextWordWrap);
     const Palette& p = palette_of(Theme::dark);
-    QStringList lines;
-    for (int hand = 0; hand < hand_count; ++hand) {
-        if (realignment.hand[hand].exists) lines << line_of(hand, realignment.hand[hand]);
-    }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const double width = std::min(area.width() - 40, 720.0), row = 26;
-    const QRectF box(area.center().x() - width / 2, area.bottom() - 70 - row * (lines.size() + 2), width,
-                     row * (lines.size() + 2) + 24);
+    const QRectF area = scaled_to_text(painter, whole, {680, 420});
+    // Where there is room, the forces at both sides stay visible.
+    const double width = std::clamp(area.width() - 340, 400.0, 720.0), inner = width - 36;
+    std::vector<Line> lines;
+    double height = 24;
+    const auto add = [&](const QString& words, const QFont& font, const QColor& colour) {
+        painter.setFont(font);
+        const QRectF needs = painter.boundingRect(QRectF(0, 0, inner, area.height()), wrapped, words);
+        lines.push_back({words, font, colour, needs.height() + 6});
+        height += lines.back().height;
+    };
+    add(realignment.in_place
+            ? RealignmentTexts::tr("In place. Press Enter to continue as practice.")
+            : RealignmentTexts::tr("The device is back. Bring each instrument onto its ghost."),
+        hud_font(13, true), p.text);
+    for (int hand = 0; hand < hand_count; ++hand)
+        if (realignment.hand[hand].exists) add(line_of(hand, realignment.hand[hand]), hud_font(12), p.text);
+    add(RealignmentTexts::tr("The timer is stopped. Esc: abandon the attempt."), hud_font(12), p.muted);
+
+    const QRectF box(area.center().x() - width / 2, area.bottom() - 46 - height, width, height);
     painter.setPen(QPen(realignment.in_place ? p.good : p.warning, 2));
     painter.setBrush(QColor(16, 20, 26, 225));
     painter.drawRoundedRect(box, 10, 10);
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPointSizeF(13);
-    font.setBold(true);
-    painter.setFont(font);
-    painter.setPen(p.text);
     double y = box.top() + 12;
-    const auto draw = [&](const QString& line) {
-        painter.drawText(QRectF(box.left() + 18, y, box.width() - 36, row), Qt::AlignLeft | Qt::AlignVCenter,
-                         line);
-        y += row;
-    };
-    draw(realignment.in_place
-             ? RealignmentTexts::tr("In place. Press Enter to continue as practice.")
-             : RealignmentTexts::tr("The device is back. Bring each instrument onto its ghost."));
-    font.setBold(false);
-    font.setPointSizeF(12);
-    painter.setFont(font);
-    for (const QString& line : lines) draw(line);
-    painter.setPen(p.muted);
-    draw(RealignmentTexts::tr("The timer is stopped. Esc: abandon the attempt."));
+    for (const Line& line : lines) {
+        painter.setFont(line.font);
+        painter.setPen(line.colour);
+        painter.drawText(QRectF(box.left() + 18, y, inner, line.height), wrapped, line.words);
+        y += line.height;
+    }
     painter.restore();
 }
 

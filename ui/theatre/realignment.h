@@ -17,7 +17,8 @@ namespace fulcrum::ui {
 void add_ghosts(SceneFrame& frame, const Scene& scene, const Realignment& realignment);
 /// Adds an expert's instruments as ghosts.
 void add_ghost(SceneFrame& frame, const Scene& scene, const GhostPoint& ghost);
-/// The box with one line a hand: its distance and angle, or that it is in place; and what to do next.
+/// The box with one line a hand: its distance and angle, or that it is in place; and what to do next. As
+/// large as the text that the person chose, where the area has room.
 void paint_realignment(QPainter& painter, const QRectF& area, const Realignment& realignment);
 
 }  // namespace fulcrum::ui
