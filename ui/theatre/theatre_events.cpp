@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "ui/style/palette.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
@@ -234,7 +235,7 @@ void TheatrePage::keep_pointer(const QPoint& place) {
 }
 
 void TheatrePage::place_panel() {
-    const int width = std::min(560, this->width() - 40);
+    const int width = std::min(with_text(560), this->width() - 40);
     panel_->setFixedWidth(width);
     // adjustSize() reserves too little for lines that are wrapped.
     panel_->resize(width, panel_->layout()->totalHeightForWidth(width));

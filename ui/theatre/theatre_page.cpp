@@ -15,7 +15,6 @@ namespace fulcrum::ui {
 TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view_(new TheatreView) {
     view_->setObjectName(QStringLiteral("theatre_view"));
     view_->set_paced(true);
-    view_->setFocusPolicy(Qt::StrongFocus);
     view_->setMouseTracking(true);
     view_->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
@@ -321,9 +320,9 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     const bool hides = panel != Panel::none, can_choose = hides && panel != Panel::finishing;
     setFocusProxy(can_choose ? static_cast<QWidget*>(resume_) : view_);  // of the page, when it is unlocked
     view_->set_notice(hides ? QStringLiteral(" ") : QString());
-    pause_->setEnabled(!hides);
-    help_->setEnabled(!hides);
-    leave_->setEnabled(!hides);
+    view_->setFocusPolicy(hides ? Qt::ClickFocus : Qt::StrongFocus);  // Tab does not lead to what is hidden
+    for (QPushButton* button : {pause_, help_, leave_}) button->setEnabled(!hides);
+    sound_->setFocusPolicy(hides ? Qt::StrongFocus : Qt::NoFocus);  // its key belongs to the scene
     view_->setCursor(hides || !demonstrated_.isEmpty() ? Qt::ArrowCursor : Qt::BlankCursor);
     pause_->setVisible(demonstrated_.isEmpty());
     help_->setVisible(demonstrated_.isEmpty() || help_fits_);
