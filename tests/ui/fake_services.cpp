@@ -83,7 +83,7 @@ class FakeAttempt : public AttemptSession {
     bool became_practice() const override { return false; }
     AttemptPhase phase() const override { return phase_; }
     void start() override { phase_ = AttemptPhase::running; }
-    Realignment realignment() override { return {}; }
+    Realignment realignment() override { return control_.realignment; }
     bool update() override;
     const WorldSnapshot& snapshot() const override { return world_; }
     const TaskDisplay& display() const override { return display_; }

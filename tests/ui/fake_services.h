@@ -22,6 +22,7 @@ namespace fulcrum::ui::window_test {
 struct AttemptControl {
     bool complete = false;     ///< completes it at the next update
     bool drop_device = false;  ///< the device is lost
+    Realignment realignment;   ///< after the device was lost
     bool press_hard = false;   ///< the left hand presses with 9 N: over-force
     int ticks_per_update = 200;
     std::string last_attempt_id;

@@ -63,10 +63,26 @@ class Screens : public ::testing::Test {
     void each_tab(const QString& screen, const std::function<void(const QString&)>& look);
     /// Stores a picture in the folder FULCRUM_PICTURES.
     void keep(const QString& screen);
-    /// Opens every screen of every role and calls `look`.
-    void visit(const std::string& attempt, const std::function<void(const QString&)>& look);
-    void theatre(const std::function<void()>& look);
+    /// With the name of what is shown.
+    using Look = std::function<void(const QString&)>;
+    /// Opens every screen of every role, and those that come before a sign-in, and calls `look`. What is the
+    /// same for every role is opened for one.
+    void visit(const std::string& attempt, const Look& look);
 
+  private:
+    // Of visit(), in screens_states.cpp.
+    /// The settings while a device is tried and while it is calibrated.
+    void visit_device(const QString& who, const Look& look);
+    /// Over the page that is shown; the trainee unlocks it.
+    void visit_lock(const Look& look);
+    /// In a practice run: while it runs, paused, with a device that is lost, and that is back.
+    void visit_theatre(const QString& screen, const Look& look);
+    /// An observer form on the debrief that is shown.
+    void visit_rating(const QString& screen, const Look& look);
+    /// With a store that is damaged, and with none.
+    void visit_first_pages(const Look& look);
+
+  protected:
     FakeServices services;
     std::map<Role, database::Session> sessions;
     std::unique_ptr<MainWindow> window;
