@@ -71,6 +71,31 @@ TEST_F(Screens, SettingsShowHowThePictureIsDrawnAndWhy) {
     EXPECT_TRUE(PictureCard::picture_text(quality).contains("Resolution: that of the window. If drawing"));
 }
 
+TEST_F(Screens, TheRecoveryCodeIsLeftOnlyOnceItIsNoted) {
+    FakeServices empty;
+    window = std::make_unique<MainWindow>(empty);
+    size_ = QSize(1012, 726);
+    window->resize(size_);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->start();
+    settle();
+    click(*window, "create_programme");
+    type_programme(*window);
+    click(*window, "create_confirm");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "code_continue"); }));
+    settle();
+    EXPECT_TRUE(window->context().signed_in());
+    EXPECT_FALSE(sees(*window, "rail_password")) << "the list of pages leads away from it";
+    expect_fits("recovery code");
+    keep("recovery-code");
+    check(*window, "code_noted");
+    click(*window, "code_continue");
+    settle();
+    EXPECT_TRUE(sees(*window, "rail_password"));
+    window.reset();
+}
+
 TEST_F(Screens, FollowAThemeSwitchedWhileTheyAreOpen) {
     open({1200, 760});
     const std::string attempt = perform();

@@ -6,6 +6,7 @@
 #include <typeinfo>
 
 #include "database/store/store.h"
+#include "ui/shell/first_start_page.h"
 #include "ui/shell/lock_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/question_bar.h"
@@ -149,8 +150,10 @@ void MainWindow::fit_rail() {
 }
 
 void MainWindow::show_rail() {
-    const bool wanted =
-        context_.signed_in() && !rail_buttons_.empty() && typeid(*current_page()) != typeid(TheatrePage);
+    const auto shows = [this](const std::type_info& type) { return typeid(*current_page()) == type; };
+    // The first start ends with the recovery code, which is shown only once: no other page until it is noted.
+    const bool wanted = context_.signed_in() && !rail_buttons_.empty() && !shows(typeid(TheatrePage)) &&
+                        !shows(typeid(FirstStartPage));
     if (!wanted || !narrow_) menu_->setChecked(false);
     menu_->setVisible(wanted && narrow_);
     programme_->setVisible(!narrow_);
