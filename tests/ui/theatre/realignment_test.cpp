@@ -5,17 +5,22 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QPainter>
 
 #include "tests/ui/painted_words.h"
 #include "ui/language/language.h"
+#include "ui/style/palette.h"
 
 namespace fulcrum::ui::window_test {
 namespace {
 
 class RealignmentBox : public ::testing::Test {
   protected:
-    ~RealignmentBox() override { use_language(Language::english); }
+    ~RealignmentBox() override {
+        use_language(Language::english);
+        apply_text_size(*qApp, 100);
+    }
     static std::vector<PaintedWords> words_of_box(bool in_place, QSize size, int dots_per_inch) {
         Realignment shown;
         shown.back = true;
@@ -52,7 +57,9 @@ TEST_F(RealignmentBox, CutsNothingOffInAnyLanguageAtAnySize) {
 }
 
 TEST_F(RealignmentBox, IsLargeWhereTheTextIs) {
-    const auto usual = words_of_box(false, {1280, 720}, 96), large = words_of_box(false, {1280, 720}, 192);
+    const auto usual = words_of_box(false, {1280, 720}, 96);
+    apply_text_size(*qApp, 200);
+    const auto large = words_of_box(false, {1280, 720}, 96);
     ASSERT_FALSE(usual.empty() || large.empty());
     EXPECT_GT(large.front().place.height(), 1.5 * usual.front().place.height());
 }
