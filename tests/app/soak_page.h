@@ -15,6 +15,10 @@ struct SoakRun {
     std::vector<std::vector<std::string>> rows;  ///< what, value
 };
 
+/// Names of two rows: ticks late by the program, and those of them at which the host took the processor.
+inline constexpr const char* soak_missed = "missed by the program";
+inline constexpr const char* soak_missed_then = "of these while the host took the processor (steal time)";
+
 /// A column for each run; what a run does not have is a dash.
 lab::ResultTable soak_table(const std::string& name, const std::vector<SoakRun>& runs);
 /// Of all runs: those in process alone on the page soak, all of them on the page soak_daemon once a device

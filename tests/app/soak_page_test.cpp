@@ -37,9 +37,22 @@ TEST(SoakPage, PutsRunsInProcessOnBothPagesAndSaysWhatWasMissed) {
     EXPECT_NE(pages[1].text(machine).find("in process, alone"), std::string::npos);
     EXPECT_NE(pages[1].text(machine).find("2400 s in all"), std::string::npos);
     EXPECT_NE(pages[1].text(machine).find("No tick began a period late"), std::string::npos);
+    EXPECT_EQ(pages[1].text(machine).find("are the host's"), std::string::npos);
     pages = soak_pages({run_of(true, true, "2")}, 600);
     ASSERT_EQ(pages.size(), 1U);
     EXPECT_NE(pages[0].text(machine).find("Some ticks began a period late"), std::string::npos);
+}
+
+TEST(SoakPage, LeavesTicksToTheHostOnlyWhereAllOfThemAreItsOwn) {
+    const lab::Machine machine{};
+    SoakRun run = run_of(false, false, "11");
+    run.rows.push_back({soak_missed_then, "11"});
+    const std::string all = soak_pages({run}, 600)[0].text(machine);
+    EXPECT_NE(all.find("No tick began a period late by the program's own doing"), std::string::npos) << all;
+    EXPECT_NE(all.find("are the host's"), std::string::npos);
+    run.rows.back()[1] = "10";
+    EXPECT_NE(soak_pages({run}, 600)[0].text(machine).find("Some ticks began a period late"),
+              std::string::npos);
 }
 
 }  // namespace

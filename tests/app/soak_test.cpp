@@ -17,6 +17,7 @@
 #include "app/live/live_attempt.h"
 #include "assessment/task/attempt_words.h"
 #include "assessment/task/bowel_line.h"
+#include "tests/app/host_witness.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/posed_hand.h"
 #include "tests/app/soak_page.h"
@@ -196,6 +197,8 @@ struct Seen {
     std::vector<double> frames;  // ms
     int held_pictures = 0;
     double grown = 0, of_replay = 0, withheld = 0;  // bytes, bytes, s
+    double taken = 0;                               // s of all processors, by the host
+    std::uint64_t missed_then = 0;                  // by the program, while the host took as much time
 };
 
 class Soak : public Window {
@@ -217,6 +220,13 @@ void Soak::watch(const SoakKind& kind, Seen& seen) {
     ASSERT_NE(live, nullptr);
     DraggingMind mind(live->scene());
     const ClockWitness witness;
+    const HostWitness host;
+    struct Missed {
+        HostWitness::Clock::time_point from, to;
+        std::uint64_t ticks;
+    };
+    std::vector<Missed> missed;
+    auto looked = HostWitness::Clock::now();
     QElapsedTimer clock;
     clock.start();
     double settled = 0, resident = 0, of_replay = 0;
@@ -224,7 +234,12 @@ void Soak::watch(const SoakKind& kind, Seen& seen) {
     kind.work(
         mind,
         [&] {
+            const std::uint64_t before = seen.statistics.missed_by_program;
             seen.statistics = live->statistics();  // while the threads run: the counters are atomic
+            const auto now = HostWitness::Clock::now();
+            if (seen.statistics.missed_by_program != before)
+                missed.push_back({looked, now, seen.statistics.missed_by_program - before});
+            looked = now;
             if (view->pictures() != pictures) {
                 pictures = view->pictures();
                 seen.frames.push_back(view->last_frame_ms());
@@ -240,6 +255,12 @@ void Soak::watch(const SoakKind& kind, Seen& seen) {
     seen.grown = resident - settled;
     seen.of_replay = of_replay;
     seen.withheld = witness.withheld();
+    seen.taken = host.taken();
+    // A tick is 1 ms, and the host's time is known to 10 ms.
+    for (const Missed& one : missed) {
+        const double taken = host.taken(one.from, one.to);
+        if (taken > 0 && taken + 0.01 >= 1e-3 * static_cast<double>(one.ticks)) seen.missed_then += one.ticks;
+    }
     std::sort(seen.frames.begin(), seen.frames.end());
 }
 
@@ -259,7 +280,8 @@ lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
     table.columns = {"what", "value"};
     table.rows = {
         {"ticks", number(static_cast<double>(statistics.ticks))},
-        {"missed by the program", number(static_cast<double>(statistics.missed_by_program))},
+        {soak_missed, number(static_cast<double>(statistics.missed_by_program))},
+        {soak_missed_then, number(static_cast<double>(seen.missed_then))},
         {"missed by the scheduler", number(static_cast<double>(statistics.missed_by_scheduler))},
         {"waking late, us: p50, p99, p99.9, worst", durations(statistics.wake)},
         {"tick, us: p50, p99, p99.9, worst", durations(statistics.tick)},
@@ -285,6 +307,7 @@ lab::ResultTable Soak::table_of(const SoakKind& kind, const Seen& seen,
         table.rows.end(),
         {{"processor time withheld from a thread that only reads the clock, s",
           number(seen.withheld, "%.2f")},
+         {"time that the host took from all processors (steal time), s", number(seen.taken, "%.2f")},
          {"late world steps", number(static_cast<double>(statistics.late_steps))},
          {"samples lost", number(static_cast<double>(attempt.lost_samples))},
          {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
