@@ -41,16 +41,23 @@ class ForceDimensionThroughTheDaemon : public ::testing::Test {
         for (const auto& f : page->device[number].force) most = std::max(most, std::abs(f.load()));
         return most;
     }
-    /// Sends this force to both hands every half millisecond until the condition holds, at most 8 s.
+    /// Sends these forces to the two hands every half millisecond until the condition holds, at most 8 s.
     template <typename Condition>
-    bool push_until(DaemonClient& client, const Vector3& wanted, Condition&& holds) {
+    bool push_each_until(DaemonClient& client, const Vector3& left, const Vector3& right, Condition&& holds) {
         return until([&] {
             ++command.sequence;
             command.time = monotonic_ns();
-            for (int axis = 0; axis < 3; ++axis) command.force[axis] = wanted[axis];
-            for (auto& hand : client.command().command) hand.write(command);
+            for (int h = 0; h < 2; ++h) {
+                for (int axis = 0; axis < 3; ++axis) command.force[axis] = (h == 0 ? left : right)[axis];
+                client.command().command[h].write(command);
+            }
             return holds();
         });
+    }
+    /// The same force for both.
+    template <typename Condition>
+    bool push_until(DaemonClient& client, const Vector3& wanted, Condition&& holds) {
+        return push_each_until(client, wanted, wanted, holds);
     }
     static std::string error_of(const std::string& specification) {
         try {
@@ -115,18 +122,21 @@ TEST_F(ForceDimensionThroughTheDaemon, ForceSentIsForceAskedInTheLibrarysFrame) 
     ASSERT_TRUE(client.facts().force[0] && client.facts().force[1]);
     EXPECT_EQ(page->device[0].max_force, client.facts().force[1]->peak);
     page->device[0].saturated = 1;  // not a fault
-    const Vector3 wanted(0.4, -1.2, 1.9);
-    EXPECT_TRUE(push_until(client, wanted, [&] {
-        bool sent = true;
-        for (const auto& one : page->device)
-            sent = sent && one.force[0] == 1.9 && one.force[1] == 0.4 && one.force[2] == -1.2;
-        return sent;
-    }));
+    // A force of its own for each hand: device 1 is the left one.
+    const Vector3 left(0.4, -1.2, 1.9), right(-0.3, 0.8, 0.5);
+    EXPECT_TRUE(push_each_until(client, left, right,
+                                [&] {
+                                    const auto& of_left = page->device[1].force;
+                                    const auto& of_right = page->device[0].force;
+                                    return of_left[0] == 1.9 && of_left[1] == 0.4 && of_left[2] == -1.2 &&
+                                           of_right[0] == 0.5 && of_right[1] == -0.3 && of_right[2] == 0.8;
+                                }))
+        << "device 0 has " << force(0) << " N along one axis, device 1 " << force(1);
     EXPECT_TRUE(is_present(client, 0) && is_present(client, 1));
     page->device[0].position[0] = 0.05;
     EXPECT_TRUE(until([&] { return pose(client, 1).position[2] == 0.05; }))
         << "device 0 moves the right hand";
-    EXPECT_TRUE(push_until(client, 5 * wanted, [&] { return force(0) == 0 && force(1) == 0; }))
+    EXPECT_TRUE(push_until(client, 5 * left, [&] { return force(0) == 0 && force(1) == 0; }))
         << "above the peak";
 }
 

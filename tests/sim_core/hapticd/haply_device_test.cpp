@@ -54,18 +54,26 @@ bool haply_present(const DaemonClient& client, int hand) {
     return haply_pose(client, hand).present == 1;
 }
 
-/// Sends a force to both hands as an attempt does, until the condition holds.
+/// Sends forces to the hands as an attempt does, until the condition holds.
 class HaplyPush {
   public:
+    /// Each hand has a force of its own.
     template <typename Condition>
-    bool until_holds(DaemonClient& client, const Vector3& wanted, Condition&& holds) {
+    bool until_each_holds(DaemonClient& client, const Vector3& left, const Vector3& right,
+                          Condition&& holds) {
         return until([&] {
             ++command_.sequence;
             command_.time = monotonic_ns();
-            for (int axis = 0; axis < 3; ++axis) command_.force[axis] = wanted[axis];
-            for (auto& hand : client.command().command) hand.write(command_);
+            for (int h = 0; h < 2; ++h) {
+                for (int axis = 0; axis < 3; ++axis) command_.force[axis] = (h == 0 ? left : right)[axis];
+                client.command().command[h].write(command_);
+            }
             return holds();
         });
+    }
+    template <typename Condition>
+    bool until_holds(DaemonClient& client, const Vector3& wanted, Condition&& holds) {
+        return until_each_holds(client, wanted, wanted, holds);
     }
 
   private:
@@ -125,10 +133,14 @@ TEST(HaplyOfService, PositionsRollButtonsAndForceGoTheRightWayRound) {
     EXPECT_EQ(haply_pose(client, 0).buttons, std::uint32_t{button_energy | button_exchange});
     EXPECT_EQ(haply_pose(client, 0).jaw, 1);
     HaplyPush push;
-    const Vector3 wanted(0.3, 0.5, -0.7);  // device frame
-    EXPECT_TRUE(push.until_holds(client, wanted, [&] {
-        return (haply.force(0) - Vector3(0.3, 0.7, 0.5)).norm() < 1e-9 && haply.force(1) == haply.force(0);
-    }));
+    // Device frame. A force of its own for each hand: the first device is the right one.
+    const Vector3 of_left(0.3, 0.5, -0.7), of_right(-0.2, 0.1, 0.6);
+    EXPECT_TRUE(push.until_each_holds(client, of_left, of_right,
+                                      [&] {
+                                          return (haply.force(1) - Vector3(0.3, 0.7, 0.5)).norm() < 1e-9 &&
+                                                 (haply.force(0) - Vector3(-0.2, -0.6, 0.1)).norm() < 1e-9;
+                                      }))
+        << "right device " << haply.force(0).transpose() << ", left device " << haply.force(1).transpose();
     EXPECT_TRUE(push.until_holds(client, Vector3(0, 9, 0), [&] {
         return haply.force(0) == Vector3::Zero() && haply.force(1) == Vector3::Zero();
     })) << "a force above the peak of the device is none";
