@@ -57,6 +57,7 @@ bool read_inverse3(const json& one, Inverse3& device) {
     if (const json* const status = member(one, "status")) {
         device.calibrated = flag_of(*status, "calibrated", true);
         device.powered = flag_of(*status, "power_supply", true);
+        device.in_use = flag_of(*status, "in_use", false);
     }
     const json* const state = member(one, "state");
     if (state == nullptr) return true;

@@ -17,6 +17,7 @@ struct Inverse3 {
     std::optional<Vector3> position;  ///< m, finite
     std::optional<Vector3> force;     ///< N, what the service reports to render
     bool calibrated = true, powered = true;
+    bool in_use = false;  ///< by any session of the service, also by the one that reads this
 };
 
 struct Grip {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/hapticd/haply_device.h"
 
+#include <poll.h>
 #include <pthread.h>
 #include <sched.h>
 
@@ -22,6 +23,7 @@ using haply::WebSocket;
 constexpr double rate_hz = 1000, full_turn = 6.283185307179586;
 constexpr std::int64_t tick_ns = 1'000'000, look_ns = 5'000'000;
 constexpr std::int64_t connect_limit_ns = 2000 * tick_ns, answer_limit_ns = 1000 * tick_ns;
+constexpr int ask_again_ms = 50;
 constexpr double closing_time_s = 0.15, longest_read_s = 0.02;  // a button closes the jaws in 0.15 s
 constexpr int priority = 84;                                    // below the loop of the process
 // The service states no limits.
@@ -204,10 +206,39 @@ void HaplyDevice::choose(const haply::Message& inventory) {
     if (grip > 0) facts_.title += " with VerseGrip";
 }
 
+/// The device of a hand that another session of the service uses; empty: none. Before the first command.
+std::string HaplyDevice::used_elsewhere(const haply::Message& inventory) const {
+    for (const haply::Inverse3& one : inventory.devices)
+        for (const Hand& hand : hands_)
+            if (one.in_use && one.id == hand.id) return one.id;
+    return {};
+}
+
+/// Two programs would add up their forces at one handle. A session that has just ended may still be counted.
+/// Asked again by new connections: another answer costs a command, which would act on a device in use.
+void HaplyDevice::require_free(const haply::Message& inventory) {
+    const std::int64_t until = monotonic_ns() + answer_limit_ns;
+    std::string used = used_elsewhere(inventory);
+    while (!used.empty() && monotonic_ns() < until) {
+        service_.reset();
+        poll(nullptr, 0, ask_again_ms);
+        connect();
+        used = used_elsewhere(first_message());
+    }
+    if (used.empty()) return;
+    throw InputError(
+        where_, "", {QT_TRANSLATE_NOOP("errors", "the Inverse3 %1 is in use by another program"), used},
+        QT_TRANSLATE_NOOP("errors",
+                          "end the other program that uses it; where there is none, restart the Inverse "
+                          "service"));
+}
+
 void HaplyDevice::open() {
     try {
         connect();
-        choose(first_message());
+        const haply::Message inventory = first_message();
+        choose(inventory);
+        require_free(inventory);
         ForceOutput force;
         force.peak = peak;
         force.continuous = continuous;

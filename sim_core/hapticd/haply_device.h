@@ -47,6 +47,8 @@ class HaplyDevice : public ServoBackend {
     void end_exchange();
     haply::Message first_message();
     void choose(const haply::Message& inventory);
+    std::string used_elsewhere(const haply::Message& inventory) const;
+    void require_free(const haply::Message& inventory);
     void command();
     void take_arrived();
     void take_hand(Hand& hand, const haply::Message& message, std::int64_t now);

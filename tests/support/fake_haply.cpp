@@ -179,8 +179,13 @@ std::string FakeHaply::inventory() {
     const std::lock_guard<std::mutex> lock(mutex_);
     json document = json::parse(state());
     document["session_id"] = 1;
-    for (std::size_t i = 0; i < devices_.size(); ++i)
+    ++inventories;
+    const bool used = inventories_in_use > 0;
+    if (used) --inventories_in_use;
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
         document["inverse3"][i]["config"] = {{"handedness", devices_[i].handedness}};
+        document["inverse3"][i]["status"]["in_use"] = used && i == 0;
+    }
     return document.dump();
 }
 
@@ -193,7 +198,9 @@ std::string FakeHaply::state() const {
              {"state",
               {{"cursor_position", numbers(places_[i])}, {"current_cursor_force", numbers(forces_[i])}}},
              {"status",
-              {{"calibrated", mode != Mode::not_calibrated}, {"power_supply", mode != Mode::no_power}}}});
+              {{"calibrated", mode != Mode::not_calibrated},
+               {"power_supply", mode != Mode::no_power},
+               {"in_use", true}}}});  // an answer: by the session that commands it
     for (const Grip& grip : grips_) {
         const Quaternion& q = grip.orientation;
         grips.push_back(

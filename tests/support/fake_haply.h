@@ -87,6 +87,9 @@ class FakeHaply {
     std::atomic<Mode> mode{Mode::good};
     std::atomic<Form> form{Form::vector};
     std::atomic<std::uint64_t> commands{0};
+    /// So many inventories yet report that another session uses the first device.
+    std::atomic<int> inventories_in_use{0};
+    std::atomic<int> inventories{0};  ///< sent
 
   private:
     std::string inventory();

@@ -36,6 +36,7 @@ TEST(HaplyMessages, AStateIsReadWithWhatItSays) {
     EXPECT_EQ(device.id, "04BA");
     EXPECT_EQ(device.handedness, "right");
     EXPECT_TRUE(device.calibrated && device.powered);
+    EXPECT_FALSE(device.in_use) << "of a version that does not say so";
     ASSERT_TRUE(device.position && device.force);
     EXPECT_EQ(*device.position, Vector3(0.01, -0.1, 0.2));
     EXPECT_EQ(*device.force, Vector3(0, 1.5, 0));
@@ -49,12 +50,13 @@ TEST(HaplyMessages, AStateIsReadWithWhatItSays) {
 TEST(HaplyMessages, AnInventoryHasNoStatesAndNoPower) {
     nlohmann::json document = usual_message();
     document["inverse3"][0].erase("state");
-    document["inverse3"][0]["status"] = {{"calibrated", false}, {"power_supply", 0}};
+    document["inverse3"][0]["status"] = {{"calibrated", false}, {"power_supply", 0}, {"in_use", true}};
     document["verse_grip"][0].erase("state");
     Message message;
     ASSERT_EQ(understood(document, message), Understood::yes);
     EXPECT_FALSE(message.devices[0].position);
     EXPECT_FALSE(message.devices[0].calibrated || message.devices[0].powered);
+    EXPECT_TRUE(message.devices[0].in_use);
     EXPECT_FALSE(message.grips[0].orientation);
 }
 

@@ -7145,6 +7145,14 @@
         <translation>schließen Sie ihn an, oder nennen Sie einen anderen: haply:left=ID,right=ID</translation>
     </message>
     <message>
+        <source>the Inverse3 %1 is in use by another program</source>
+        <translation>der Inverse3 %1 wird von einem anderen Programm verwendet</translation>
+    </message>
+    <message>
+        <source>end the other program that uses it; where there is none, restart the Inverse service</source>
+        <translation>beenden Sie das andere Programm, das ihn verwendet; wo es keines gibt, starten Sie den Inverse-Dienst neu</translation>
+    </message>
+    <message>
         <source>the Inverse service of Haply sends no position that can be used</source>
         <translation>der Inverse-Dienst von Haply sendet keine Position, die zu gebrauchen ist</translation>
     </message>
