@@ -90,6 +90,14 @@ const char* name_of(LeverTissue tissue) {
     return "";
 }
 
+double time_to_settle(const LeverHand& hand) {
+    constexpr double left_by_eq8 = 0.2, least = 3, margin = 1.25;
+    const double damping = left_by_eq8 * hand.damping + (hand.arm ? hand.arm_damping : 0);
+    // Two thirds of the run reduce the swing to its share.
+    const double decay = 2 * hand.mass / damping;
+    return std::max(least, margin * 1.5 * decay * math::log(1 / settled_share));
+}
+
 struct HandAtLever::Parts : ToolOnSkin {
     std::unique_ptr<CavityModel> plate;
 
@@ -213,7 +221,7 @@ HandTick HandAtLever::Parts::touch(const Vector3& handle, std::uint32_t tick) {
     return now;
 }
 
-LeverRun HandAtLever::run(const LeverCase& at, const LeverHand& hand, double seconds) {
+LeverRun HandAtLever::run(const LeverCase& at, const LeverHand& hand) {
     Parts& parts = *parts_;
     const Place place = place_of(at, parts.model.instrument.tip_radius);
     parts.make_tissue(at, place, hand.period);
@@ -242,7 +250,8 @@ LeverRun HandAtLever::run(const LeverCase& at, const LeverHand& hand, double sec
         moving.push = 0.5 * push * into;  // the first swing goes twice as far
     }
     LeverRun run;
-    const auto ticks = static_cast<std::uint32_t>(seconds / hand.period);
+    run.seconds = time_to_settle(hand);
+    const auto ticks = static_cast<std::uint32_t>(run.seconds / hand.period);
     std::vector<double> path;
     path.reserve(ticks);
     for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
@@ -271,8 +280,9 @@ LeverRun HandAtLever::run(const LeverCase& at, const LeverHand& hand, double sec
                                               path.begin() + static_cast<std::ptrdiff_t>(to));
         return *ends.second - *ends.first;
     };
-    const double early = span(0, third), late = span(2 * third, path.size());
-    run.settles = late < 0.99 * early || late < 1e-6;
+    run.early = span(0, third);
+    run.late = span(2 * third, path.size());
+    run.settles = run.late < settled_share * run.early;
     run.depth = slope * path.back() - (at.tissue == LeverTissue::band ? 0.0 : place.gap);
     return run;
 }

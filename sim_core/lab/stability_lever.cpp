@@ -11,7 +11,6 @@ namespace fulcrum::lab {
 namespace {
 
 constexpr double tissue_damping = 0.4;  // N s/m
-constexpr double run_seconds = 3;
 
 StabilityCell cell_of(HandAtLever& lever, LeverTissue tissue, double insertion, double stiffness,
                       bool as_sent) {
@@ -26,7 +25,7 @@ StabilityCell cell_of(HandAtLever& lever, LeverTissue tissue, double insertion, 
         LeverHand hand;
         hand.arm = arm;
         if (!as_sent) hand.device.damping = 1e7;  // Eq. 8 never acts
-        const LeverRun run = lever.run(at, hand, run_seconds);
+        const LeverRun run = lever.run(at, hand);
         cell.finite = cell.finite && run.finite;
         cell.measure = std::max(cell.measure, run.returned);
         if (run.sound()) continue;

@@ -30,8 +30,10 @@ void expect_sound(lab::HandAtLever& lever, lab::LeverTissue tissue, double inser
                 const lab::LeverRun run = lever.run(at, hand);
                 EXPECT_TRUE(run.sound())
                     << name_of(tissue) << " at " << insertion << ", tilt " << tilt << ", " << mass
-                    << " kg, arm " << arm << ": bounded " << run.bounded << ", settles " << run.settles
-                    << ", got back " << run.returned << " J of " << run.put_in;
+                    << " kg, arm " << arm << ", " << rate << " Hz: bounded " << run.bounded << ", settles "
+                    << run.settles << " (swing of the first third " << 1e6 * run.early << " um, of the last "
+                    << 1e6 * run.late << " um, in " << run.seconds << " s), got back " << run.returned
+                    << " J of " << run.put_in;
                 EXPECT_GT(run.put_in, 0) << "something is pressed";
                 EXPECT_GT(run.force, 1e-3);
                 EXPECT_LE(run.force, hand.device.peak * (1 + 1e-9));
@@ -74,6 +76,22 @@ TEST(HandAtLever, WithTheForceOfTheTipTheHandRunsAway) {
             }
         }
     }
+}
+
+// The test of the test: just below the bound of stability a hand is bounded and gets back no energy, and its
+// swing becomes smaller, but far too slowly.
+TEST(HandAtLever, ASwingThatHardlyBecomesSmallerHasNotSettled) {
+    lab::HandAtLever lever;
+    lab::LeverCase at;
+    at.damping = 0;
+    at.stiffness = 990;  // of 1000 N/m, K T/2 = b, with the lever 1
+    lab::LeverHand hand;
+    hand.mass = 0.5;
+    hand.device.damping = 1e7;  // Eq. 8 never acts
+    const lab::LeverRun run = lever.run(at, hand);
+    EXPECT_TRUE(run.finite && run.bounded && run.passive());
+    EXPECT_LT(run.late, 0.9 * run.early);
+    EXPECT_FALSE(run.settles) << 1e6 * run.early << " um, " << 1e6 * run.late << " um";
 }
 
 // Without Eq. 8 (a device that claims any damping) a stiff wall at a deep insertion is not stable.
