@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <utility>
@@ -85,6 +86,103 @@ TEST(Decimation, IncreasesInTimeKeepsExtremesAndStaysWithinTheLimitForAnyView) {
         RC_ASSERT(drawn_high >= static_cast<double>(high));
         RC_ASSERT(drawn_low <= static_cast<double>(low));
     });
+}
+
+/// A staircase: flat, then a rise, again and again. Between two corners it never falls, so the lowest and the
+/// highest point of a part are its first and its last.
+struct Staircase : Series {
+    static constexpr std::size_t count = 30'000, flat = 50, period = 100;
+    static constexpr float rise = 0.0625F;  // exact in every sum
+    Staircase() {
+        float height = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i % period >= flat) height += rise;
+            if (i % period == flat - 1) corners.push_back(i);
+            x.push_back(static_cast<double>(i) * 1e-3);
+            y.push_back(height);
+        }
+    }
+    std::size_t missed_by(const std::vector<ChartPoint>& points) const {
+        return static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), [&](std::size_t i) {
+            return !holds(points, x[i], static_cast<double>(y[i]));
+        }));
+    }
+    std::vector<std::size_t> corners;  ///< where a rise begins
+};
+
+/// The lowest and the highest point of each part alone, as many points as are drawn.
+std::vector<ChartPoint> lowest_and_highest(const Series& series, std::size_t limit) {
+    const std::size_t parts = limit / 2;
+    std::vector<ChartPoint> points;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const auto at = [&](std::size_t p) {
+            return series.y.begin() + static_cast<std::ptrdiff_t>(p * series.y.size() / parts);
+        };
+        const auto low = std::min_element(at(part), at(part + 1)),
+                   high = std::max_element(at(part), at(part + 1));
+        for (const auto one : {std::min(low, high), std::max(low, high)})
+            points.push_back({series.x[static_cast<std::size_t>(one - series.y.begin())],
+                              static_cast<double>(*one)});
+    }
+    return points;
+}
+
+TEST(Decimation, KeepsCornersThatAreNeitherTheLowestNorTheHighestPoint) {
+    Staircase stairs;
+    EXPECT_GT(stairs.missed_by(lowest_and_highest(stairs, chart_point_limit)), stairs.corners.size() * 3 / 4)
+        << "lowest and highest points draw them";
+    stairs.y[12'399] = 4000.0F;
+    stairs.y[23'499] = -20.0F;
+    const std::vector<ChartPoint> points =
+        MinMaxPyramid(stairs.x, stairs.y).view(0, stairs.x.back(), chart_point_limit);
+    EXPECT_LE(points.size(), chart_point_limit);
+    EXPECT_TRUE(holds(points, stairs.x[12'399], 4000.0));
+    EXPECT_TRUE(holds(points, stairs.x[23'499], -20.0));
+    EXPECT_EQ(stairs.missed_by(points), 0U);
+}
+
+/// Largest-triangle-three-buckets as published, with the buckets of reduce_points().
+std::vector<ChartPoint> largest_triangles(const std::vector<ChartPoint>& points, std::size_t buckets) {
+    const auto begin = [&](std::size_t bucket) { return 1 + bucket * (points.size() - 2) / buckets; };
+    std::vector<ChartPoint> chosen{points.front()};
+    for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+        ChartPoint mean = points.back();
+        if (bucket + 1 < buckets) {
+            const std::size_t from = begin(bucket + 1), to = begin(bucket + 2);
+            mean = {};
+            for (std::size_t i = from; i < to; ++i) {
+                mean.x += points[i].x / static_cast<double>(to - from);
+                mean.y += points[i].y / static_cast<double>(to - from);
+            }
+        }
+        const ChartPoint before = chosen.back();
+        const auto area = [&](const ChartPoint& point) {
+            return std::abs((point.x - before.x) * (mean.y - before.y) -
+                            (mean.x - before.x) * (point.y - before.y)) /
+                   2;
+        };
+        const auto first = points.begin() + static_cast<std::ptrdiff_t>(begin(bucket)),
+                   last = points.begin() + static_cast<std::ptrdiff_t>(begin(bucket + 1));
+        chosen.push_back(*std::max_element(
+            first, last, [&](const ChartPoint& a, const ChartPoint& b) { return area(a) < area(b); }));
+    }
+    return chosen;
+}
+
+TEST(Decimation, HasThePointsOfTheLargestTriangles) {
+    const Series series = noise(20'000, 5);
+    std::vector<ChartPoint> points;
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+        points.push_back({series.x[i], static_cast<double>(series.y[i])});
+    const std::vector<ChartPoint> drawn = reduce_points(points, chart_point_limit);
+    ASSERT_LE(drawn.size(), chart_point_limit);
+    const std::vector<ChartPoint> extremes = lowest_and_highest(series, 2 * (chart_point_limit / 3));
+    std::size_t others = 0;
+    for (const ChartPoint& one : largest_triangles(points, (chart_point_limit - 2) / 3)) {
+        EXPECT_TRUE(holds(drawn, one.x, one.y)) << one.x;
+        others += holds(extremes, one.x, one.y) ? 0 : 1;
+    }
+    EXPECT_GT(others, 0U) << "the lowest and highest points would do";
 }
 
 TEST(Decimation, OmitsValuesThatAreNotNumbers) {
