@@ -11,6 +11,7 @@
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
+#include "database/store/accepted_assets.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -40,6 +41,7 @@ class Forgery : public ::testing::Test {
         ids["{error review}"] = ErrorReviews(*p.store).add(educator, ids["{passed}"], Programme::slip(),
                                                            ErrorVerdict::confirmed, "seen");
         p.attempts().request_correction(p.session("ann"), ids["{failed}"], "this was not me");
+        accept_files(p);
         Tissues(*p.store).set(educator, "B2", 0, {{"flap", {{"cut_energy", 400.0}}}}, "softer");
         ids["{decision}"] = Standings(*p.store).decide(educator, p.id("ann"), "A2",
                                                        StandingOverride::Kind::proficient, "seen in theatre");
@@ -73,11 +75,21 @@ class Forgery : public ::testing::Test {
         ratings.release(educator, ids["{passed}"]);
         ids["{form}"] = text_digest(form.text);
     }
+    /// A scene, and limits that the other stations get.
+    static void accept_files(const Programme& p) {
+        const AcceptedAssets assets(*p.store);
+        ids["{own scene}"] = sha256_hex("own scene");
+        ids["{own limits}"] = sha256_hex("own limits");
+        assets.accept(p.session("educator"), {"scenes/own.json", ids["{own scene}"]}, "our scene");
+        assets.accept(p.session("educator"), {"benchmarks/own.json", ids["{own limits}"]}, "our limits",
+                      "own limits");
+    }
     static std::string record_of_robot(const std::string& person) {
         AttemptMeta meta = example_meta(person);
         meta.device_class = DeviceClass::synthetic;
         meta.operator_name = "expert";
         meta.scene_text = "{\"id\": \"scene\"}";
+        meta.assets = {{"tasks/A2.json", sha256_hex("task")}, {"benchmarks/A2.json", sha256_hex("limits")}};
         Recorder recorder(made->path, made->session("station"), meta, made->clock.options());
         Programme::append_second(recorder);
         Programme::append_second(recorder, 1000);
@@ -173,6 +185,21 @@ const std::vector<Edit> edits = {
     {"UPDATE attempt SET duration_s = 3 WHERE id = '{passed}'", "attempt {passed}: changed"},
     {"UPDATE attempt SET missed_ticks = 3 WHERE id = '{passed}'", "attempt {passed}: changed"},
     {"UPDATE attempt SET scene_digest = '' WHERE id = '{synthetic}'", "attempt {synthetic}: changed"},
+    {"UPDATE attempt_asset SET digest = '{own scene}' WHERE file = 'tasks/A2.json'",
+     "attempt {synthetic}: changed"},
+    {"UPDATE attempt_asset SET file = 'tasks/B1.json' WHERE file = 'tasks/A2.json'",
+     "attempt {synthetic}: changed"},
+    {"DELETE FROM attempt_asset WHERE file = 'benchmarks/A2.json'", "attempt {synthetic}: changed"},
+    {"DELETE FROM attempt_asset WHERE attempt_id = '{copy}'", "attempt {copy}: changed"},
+    {"INSERT INTO attempt_asset VALUES ('{passed}', 'tasks/A2.json', '{own scene}')",
+     "attempt {passed}: changed"},
+    {"UPDATE asset_acceptance SET reason = 'so' WHERE digest = '{own scene}'",
+     "accepted file {own scene}: changed"},
+    {"DELETE FROM asset_acceptance WHERE digest = '{own scene}'", "accepted file {own scene}: gone"},
+    {"INSERT INTO asset_acceptance VALUES ('forged', 'tasks/A2.json', '{educator}', 1, 'ours too')",
+     "accepted file forged: the audit log has no row for it"},
+    {"UPDATE asset_text SET text = 'other limits'", "content of accepted file {own limits}: changed"},
+    {"DELETE FROM asset_text", "content of accepted file {own limits}: gone"},
     {"UPDATE scene_text SET text = '{}'", "scene {scene}: changed"},
     {"DELETE FROM scene_text", "attempt {synthetic}: its scene is missing"},
     {"INSERT INTO attempt SELECT 'forged', person_id, station_id, task_id, task_version, mode, device_class, "
