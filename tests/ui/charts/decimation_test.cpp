@@ -121,8 +121,8 @@ std::vector<ChartPoint> lowest_and_highest(const Series& series, std::size_t lim
         const auto low = std::min_element(at(part), at(part + 1)),
                    high = std::max_element(at(part), at(part + 1));
         for (const auto one : {std::min(low, high), std::max(low, high)})
-            points.push_back({series.x[static_cast<std::size_t>(one - series.y.begin())],
-                              static_cast<double>(*one)});
+            points.push_back(
+                {series.x[static_cast<std::size_t>(one - series.y.begin())], static_cast<double>(*one)});
     }
     return points;
 }
