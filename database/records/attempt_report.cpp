@@ -19,7 +19,7 @@ AttemptReport Reports::attempt_report(const Session& session, const std::string&
         store_.require(session, Operation::export_person, Subject::person(report.attempt.meta.person_id));
     report.score = attempts.score(session, attempt_id);
     if (report.score) report.pathology = pathology_of(*report.score);
-    Provenance provenance(store_, "a.id = ?", attempt_id);
+    Provenance provenance(store_, "a.id = ?", attempt_id, Provenance::Kinds::of_practice_too);
     if (report.score)
         provenance.add(report.attempt, report.score->metrics);
     else

@@ -134,10 +134,11 @@ Provenance::Files Provenance::used_files() {
     if (kinds_ == Kinds::benchmark_sets) return used_sets();
     Files files;
     std::set<std::pair<std::string, std::string>> all;
+    const QString of_mode = kinds_ == Kinds::of_practice_too ? "" : "a.mode = 'assessed' AND ";
     Query rows(store_.connection(),
                "SELECT DISTINCT a.limits, f.file, f.digest FROM attempt a JOIN attempt_asset f ON "
-               "f.attempt_id = a.id AND f.file <> " FULCRUM_COPIED_FROM " WHERE a.mode = 'assessed' AND " +
-                   whose_);
+               "f.attempt_id = a.id AND f.file <> " FULCRUM_COPIED_FROM " WHERE " +
+                   of_mode + whose_);
     rows.bind(value_);
     while (rows.next()) {
         all.emplace(rows.text(1), rows.text(2));

@@ -51,8 +51,9 @@ class SharedTexts {
 
 class Provenance {
   public:
-    /// Which files are asked for: the sets are a third of them.
-    enum class Kinds { all, benchmark_sets };
+    /// Which files are asked for: of assessed attempts, where the sets are a third of them, or also of
+    /// practice.
+    enum class Kinds { all, benchmark_sets, of_practice_too };
     /// Over the attempts (table `a`) for which `whose` holds with this value. `copies`: of reassigned
     /// attempts among them, where the caller has read them.
     Provenance(const Store& store, const QString& whose, const std::string& value, Kinds kinds = Kinds::all,
@@ -79,7 +80,7 @@ class Provenance {
     }
 
   private:
-    /// As the assessed attempts used them.
+    /// As the attempts used them.
     struct Files {
         std::vector<AssetFile> all;                                ///< by name
         std::map<std::string, std::set<std::string>> set_digests;  ///< by the name of the limits

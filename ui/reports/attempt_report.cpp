@@ -17,6 +17,7 @@
 #include "ui/reports/report_rows.h"
 #include "ui/reports/report_texts.h"
 #include "ui/reports/specimen_map.h"
+#include "ui/reports/unaccepted_files.h"
 #include "ui/reports/void_words.h"
 #include "ui/style/text.h"
 
@@ -73,6 +74,10 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
         sheet.paragraph(ReportTexts::tr(
             "Provisional limits (of synthetic operators, or of the task itself): they allow \"passed "
             "(provisional)\", never proficiency or a certificate."));
+    }
+    if (const QString note = unaccepted_note(paper.unaccepted); !note.isEmpty()) {
+        sheet.font(9, true, paper_palette().bad);
+        sheet.paragraph(note);
     }
     // A voided attempt has no result: it may be that of another person.
     sheet.font(11, true, voided ? paper_palette().muted : paper_palette().text);
@@ -287,6 +292,7 @@ AttemptPaper gather_attempt(const database::Store& store, const database::Sessio
         database::Reports(store).attempt_report(session, attempt_id, database::ReportPurpose::exported);
     paper.provenance = provenance_of(store, session, program_version);
     take_basis(paper.provenance, paper.report);
+    paper.unaccepted = unaccepted_files(store, session, paper.report.attempt);
     paper.provenance.attempt_key = database::Audit(store).signer_of(attempt_id);
     paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
     for (const TaskDefinition& task : tasks)
@@ -324,6 +330,9 @@ std::string attempt_csv(const AttemptPaper& paper) {
     // The values may be those of another person.
     if (const database::AttemptSummary& attempt = paper.report.attempt; attempt.state == AttemptState::voided)
         csv_row(csv, paper, "voided", "", "", "", "", "", {}, "-", Statement::plain(attempt.void_reason));
+    for (const database::AssetFile& file : paper.unaccepted)
+        csv_row(csv, paper, "file_not_accepted", "", "", "", "", "", {}, "-",
+                Statement::plain(joined_assets({file})));
     if (paper.report.score) {
         for (const database::MetricRow& metric : paper.report.score->metrics)
             csv_row(csv, paper, metric.id, std::to_string(metric.version), metric.hand, metric.tissue, "", "",
@@ -371,6 +380,9 @@ std::string attempt_json(const AttemptPaper& paper) {
     Json continues = nullptr;
     if (const auto& origin = attempt.meta.origin)
         continues = {{"attempt", words(origin->source_id)}, {"tick", origin->tick}, {"goal", origin->goal}};
+    Json unaccepted = Json::array();
+    for (const database::AssetFile& file : paper.unaccepted)
+        unaccepted.push_back({{"file", file.name}, {"sha256", file.digest}});
     Json voided = nullptr;
     if (attempt.state == AttemptState::voided)
         voided = {{"time", database::iso_utc(attempt.voided_at)}, {"reason", attempt.void_reason}};
@@ -385,6 +397,7 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"device_class", row_of(device_classes, attempt.meta.device_class).name},
         {"device", Json::parse(database::device_json(attempt.meta.device, attempt.meta.rig_use))},
         {"mode", row_of(attempt_modes, attempt.meta.mode).name},
+        {"files_not_accepted", std::move(unaccepted)},
         {"state", row_of(attempt_states, attempt.state).name},
         {"voided", std::move(voided)},
         {"duration_s", attempt.duration_s},

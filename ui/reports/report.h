@@ -28,12 +28,13 @@ struct ReportProvenance {
     /// knows.
     std::optional<std::string> attempt_key = {};
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
-    std::vector<database::AssetFile> assets;  ///< task, scene, set and curriculum of the assessed attempts
-    std::string program_digest;               ///< SHA-256 of the program that wrote the report
-    bool tamper_evident = false;              ///< a service account owns the store
-    std::int64_t as_of = 0;                   ///< UTC ms
-    std::string made_by, made_as;             ///< who asked for it, in which role
-    bool demo = false;                        ///< watermark
+    /// Task, scene, set and curriculum: of the assessed attempts, or of the one attempt.
+    std::vector<database::AssetFile> assets;
+    std::string program_digest;    ///< SHA-256 of the program that wrote the report
+    bool tamper_evident = false;   ///< a service account owns the store
+    std::int64_t as_of = 0;        ///< UTC ms
+    std::string made_by, made_as;  ///< who asked for it, in which role
+    bool demo = false;             ///< watermark
 };
 
 /// In English, for files: "not tamper-evident", with where to read more, unless it is.
@@ -67,7 +68,8 @@ struct AttemptPaper {
     ReportProvenance provenance;
     ReportTask task;
     database::AttemptReport report;
-    std::vector<database::RatingRow> ratings;  ///< those that the trainee is shown, by handing in
+    std::vector<database::RatingRow> ratings;     ///< those that the trainee is shown, by handing in
+    std::vector<database::AssetFile> unaccepted;  ///< its files that no assessed attempt may use
 };
 
 class ReportWriter;  // report_writer.h

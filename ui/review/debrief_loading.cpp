@@ -3,6 +3,7 @@
 #include "database/records/ratings.h"
 #include "ui/language/error_text.h"
 #include "ui/page/background_job.h"
+#include "ui/reports/unaccepted_files.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/part_card.h"
 #include "ui/review/replay_panel.h"
@@ -18,6 +19,7 @@ void DebriefPage::load() {
             const database::Ratings ratings(context().store());
             blind_ = blind_ || ratings.is_blind(context().session(), attempt_id_);
             if (!blind_) ratings.note_seen(context().session(), attempt_id_);
+            unaccepted_ = unaccepted_files(context().store(), context().session(), attempt);
         })) {
         return;
     }

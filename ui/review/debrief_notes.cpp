@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must be known about an attempt to read its result: voided, taken over, simulated, without force, with
-// errors that an educator struck.
+// What must be known about an attempt to read its result: voided, taken over, practised with other files,
+// simulated, without force, with errors that an educator struck.
 #include <QLabel>
 #include <algorithm>
 
 #include "database/records/error_reviews.h"
+#include "ui/reports/unaccepted_files.h"
 #include "ui/reports/void_words.h"
 #include "ui/review/debrief_page.h"
 #include "ui/review/trace_panel.h"
@@ -31,6 +32,7 @@ QStringList DebriefPage::notes() const {
     if (!attempt.reassigned_from.empty()) {
         notes << tr("Reassigned: recorded under another name and copied to the person who performed it.");
     }
+    if (!unaccepted_.empty()) notes << unaccepted_note(unaccepted_);
     if (attempt.meta.device_class == DeviceClass::synthetic)
         notes << tr("Performed by a simulated operator, not by a person.");
     else if (attempt.synthetic)

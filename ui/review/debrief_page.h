@@ -114,7 +114,8 @@ class DebriefPage : public Page {
     PathView* path_;
     CommentsCard* comments_;
     ErrorReviewBar* error_bar_;
-    int struck_ = 0;  ///< errors that an educator struck
+    int struck_ = 0;                               ///< errors that an educator struck
+    std::vector<database::AssetFile> unaccepted_;  ///< its files that no assessed attempt may use
     RatingsCard* ratings_;
     ActionsCard* actions_;
 };

@@ -146,7 +146,7 @@ void StandingCard::decide() {
     }
     const auto kind = static_cast<StandingOverride::Kind>(kind_->currentData().toInt());
     DecisionEffect effect = DecisionEffect::none;
-    const bool decided = context_.guarded([&] {
+    const bool done = context_.guarded([&] {
         const Curriculum& newest = context_.services().curriculum();
         const database::Standings standings(context_.store());
         const std::string id =
@@ -156,7 +156,7 @@ void StandingCard::decide() {
             effects_of(standings.record(context_.session(), person_id_, newest), context_.store().now())[id];
     });
     // It may have been refused because the standing is not the one that was shown.
-    if (!decided) return fill();
+    if (!done) return fill();
     context_.say(outcome_text(effect));
     reason_->clear();
     fill();

@@ -267,6 +267,19 @@ TEST_F(OwnLimits, OfASiteThatTookTheTasksOverAreFirmUntilTheTaskChangesThem) {
     EXPECT_EQ(judged(), (std::vector<std::string>{"off_screen left", "off_screen right"}));
 }
 
+TEST_F(OwnLimits, ATaskWithFewerTargetsIsPractisedAndTheCommandSaysWhy) {
+    json task = json::parse(std::ifstream(assets_ / "tasks/A2.json"));
+    for (json& goal : task["goals"]) goal["count"] = 4;
+    std::ofstream(assets_ / "tasks/A2.json") << task.dump(1);
+    const Outcome outcome = run({"perform", "A2", "--seed", "2001", "--db", store_, "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.document["mode"], "practice");
+    const std::string said =
+        "practice only: these files are neither part of this program nor accepted by "
+        "the programme: tasks/A2.json (sha256 ";
+    EXPECT_NE(outcome.errors.find(said), std::string::npos) << outcome.errors;
+}
+
 TEST_F(OwnLimits, ThatWereReplacedAreKnownAsProvisionalFromTheirKeptCopy) {
     const json first = perform({"A2"});
     const LoadedTask a2 = load_task_and_scene("A2");

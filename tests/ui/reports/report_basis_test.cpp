@@ -107,6 +107,39 @@ TEST_F(ReportBasis, IsInEveryFormat) {
     EXPECT_NE(pdf.find("sha256:" + program_digest.substr(0, 16)), std::string::npos) << pdf;
 }
 
+TEST_F(ReportBasis, OfPracticeNamesTheFilesThatNobodyAccepted) {
+    const AssetFile own{"tasks/A2.json", database::sha256_hex("four targets instead of ten")};
+    database::AttemptMeta meta = database::test::example_meta(programme.id("ann"), "A2");
+    meta.mode = AttemptMode::practice;
+    meta.assets = {files.back(), own};
+    database::Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
+    database::test::Programme::append_second(recorder);
+    recorder.finish(database::test::example_result(true, 70));
+    const std::string practice = recorder.attempt_id();
+    const auto attempt_document = [&](const std::string& id) {
+        return nlohmann::json::parse(read(write(ReportFormat::json, "attempt.json", id)));
+    };
+    const nlohmann::json json = attempt_document(practice);
+    ASSERT_EQ(json.at("files_not_accepted").size(), 1U) << json.dump(1);
+    EXPECT_EQ(json.at("files_not_accepted")[0].at("file"), own.name);
+    EXPECT_EQ(json.at("files_not_accepted")[0].at("sha256"), own.digest);
+    EXPECT_EQ(json.at("provenance").at("assets").size(), 2U) << "all that it was performed with";
+    EXPECT_TRUE(attempt_document(attempt).at("files_not_accepted").empty()) << "its limits are accepted";
+    const auto paper = [&] { return words_of_pdf(write(ReportFormat::pdf, "attempt.pdf", practice)); };
+    EXPECT_NE(paper().find("neither part of this program nor accepted"), std::string::npos) << paper();
+    EXPECT_NE(paper().find(own.name + " " + own.digest.substr(0, 16)), std::string::npos) << paper();
+    EXPECT_NE(
+        read(write(ReportFormat::csv, "attempt.csv", practice)).find(own.name + " sha256:" + own.digest),
+        std::string::npos);
+    use_language(Language::german);
+    EXPECT_NE(paper().find("noch vom Programm anerkannt"), std::string::npos);
+    use_language(Language::english);
+    database::AcceptedAssets(*programme.store)
+        .accept(programme.session("educator"), own, "a short A2 for the first day");
+    EXPECT_TRUE(attempt_document(practice).at("files_not_accepted").empty());
+    EXPECT_EQ(paper().find("neither part of this program"), std::string::npos) << paper();
+}
+
 TEST_F(ReportBasis, SaysNotTamperEvidentUntilAServiceAccountOwnsTheStore) {
     const auto all = [&] {
         return std::vector<std::string>{read(write(ReportFormat::json, "c.json")),

@@ -17869,6 +17869,14 @@ Gilt 24 Stunden und wird nur jetzt angezeigt. Es muss bei der ersten Anmeldung g
         <source>A copy was stored for the person who performed it.</source>
         <translation>Für die Person, die ihn durchgeführt hat, wurde eine Kopie gespeichert.</translation>
     </message>
+    <message>
+        <source>%1 (sha256 %2)</source>
+        <translation>%1 (sha256 %2)</translation>
+    </message>
+    <message>
+        <source>Practised with files that are neither part of this program nor accepted by the programme: %1. Its values cannot be compared with those of other attempts.</source>
+        <translation>Geübt mit Dateien, die weder zu dieser Software gehören noch vom Programm anerkannt sind: %1. Die Werte lassen sich nicht mit denen anderer Versuche vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>fulcrum::ui::ScenePicture</name>
