@@ -53,6 +53,7 @@ enum class ServerRefusal : std::uint8_t {
     password,  ///< another one than the account's, or none where the server asks for one
     account,   ///< there is no such account, or it may not sign in
     database,  ///< there is no such database
+    rule,      ///< no rule of the server (pg_hba.conf) lets the account in from this machine
 };
 
 /// A connection to a programme server that could not be made.

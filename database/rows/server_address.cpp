@@ -32,11 +32,27 @@ const char* hint_of(ServerRefusal why, const std::string& said) {
             return QT_TRANSLATE_NOOP(
                 "errors",
                 "have the administrator of the server make it: createdb, then `fulcrum server create`");
+        case ServerRefusal::rule:
+            return QT_TRANSLATE_NOOP("errors",
+                                     "have the server's administrator allow this account from this machine "
+                                     "in pg_hba.conf, with hostssl");
         case ServerRefusal::none:
             break;
     }
-    // Words of libpq, not of the server; the name of the protocol is the same in every language.
-    if (said.find("SSL") != std::string::npos)
+    // Words of libpq, not of the server: in English or German ("certificate verify failed", "root certificate
+    // file"); the name of the protocol is the same in every language.
+    const auto contains = [&said](const char* words) { return said.find(words) != std::string::npos; };
+    if (contains("does not match host name") || contains("nicht mit dem Hostnamen"))
+        return QT_TRANSLATE_NOOP("errors",
+                                 "write the server's name in the address as its certificate names it, or "
+                                 "have its administrator make a certificate for this name");
+    if (contains("ertificate") || contains("ertifikat"))
+        return QT_TRANSLATE_NOOP(
+            "errors",
+            "the server's certificate is not known here: ask its administrator for the certificate of the "
+            "authority that made it, put that into ~/.postgresql/root.crt, or name its file in "
+            "PGSSLROOTCERT; if it was known before, another machine may answer in the server's place");
+    if (contains("SSL"))
         return QT_TRANSLATE_NOOP(
             "errors", "the connection must be encrypted: have the server's administrator turn ssl on");
     return QT_TRANSLATE_NOOP(

@@ -86,8 +86,9 @@ ServerRefusal refusal_in(const std::string& message) {
     if (state == "28P01") return ServerRefusal::password;
     if (state == "3D000") return ServerRefusal::database;
     // The same code has a server without a rule for this address (pg_hba.conf), from another function of it.
-    if (state == "28000" && message.find(" InitializeSessionUserId, ") != std::string::npos)
-        return ServerRefusal::account;
+    if (state == "28000")
+        return message.find(" InitializeSessionUserId, ") != std::string::npos ? ServerRefusal::account
+                                                                               : ServerRefusal::rule;
     return ServerRefusal::none;
 }
 

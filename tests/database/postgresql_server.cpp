@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/database/postgresql_server.h"
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <grp.h>
+#include <netinet/in.h>
 #include <pwd.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -125,6 +128,24 @@ void make_cluster(const std::string& programs, const std::string& data, const st
     files::remove_all(copy, trouble);
 }
 
+/// An address of the loopback that no other test's server has, so that all can have the usual port, and that
+/// the program does not take for its own machine. Empty where something has it already.
+std::string own_address() {
+    const auto process = static_cast<unsigned>(::getpid());
+    const std::string address = "127." + std::to_string(1 + (process >> 16U)) + "." +
+                                std::to_string((process >> 8U) & 255U) + "." + std::to_string(process & 255U);
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_port = htons(5432);
+    ::inet_pton(AF_INET, address.c_str(), &place.sin_addr);
+    const int probe = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const int on = 1;
+    ::setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);  // as PostgreSQL does
+    const bool is_free = ::bind(probe, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0;
+    ::close(probe);
+    return is_free ? address : std::string();
+}
+
 struct Running {
     QTemporaryDir folder{QDir::tempPath() + "/fulcrum-pg-XXXXXX"};
     pid_t process = -1;
@@ -160,11 +181,12 @@ PostgresqlServer* PostgresqlServer::of_this_process() {
         make_cluster(programs, data, log, account);
         std::ofstream(data + "/pg_hba.conf") << "local all +fulcrum_station scram-sha-256\n"
                                                 "local all +fulcrum_enrol scram-sha-256\nlocal all all "
-                                                "trust\n";
-        running.process =
-            start({programs + "/postgres", "-D", data, "-k", folder, "-c", "listen_addresses=", "-c",
-                   "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off"},
-                  account, log, "de");
+                                                "trust\nhost all +fulcrum_station 127.0.0.0/8 "
+                                                "scram-sha-256\n";
+        running.process = start(
+            {programs + "/postgres", "-D", data, "-k", folder, "-c", "listen_addresses=" + own_address(),
+             "-c", "fsync=off", "-c", "full_page_writes=off", "-c", "synchronous_commit=off"},
+            account, log, "de");
         wait_until_ready(running, data, log);
         auto made = std::unique_ptr<PostgresqlServer>(new PostgresqlServer());
         made->socket_folder_ = folder;

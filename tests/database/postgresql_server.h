@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A PostgreSQL of the tests' own: in a temporary folder, on a socket in it, run by an account that is not
-// root, started once a process and gone with it.
+// root, started once a process and gone with it. Accounts of stations may also come over the loopback
+// (network_server.h).
 #pragma once
 
 #include <string>

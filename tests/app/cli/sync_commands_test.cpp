@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -19,6 +21,7 @@
 #include "database/store/accepted_assets.h"
 #include "tests/app/access_programme.h"
 #include "tests/app/live/forged_record.h"
+#include "tests/database/network_server.h"
 #include "tests/database/postgresql_server.h"
 #include "tests/database/station_keys.h"
 #include "tests/support/own_folder.h"
@@ -298,6 +301,84 @@ TEST_F(SyncCommands, ASetThatIsAcceptedFromAnyFolderHasTheNameThatItWillHave) {
     const nlohmann::json placed = run({"assets", "place", "--db", programme.path}, 0)["placed"];
     ASSERT_EQ(placed.size(), 1U);
     EXPECT_EQ(load_benchmark((here / "benchmarks/A2.json").string()).version, 90);
+}
+
+/// Variables of the environment, as libpq reads them, as long as it lives.
+class Variables {
+  public:
+    void set(const char* name, const std::string& value) {
+        if (before_.count(name) == 0) before_[name] = qgetenv(name);
+        qputenv(name, QByteArray::fromStdString(value));
+    }
+    ~Variables() {
+        for (const auto& [name, value] : before_) {
+            if (value.isNull())
+                qunsetenv(name.c_str());
+            else
+                qputenv(name.c_str(), value);
+        }
+    }
+
+  private:
+    std::map<std::string, QByteArray> before_;
+};
+
+TEST_F(SyncCommands, OverANetworkItIsEncryptedOrRefusedAndTheServersCertificateIsCheckedWhereOneIsKnown) {
+    FULCRUM_NEEDS_POSTGRESQL();
+    const database::test::KeysOfOneTest keys;
+    database::test::NetworkServer server(database::test::PostgresqlServer::of_this_process()->new_database());
+    const std::optional<database::ServerAddress> station = server.as("station");
+    if (!station) GTEST_SKIP() << "another program has port 5432 of this machine's loopback addresses";
+    const std::string folder = programme.folder.path().toStdString();
+    const auto own = database::test::make_certificate(folder, "programme-server"),
+               other = database::test::make_certificate(folder, "somebody-else");
+    if (!own || !other) GTEST_SKIP() << "the program openssl is missing: install the package openssl";
+    Variables libpq;
+    libpq.set("PGPASSWORD", database::test::PostgresqlServer::station_password);
+    libpq.set("PGSSLMODE", "prefer");  // what a station's administrator may have set is not enough
+    libpq.set("PGSSLROOTCERT", folder + "/none.crt");
+    const std::string to = station->text();
+    const auto refused = [&](const char* what_to_do) {
+        try {
+            sync(to, 1);
+            ADD_FAILURE() << "it connected; expected: " << what_to_do;
+        } catch (const database::StoreError& error) {
+            EXPECT_EQ(error.kind(), database::StoreErrorKind::unreachable);
+            EXPECT_NE(error.hint().find(what_to_do), std::string::npos) << error.what();
+        }
+    };
+    refused("have the server's administrator turn ssl on");
+    server.encrypt_with(*own);
+    {
+        database::Connection connection(*station);
+        database::Query row(connection,
+                            "SELECT CASE WHEN ssl THEN 1 ELSE 0 END FROM pg_stat_ssl WHERE pid = "
+                            "pg_backend_pid()");
+        ASSERT_TRUE(row.next());
+        EXPECT_EQ(row.integer(0), 1) << "though only preferred by the environment";
+    }
+    EXPECT_TRUE(sync(to, 0)["complete"]);
+    // With an authority that libpq knows, also where only encryption is asked for.
+    for (const char* mode : {"require", "verify-ca"}) {
+        libpq.set("PGSSLMODE", mode);
+        libpq.set("PGSSLROOTCERT", other->file);
+        refused("the server's certificate is not known here");
+        libpq.set("PGSSLROOTCERT", own->file);
+        EXPECT_EQ(sync(to, 0)["transferred"], 0) << mode;
+    }
+    libpq.set("PGSSLROOTCERT", folder + "/none.crt");
+    refused("PGSSLROOTCERT");
+    libpq.set("PGSSLROOTCERT", own->file);
+    libpq.set("PGSSLMODE", "verify-full");
+    refused("write the server's name in the address as its certificate names it");
+    // An account that the server lets in from nowhere.
+    libpq.set("PGSSLMODE", "verify-ca");
+    try {
+        const database::Connection connection(*server.as("owner"));
+        ADD_FAILURE() << "the owner's account came over the network";
+    } catch (const database::StoreError& error) {
+        EXPECT_NE(error.hint().find("pg_hba.conf"), std::string::npos) << error.what();
+    }
 }
 
 TEST_F(SyncCommands, WithoutASignInOrAServerItSaysWhatToDo) {

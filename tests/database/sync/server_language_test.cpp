@@ -21,7 +21,7 @@ TEST(ServerRefusals, AreReadFromTheCodesOfAnyLanguage) {
         {"FATAL:  28000: Rolle »x« existiert nicht\nORT:  InitializeSessionUserId, miscinit.c:509\n",
          ServerRefusal::account},
         {"FATAL:  28000: kein pg_hba.conf-Eintrag für Host »::1«\nORT:  ClientAuthentication, auth.c:530\n",
-         ServerRefusal::none},
+         ServerRefusal::rule},
         {"FATAL:  3D000: la base de données « x » n'existe pas\nEMPLACEMENT : InitPostgres, "
          "postinit.c:1005\n",
          ServerRefusal::database},

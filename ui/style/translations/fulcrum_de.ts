@@ -5817,6 +5817,18 @@
         <translation>die Verbindung muss verschlüsselt sein: Lassen Sie den Administrator des Servers ssl einschalten</translation>
     </message>
     <message>
+        <source>have the server&apos;s administrator allow this account from this machine in pg_hba.conf, with hostssl</source>
+        <translation>lassen Sie den Administrator des Servers dieses Konto von diesem Rechner aus in pg_hba.conf erlauben, mit hostssl</translation>
+    </message>
+    <message>
+        <source>write the server&apos;s name in the address as its certificate names it, or have its administrator make a certificate for this name</source>
+        <translation>schreiben Sie den Namen des Servers in der Adresse so, wie ihn sein Zertifikat nennt, oder lassen Sie seinen Administrator ein Zertifikat für diesen Namen anlegen</translation>
+    </message>
+    <message>
+        <source>the server&apos;s certificate is not known here: ask its administrator for the certificate of the authority that made it, put that into ~/.postgresql/root.crt, or name its file in PGSSLROOTCERT; if it was known before, another machine may answer in the server&apos;s place</source>
+        <translation>das Zertifikat des Servers ist hier nicht bekannt: Erbitten Sie von seinem Administrator das Zertifikat der Stelle, die es ausgestellt hat, legen Sie es als ~/.postgresql/root.crt ab oder nennen Sie seine Datei in PGSSLROOTCERT; war es bisher bekannt, antwortet vielleicht ein anderer Rechner an der Stelle des Servers</translation>
+    </message>
+    <message>
         <source>%1: cannot connect (%2)</source>
         <translation>%1: keine Verbindung (%2)</translation>
     </message>
