@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/installed_curriculum.h"
 #include "app/lab/demonstration_plan.h"
@@ -235,6 +236,27 @@ TEST_F(DemonstrationReports, HaveTheValuesOfTheScreenOnPaper) {
         else
             ADD_FAILURE() << row.name << ", " << row.task_id << ": " << line.pattern().toStdString();
     }
+}
+
+// What a trainee or a director prints of one person.
+TEST_F(DemonstrationReports, AreOnePageForEachTraineeWithEveryTaskOfTheCurriculum) {
+    std::set<std::string> people;
+    for (const CohortRow& row : screen.rows) {
+        if (!people.insert(row.person_id).second) continue;
+        ui::ReportRequest request;
+        request.person_id = row.person_id;
+        request.path = in("person.pdf");
+        request.curriculum = &curriculum;
+        ASSERT_FALSE(ui::write_report(*store, *director, request, tasks, "1").empty()) << row.name;
+        const QList<QByteArray> pages = ui::pages_of(request.path);
+        EXPECT_EQ(pages.size(), 1) << row.name;
+        ASSERT_FALSE(pages.isEmpty());
+        EXPECT_TRUE(pages[0].contains("Progress report")) << row.name;
+        for (const CurriculumTask& task : curriculum.tasks)
+            EXPECT_TRUE(pages[0].contains(QByteArray::fromStdString(task.task + " · ")))
+                << row.name << ": " << task.task;
+    }
+    EXPECT_EQ(people.size(), 24U);
 }
 
 }  // namespace
