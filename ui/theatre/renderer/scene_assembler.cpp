@@ -81,10 +81,11 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     : impl_(std::make_unique<Impl>()) {
     Impl& i = *impl_;
     i.scene = scene;
-    i.textures = shared_textures(scene.cavity ? scene.cavity->seed : 1, scene.bowel ? 1024 : 128);
+    const std::uint64_t seed = scene.cavity ? scene.cavity->seed : 1;
+    const int size = scene.bowel ? 1024 : 128;
+    i.textures = shared_textures(seed, size);
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
-    if (i.cavity)
-        i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures->peritoneum));
+    if (i.cavity) i.wall = shared_wall_texture(*i.cavity, seed, size);
     const bool rectum = scene.bowel && scene.bowel->layout == BowelLayout::rectum && scene.presacral;
     if (rectum) i.hollow = std::make_unique<HollowDrawing>(scene, first);
     if (scene.sheet || scene.septa) i.areolar = shared_areolar_texture();

@@ -21,6 +21,20 @@ TEST(SharedTextures, AreMadeOnceForEachSeedAndSize) {
     EXPECT_EQ(shared_areolar_texture(), shared_areolar_texture());
 }
 
+TEST(SharedTextures, OfAWallAreMadeOnceForEachCavityAndPeritoneum) {
+    PelvisParameters pelvis;
+    const CavityShape cavity = make_cavity(pelvis);
+    pelvis.width = 0.11;
+    const CavityShape other = make_cavity(pelvis);
+    const std::shared_ptr<const TissueTexture> wall = shared_wall_texture(cavity, 7, 128);
+    EXPECT_EQ(shared_wall_texture(make_cavity({}), 7, 128), wall);
+    EXPECT_EQ(wall->albedo.pixels,
+              make_wall_texture(cavity, shared_textures(7, 128)->peritoneum).albedo.pixels);
+    EXPECT_NE(shared_wall_texture(other, 7, 128)->albedo.pixels, wall->albedo.pixels);
+    EXPECT_EQ(shared_wall_texture(cavity, 7, 128), wall);
+    EXPECT_NE(shared_wall_texture(cavity, 8, 128)->albedo.pixels, wall->albedo.pixels);
+}
+
 TEST(SharedTextures, OnlyTheLastTwoOutliveTheirUsers) {
     const std::weak_ptr<const AnatomyTextures> first = shared_textures(11, 128),
                                                second = shared_textures(12, 128);
