@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "sim_core/numerics/functions.h"
 
@@ -328,7 +329,12 @@ void lag(Skill& skill) {
     skill.scope.lead = -1;
 }
 
-class Cheater : public ObservingRig {
+/// Whether two readings differ in their flags or hands.
+bool differ(const RigSample& a, const RigSample& b) {
+    return a.flags != b.flags || std::memcmp(&a.hand, &b.hand, sizeof a.hand) != 0;
+}
+
+class Cheater : public CheatingRig {
   public:
     Cheater(const Cheat& cheat, std::unique_ptr<ObservingRig> expert, const Scene& scene)
         : cheat_(cheat),
@@ -358,7 +364,11 @@ class Cheater : public ObservingRig {
             view_.first = sample;
             view_.last_read = read;
         }
-        if (cheat_.act != nullptr) cheat_.act(view_, sample);
+        if (cheat_.act != nullptr) {
+            const RigSample honest = sample;
+            cheat_.act(view_, sample);
+            note(differ(sample, honest));
+        }
         view_.last_read = read;
         view_.time += tick_period_;
         if (scope_alone_) std::swap(sample.hand[right], sample.camera);
@@ -368,13 +378,22 @@ class Cheater : public ObservingRig {
     bool has_force(Hand hand) const override { return expert_->has_force(hand); }
     double damping(Hand hand) const override { return expert_->damping(hand); }
 
+    bool has_cheated() const noexcept override { return cheat_.returns_from < 0 || went_; }
+
   private:
+    void note(bool cheats) {
+        if (view_.time < cheat_.returns_from) return;
+        went_ = went_ || (came_ && !cheats);
+        came_ = came_ || cheats;
+    }
+
     const Cheat& cheat_;
     std::unique_ptr<ObservingRig> expert_;
     double tick_period_;
     bool scope_alone_;
     CheatView view_;
     bool begun_ = false;
+    bool came_ = false, went_ = false;  ///< once, of a cheat that comes and goes
 };
 
 }  // namespace
@@ -400,16 +419,18 @@ const std::vector<Cheat>& cheats() {
         {"detour", "circles on every path", Site::any, nullptr, detour},
         {"poke", "moves in and out by 20 mm all the time", Site::any, nullptr, poke},
         {"leave_and_return", "withdraws both instruments every four seconds", Site::any, nullptr,
-         leave_and_return},
+         leave_and_return, 4},
         {"half_done", "stops moving after 20 s", Site::any, nullptr, half_done},
         {"quit", "abandons after 20 s", Site::any, nullptr, quit},
         {"park", "freezes at the first contact", Site::hands, nullptr, park},
-        {"pause_and_move", "pauses while the hands travel", Site::any, nullptr, pause_and_move},
-        {"pause_often", "pauses every other half second", Site::any, nullptr, pause_often},
-        {"unplug_and_move", "unplugs a device while the hands travel", Site::any, nullptr, unplug_and_move},
+        {"pause_and_move", "pauses while the hands travel", Site::any, nullptr, pause_and_move, 0},
+        {"pause_often", "pauses every other half second", Site::any, nullptr, pause_often, 0},
+        {"unplug_and_move", "unplugs a device while the hands travel", Site::any, nullptr, unplug_and_move,
+         2},
         {"grab_and_hold", "never lets go of what it has grasped", Site::jaws, nullptr, grab_and_hold},
         {"wide_open", "never closes the jaws", Site::jaws, nullptr, wide_open},
-        {"drop_often", "opens the jaws every five seconds", Site::jaws, nullptr, drop_often},
+        // At first there is nothing to drop.
+        {"drop_often", "opens the jaws every five seconds", Site::jaws, nullptr, drop_often, 5},
         {"cut_elsewhere", "cuts 8 mm next to the line", Site::blade, nullptr, cut_elsewhere},
         {"park_blade", "leaves the active blade in the tissue", Site::blade, nullptr, park_blade},
         {"blade_always", "never releases the blade's button", Site::sheet, nullptr, blade_always},
@@ -457,8 +478,8 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
     return chosen;
 }
 
-std::unique_ptr<ObservingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
-                                         std::uint64_t seed) {
+std::unique_ptr<CheatingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
+                                        std::uint64_t seed) {
     Skill skill;
     draw_individual(OperatorLevel::expert, seed, skill);
     draw_form(OperatorLevel::expert, seed, skill);

@@ -39,14 +39,24 @@ struct Cheat {
     CheatSite site;
     void (*skill)(Skill& skill);                      ///< null: the skill is not changed
     void (*act)(CheatView& view, RigSample& sample);  ///< null: the hands are not changed
+    /// It comes and goes: s of the attempt from which on it has to have come and gone once before anyone
+    /// judges it, since its purpose is what follows. Negative: it lasts.
+    double returns_from = -1;
+};
+
+/// An expert who cheats.
+class CheatingRig : public ObservingRig {
+  public:
+    /// A cheat that comes and goes has done so once; any other, always.
+    virtual bool has_cheated() const noexcept = 0;
 };
 
 /// Every cheat, in a fixed order.
 const std::vector<Cheat>& cheats();
 /// Those that change something in a task.
 std::vector<const Cheat*> cheats_for(const TaskDefinition& task, const Scene& scene);
-/// An expert who cheats. Throws InputError for a task that operators cannot perform.
-std::unique_ptr<ObservingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
-                                         std::uint64_t seed);
+/// Throws InputError for a task that operators cannot perform.
+std::unique_ptr<CheatingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
+                                        std::uint64_t seed);
 
 }  // namespace fulcrum
