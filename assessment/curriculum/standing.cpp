@@ -9,6 +9,7 @@
 
 #include "assessment/curriculum/rule_run.h"
 #include "assessment/learning/relapse_cusum.h"
+#include "sim_core/scene/standard_names.h"
 
 namespace fulcrum {
 namespace {
@@ -23,6 +24,10 @@ std::int64_t floor_day(std::int64_t ms) {
 }
 std::int64_t local_day(const CountedAttempt& attempt) {
     return floor_day(attempt.time + std::int64_t{60000} * attempt.utc_offset_minutes);
+}
+
+bool is_standard(const CountedAttempt& attempt) {
+    return attempt.variant.empty() || attempt.variant == standard_variant;
 }
 
 /// One task of one trainee, event by event.
@@ -40,7 +45,9 @@ class TaskRun {
         // There it could not have been passed either.
         if (one.without_limits) return;
         last_class_ = curriculum_class(one.device_class);
-        judge_with(one.device_class, one.provisional);
+        // A variant can have limits of its own; standard attempts complete a check.
+        if (is_standard(one) || judged_with_.count(last_class_) == 0)
+            judge_with(one.device_class, one.provisional);
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
             if (passes_ == 0) first_pass_ = one.time;

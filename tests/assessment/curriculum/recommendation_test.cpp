@@ -117,6 +117,12 @@ TEST_F(Recommended, ACheckCountsByTheLimitsThatAreInForceNow) {
     attempt(later + next_hour, true);
     attempt(later + 2 * next_hour, true);
     EXPECT_EQ(at(later + 2 * next_hour).standing, Standing::maintained);
+    // A variant with limits of its own says nothing about those of the standard variant.
+    record.attempts.resize(1);
+    attempt(later + next_hour, true).provisional = true;
+    record.attempts.back().variant = "narrow";
+    EXPECT_FALSE(at(later + next_hour).provisional);
+    EXPECT_EQ(next(later + next_hour).reason, RecommendationReason::check_due);
     // What judges attempts since then says more: a limit that the set leaves provisional, for example.
     record.attempts.resize(1);
     attempt(later + next_hour, true).provisional = true;
