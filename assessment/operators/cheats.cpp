@@ -6,23 +6,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "assessment/operators/cheat_view.h"
 #include "sim_core/numerics/functions.h"
 
 namespace fulcrum {
-
-/// What a cheat sees and remembers.
-struct CheatView {
-    double time = 0;                                 ///< s since the first tick
-    TaskDisplay display;                             ///< as last shown
-    std::array<GraspState, hand_count> grasps;       ///< as last shown
-    std::array<bool, hand_count> vessel_held{};      ///< a band with a vessel is held
-    RigSample first;                                 ///< before anything moved
-    std::array<DeviceSample, hand_count> last_read;  ///< of the expert, the tick before
-    std::array<DeviceSample, hand_count> kept;       ///< a pose that was frozen
-    bool frozen = false, energy_used = false, energy_before = false;
-    double held_since = -1, pull = 0;  ///< s; m
-    std::uint16_t buttons_before = 0;
-};
 
 namespace {
 
@@ -30,25 +17,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double early_s = 20;  // s after which some stop
 constexpr int left = 0, right = 1;
 
-std::int32_t counts(double metres) {
-    return static_cast<std::int32_t>(std::lround(metres / device_length_unit));
-}
-
-/// Moves a tip along its shaft, positive deeper.
-void along_shaft(DeviceSample& sample, double distance) {
-    double squares = 0;
-    for (const std::int32_t value : sample.handle) squares += static_cast<double>(value) * value;
-    const double length = std::sqrt(squares);
-    if (length <= 0) return;
-    const double scale = std::max(0.02, 1 - distance / device_length_unit / length);
-    for (std::int32_t& value : sample.handle)
-        value = static_cast<std::int32_t>(std::lround(scale * static_cast<double>(value)));
-}
-
-void aside(DeviceSample& sample, double x, double y) {
-    sample.handle[0] += counts(x);
-    sample.handle[1] += counts(y);
-}
+using cheating::along_shaft;
+using cheating::aside;
 
 /// Both hands on a circle about where they would be.
 void circle(RigSample& sample, double time, double radius, double frequency) {
@@ -158,11 +128,7 @@ void swap_hands(CheatView& view, RigSample& sample) {
     }
 }
 void camera_away(CheatView& view, RigSample& sample) {
-    const double angle = 0.9 * std::min(1.0, view.time);
-    const double y = sample.camera.handle[1], z = sample.camera.handle[2];
-    const double c = math::cos(angle), s = math::sin(angle);
-    sample.camera.handle[1] = static_cast<std::int32_t>(std::lround(c * y - s * z));
-    sample.camera.handle[2] = static_cast<std::int32_t>(std::lround(s * y + c * z));
+    cheating::turn_scope(sample, cheating::turned_away * std::min(1.0, view.time));
 }
 void shake(CheatView& view, RigSample& sample) {
     circle(sample, view.time, 0.003, 9);
@@ -340,10 +306,14 @@ class Cheater : public CheatingRig {
         : cheat_(cheat),
           expert_(std::move(expert)),
           tick_period_(scene.tick_period()),
+          waits_s_(cheat.act == cheating::look_away ? cheating::wait_s : 0.0),
           scope_alone_(scene.instruments.empty()) {}
 
+    /// The expert has not begun, and looks at nothing.
+    bool waits() const noexcept { return begun_ && view_.time < waits_s_; }
+
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
-        expert_->observe(world, display);
+        if (!waits()) expert_->observe(world, display);
         view_.display = display;
         for (std::size_t hand = 0; hand < hand_count; ++hand) {
             const GraspState& grasp = world.grasps[hand];
@@ -356,6 +326,11 @@ class Cheater : public CheatingRig {
     }
 
     void read(std::uint32_t tick, RigSample& sample) override {
+        if (waits()) {
+            cheating::wait_in_view(view_, sample);
+            view_.time += tick_period_;
+            return;
+        }
         expert_->read(tick, sample);
         if (scope_alone_) std::swap(sample.hand[right], sample.camera);
         const std::array<DeviceSample, hand_count> read = {sample.hand[left], sample.hand[right]};
@@ -389,7 +364,7 @@ class Cheater : public CheatingRig {
 
     const Cheat& cheat_;
     std::unique_ptr<ObservingRig> expert_;
-    double tick_period_;
+    double tick_period_, waits_s_;
     bool scope_alone_;
     CheatView view_;
     bool begun_ = false;
@@ -410,6 +385,8 @@ const std::vector<Cheat>& cheats() {
         {"swap_hands", "crosses the hands on the handles", Site::hands, nullptr, swap_hands},
         {"mirror", "moves left where right is meant", Site::any, nullptr, mirror},
         {"camera_away", "turns the camera away from the work", Site::hands, nullptr, camera_away},
+        {"wait_and_look_away", "waits before it begins, then turns the camera away again and again",
+         Site::view, nullptr, cheating::look_away},
         {"slow", "takes four times as long for every movement", Site::any, slow, nullptr},
         {"creep", "takes twelve times as long for every movement", Site::any, creep, nullptr},
         {"rush", "moves in under half the time and far less exactly", Site::any, rush, nullptr},
@@ -437,12 +414,16 @@ const std::vector<Cheat>& cheats() {
         {"let_go_and_cut", "lets go of the tissue before it cuts", Site::blade, nullptr, let_go_and_cut},
         {"pull_apart", "pulls the tissue apart and never cuts", Site::blade, nullptr, pull_apart},
         {"pull_hard", "pulls far harder than it should while it cuts", Site::septa, nullptr, pull_hard},
+        {"tear_and_trim", "tears the tissue and trims with the blade what is left", Site::blade, nullptr,
+         cheating::tear_and_trim},
         {"pump", "never releases the pedal for long, but pumps it in pulses of 80 ms", Site::energy, nullptr,
          pump},
         {"one_activation", "uses energy once and divides the rest cold", Site::energy, nullptr,
          one_activation},
         {"cold", "never uses energy", Site::energy, nullptr, cold},
         {"always_on", "never releases the pedal", Site::energy, nullptr, always_on},
+        {"pedal_in_the_air", "burns on the way, and in closed shears after each division", Site::bands,
+         nullptr, cheating::pedal_in_the_air},
         {"tear", "tears every band without a vessel", Site::bands, nullptr, tear},
         {"tear_all", "tears every band", Site::bands, nullptr, tear_all},
         {"stop_at_first", "freezes when the first target is framed", Site::scope, nullptr, stop_at_first},
@@ -456,13 +437,19 @@ const std::vector<Cheat>& cheats() {
         {"lag", "follows late", Site::scope, lag, nullptr},
         {"leave_bleeding", "never exchanges an instrument, so nothing is clipped", Site::bands, nullptr,
          leave_bleeding},
+        {"let_fall", "lets the lifted bowel fall three times and grasps it again", Site::lift, nullptr,
+         cheating::let_fall},
     };
     return list;
 }
 
-std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene& scene) {
+std::vector<const Cheat*> cheats_for(const TaskDefinition& task, const Scene& scene) {
     const bool jaws = scene.bowel || scene.sheet || scene.septa || scene.bands || scene.objects;
     const bool blade = scene.sheet || scene.septa;
+    const bool view = std::any_of(task.gates.begin(), task.gates.end(),
+                                  [](const GateSpec& gate) { return gate.metric == "off_screen"; });
+    const bool lift = std::any_of(task.goals.begin(), task.goals.end(),
+                                  [](const Goal& goal) { return goal.kind == GoalKind::lift_and_hold; });
     std::vector<const Cheat*> chosen;
     for (const Cheat& cheat : cheats()) {
         const bool fits = cheat.site == CheatSite::any || (cheat.site == CheatSite::jaws && jaws) ||
@@ -472,7 +459,9 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
                           (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
                           (cheat.site == CheatSite::bands && scene.bands) ||
                           (cheat.site == CheatSite::hands && !scene.instruments.empty()) ||
-                          (cheat.site == CheatSite::scope && scene.instruments.empty());
+                          (cheat.site == CheatSite::scope && scene.instruments.empty()) ||
+                          (cheat.site == CheatSite::view && view && !scene.instruments.empty()) ||
+                          (cheat.site == CheatSite::lift && lift);
         if (fits) chosen.push_back(&cheat);
     }
     return chosen;

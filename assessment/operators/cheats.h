@@ -28,6 +28,8 @@ enum class CheatSite : std::uint8_t {
     bands,   ///< bands to divide
     hands,   ///< two hands
     scope,   ///< the scope alone; what others do to the hands is then done to the scope
+    view,    ///< two hands, and a gate on work outside the image
+    lift,    ///< bowel to lift
 };
 
 struct CheatView;
