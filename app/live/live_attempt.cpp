@@ -70,6 +70,7 @@ struct LiveAttempt::State : public AttemptSink {
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
         engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
+        engine->world().fail_while(request.simulator_fails.get());
         if (request.make_ghost) ghost = request.make_ghost(stop);
         if (stop.load()) return;
         if (request.bring) {

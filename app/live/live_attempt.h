@@ -53,6 +53,8 @@ struct LiveRequest {
     std::shared_ptr<FrameFollower> follower = {};
     /// Within `rig`, for its timing; null: no device process moves the hands.
     std::shared_ptr<const DeviceRig> device = {};
+    /// For tests: while it is true the simulator fails at every step (World::fail_while). Null: nobody asks.
+    std::shared_ptr<const std::atomic<bool>> simulator_fails = {};
 };
 
 class LiveAttempt : public ui::AttemptSession {

@@ -64,6 +64,7 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         begin_input(outputs, count);
         decide_takers();
         record.outcome = advance();
+        if (fails_ != nullptr && fails_->load(std::memory_order_relaxed)) record.outcome = 4;
     }
     {
         Stopwatch watch(measuring_, models_us_);

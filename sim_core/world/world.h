@@ -5,6 +5,7 @@
 // memory.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -72,6 +73,8 @@ class World {
 
     void measure(bool on);
     std::vector<PartCost> costs() const;
+    /// For tests: each step that advances while this is true ends as a simulator fault. It must outlive this.
+    void fail_while(const std::atomic<bool>* asked) noexcept { fails_ = asked; }
 
   private:
     /// A part and its coupling to what it hangs on, in the order of solving.
@@ -103,6 +106,7 @@ class World {
     std::uint32_t steps_ = 0;
     std::uint32_t next_hash_tick_ = hash_every_ticks;
     bool measuring_ = false;
+    const std::atomic<bool>* fails_ = nullptr;  ///< null: no test asks
     double models_us_ = 0, snapshot_us_ = 0;
 };
 

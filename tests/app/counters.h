@@ -58,9 +58,11 @@ int use_window_until_killed(const char* folder, const char* counters, unsigned l
 /// mouse.
 int press_until_killed(const char* folder, const char* counters, unsigned long seed);
 
-/// Breaks a limit in an assessed attempt, sets `broken`, brings it to a moment (escapes_test.cpp), sets
-/// `finished` and waits.
-int break_limit_until_killed(const char* folder, const char* counters, int moment);
+/// Breaks a limit in an assessed attempt, sets `broken` and waits (escapes_test.cpp).
+int break_limit_until_killed(const char* folder, const char* counters);
+/// Brings assessed attempts that break a limit, or do not, to one moment each, sets `finished` and waits
+/// (escape_moments_test.cpp).
+int reach_moments_until_killed(const char* folder, const char* counters, bool breaks);
 
 inline constexpr const char* trainee_login = "tara";
 inline constexpr const char* trainee_password = "tara's password";

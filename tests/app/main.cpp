@@ -14,7 +14,9 @@
 
 int main(int argc, char** argv) {
     const fulcrum::database::test::OwnStationKeys keys;
-    const auto asked = [&](const char* child) { return argc == 5 && std::strcmp(argv[1], child) == 0; };
+    const auto asked = [&](const char* child, int arguments = 5) {
+        return argc == arguments && std::strcmp(argv[1], child) == 0;
+    };
     if (asked("--use-window-until-killed")) {
         QApplication application(argc, argv);
         fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
@@ -32,9 +34,14 @@ int main(int argc, char** argv) {
         return fulcrum::app::program_test::perform_until_killed(argv[2], argv[3],
                                                                 std::strtoul(argv[4], nullptr, 10));
     }
-    if (asked("--break-limit")) {
+    if (asked("--break-limit", 4)) {
         QCoreApplication application(argc, argv);
-        return fulcrum::app::program_test::break_limit_until_killed(argv[2], argv[3], std::atoi(argv[4]));
+        return fulcrum::app::program_test::break_limit_until_killed(argv[2], argv[3]);
+    }
+    if (asked("--reach-moments")) {
+        QCoreApplication application(argc, argv);
+        return fulcrum::app::program_test::reach_moments_until_killed(argv[2], argv[3],
+                                                                      std::strcmp(argv[4], "broken") == 0);
     }
     testing::InitGoogleTest(&argc, argv);
     QStandardPaths::setTestModeEnabled(true);
