@@ -40,7 +40,7 @@ struct Script {
         QProcess process;
         process.start("bash", {QString::fromStdString(test::source_path("assets/service/service_account.sh")),
                                "--print", group, store, keys, program});
-        EXPECT_TRUE(process.waitForFinished());
+        EXPECT_TRUE(process.waitForFinished(300'000));
         output = QString::fromUtf8(process.readAllStandardOutput());
         error = QString::fromUtf8(process.readAllStandardError());
         return process.exitCode();
