@@ -16,7 +16,7 @@ namespace fulcrum::ui {
 std::vector<database::AssetFile> unaccepted_files(const database::Store& store,
                                                   const database::Session& session,
                                                   const database::AttemptSummary& attempt);
-/// What is said of them; empty where there are none.
+/// The sentence that names them; empty where there are none.
 QString unaccepted_note(const std::vector<database::AssetFile>& files);
 
 }  // namespace fulcrum::ui
