@@ -46,7 +46,7 @@ class TaskRun {
         if (one.without_limits) return;
         last_class_ = curriculum_class(one.device_class);
         // A variant can have limits of its own; standard attempts complete a check.
-        if (is_standard(one) || judged_with_.count(last_class_) == 0)
+        if (is_standard(one) || judged_with_.count(*last_class_) == 0)
             judge_with(one.device_class, one.provisional);
         if (one.passed) {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
