@@ -67,12 +67,86 @@ void add_noise(Trace& trace) {
             for (double& value : *column) value += 2e-6 * random.normal();
 }
 
+/// The orientation of the scope is part of the frame as well.
+void turn_scope(CameraTrace& camera, const Quaternion& turn) {
+    for (std::size_t i = 0; i < camera.qw.size(); ++i) {
+        const Quaternion turned = turn * Quaternion(camera.qw[i], camera.qx[i], camera.qy[i], camera.qz[i]);
+        camera.qw[i] = turned.w();
+        camera.qx[i] = turned.x();
+        camera.qy[i] = turned.y();
+        camera.qz[i] = turned.z();
+    }
+}
+
+/// Left to right, in the patient and in the image: the axis of a rotation is mirrored as a torque is.
+void mirror_scope(CameraTrace& camera) {
+    for (Columns column : {&camera.qy, &camera.qz})
+        for (double& value : *column) value = -value;
+}
+
 void add_spike(Trace& trace) {
     for (HandTrace& hand : trace.hand)
         if (!hand.fx.empty()) hand.fx[hand.fx.size() / 2] += 20;
 }
 
+/// The metrics of the force vector on tissue.
+std::vector<std::string> force_vector_metrics() {
+    std::vector<std::string> ids;
+    for (const Metric& metric : metric_registry()) {
+        const std::vector<Channel>& channels = metric.descriptor.channels;
+        if (std::find(channels.begin(), channels.end(), Channel::force) != channels.end())
+            ids.push_back(metric.descriptor.id);
+    }
+    return ids;
+}
+
 }  // namespace
+
+const std::vector<AllowedChange>& allowed_changes() {
+    constexpr double rounding = 1e-6, any = std::numeric_limits<double>::infinity();
+    constexpr const char* same =
+        "nothing but rounding: the value does not depend on where or when it was recorded";
+    static const std::vector<AllowedChange> rows = {
+        {TraceChange::turned, force_vector_metrics(), 0.01,
+         "spikes are looked for in each axis of the force, and in a turned frame other samples are replaced"},
+        {TraceChange::turned,
+         {"horizon_err"},
+         any,
+         "the horizon is measured against the patient's z, which does not turn with the frame"},
+        {TraceChange::turned, {}, rounding, same},
+        {TraceChange::mirrored, {}, rounding, same},
+        {TraceChange::moved, {}, rounding, same},
+        {TraceChange::later,
+         {"horizon_err", "centre_err", "size_err"},
+         1e-3,
+         "means over samples between two times: rounding of a time can leave out the sample at its end"},
+        {TraceChange::later, {}, rounding, same},
+        {TraceChange::half_rate,
+         {"f_max", "dfdt_max"},
+         0.2,
+         "a peak of a few milliseconds has half the samples, and one that is a single sample is replaced as "
+         "a spike"},
+        {TraceChange::half_rate,
+         {"contacts"},
+         0.34,
+         "a count: a touch of one sample can fall between two, and one touch of three is a third"},
+        {TraceChange::half_rate, {}, 0.05, "filters and integrals of coarser samples"},
+        {TraceChange::noise, {}, 0.02, "the filter of the motion metrics lets a part of the noise through"},
+        {TraceChange::spike, force_vector_metrics(), 1e-3,
+         "the spike is replaced by what its neighbours suggest"},
+        {TraceChange::spike, {}, 0, "the metric does not use the force on tissue"}};
+    return rows;
+}
+
+const AllowedChange& allowed_change(TraceChange change, const std::string& metric) {
+    const AllowedChange* others = nullptr;
+    for (const AllowedChange& row : allowed_changes()) {
+        if (row.change != change) continue;
+        if (std::find(row.metrics.begin(), row.metrics.end(), metric) != row.metrics.end()) return row;
+        if (row.metrics.empty()) others = &row;
+    }
+    return *others;
+}
 
 RecordedAttempt changed(RecordedAttempt attempt, TraceChange change) {
     const Map same = [](const Vector3& v) { return v; };
@@ -83,6 +157,7 @@ RecordedAttempt changed(RecordedAttempt attempt, TraceChange change) {
                     .toRotationMatrix();
             const Map map = [turn](const Vector3& v) { return Vector3(turn * v); };
             map_frame(attempt, map, map, map);
+            turn_scope(attempt.trace.camera, Quaternion(turn));
             break;
         }
         case TraceChange::mirrored: {
@@ -91,6 +166,7 @@ RecordedAttempt changed(RecordedAttempt attempt, TraceChange change) {
             map_frame(attempt, map, map, [](const Vector3& v) { return Vector3(v.x(), -v.y(), -v.z()); });
             for (HandTrace& hand : attempt.trace.hand)
                 for (double& roll : hand.roll) roll = -roll;
+            mirror_scope(attempt.trace.camera);
             break;
         }
         case TraceChange::moved:

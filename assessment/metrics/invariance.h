@@ -24,6 +24,18 @@ inline constexpr NameRow<TraceChange> trace_changes[] = {
     {TraceChange::spike, "spike", "one sample of 20 N in each hand"}};
 static_assert(in_order(trace_changes));
 
+/// How far a change may move a metric: what the page of the laboratory prints and its test holds.
+struct AllowedChange {
+    TraceChange change;
+    std::vector<std::string> metrics;  ///< ids; empty: all that no other row of this change names
+    double most;                       ///< as MetricChange::relative; infinite: not comparable
+    const char* why;
+};
+/// Every change has a row for all other metrics; it is the last of the change.
+const std::vector<AllowedChange>& allowed_changes();
+/// The row that a metric falls under.
+const AllowedChange& allowed_change(TraceChange change, const std::string& metric);
+
 /// The record of an attempt, and the task and scene data that its metrics need.
 struct RecordedAttempt {
     Trace trace;
