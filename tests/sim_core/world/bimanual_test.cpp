@@ -2,6 +2,11 @@
 // Random two-handed scripts on every scene: grasp, pull, twist, cross, hand over, let go. Whatever the hands
 // do, jaws exert no more than their faces hold, every value stays finite and the tissue gains no energy.
 //
+// The world has no account of its energy: contacts, friction and bands have none. What is held to a bound is
+// the elastic and kinetic energy of bowel, membranes and sheet: when all is at rest again it is at most that
+// of the same scene that nobody touched, and the work of the hands (force times path, all of it counted as
+// put in). In between, speeds are bounded.
+//
 // FULCRUM_BIMANUAL_SCRIPTS: how many scripts in all (default 27; 2,000 is the full test).
 // FULCRUM_BIMANUAL_PAGE: a folder for the page bimanual.md; the command that it names makes it.
 #include <gtest/gtest.h>
@@ -78,20 +83,43 @@ struct Script {
     double most_excess = 0;                      ///< N, of a reaction over what the faces hold
     double bowel_speed = 0, membrane_speed = 0;  ///< m/s, largest
     double largest = 0;                          ///< N, reaction
-    int held_steps = 0, both_held = 0;
+    double work = 0;                             ///< J, of the hands, at most
+    Vector3 worked_from[hand_count];             ///< tip at the last step, m
+    double rolled_from[hand_count] = {0, 0};     ///< rad
+    double force_before[hand_count] = {0, 0};    ///< N
+    int held_steps = 0, both_held = 0, twisted = 0;
     std::int32_t area[hand_count] = {0, 0};  ///< as samples have it, of the present hold
     std::uint32_t worst_outcome = 0;
 
-    Script(test::SheetRig& on, std::uint64_t seed) : rig(on), random(seed, 0x62696d61) {}
+    Random twists;  ///< of its own, so that the other actions are those that they were without twists
+
+    Script(test::SheetRig& on, std::uint64_t seed)
+        : rig(on),
+          random(seed, 0x62696d61),
+          worked_from{on.wish[0].tip, on.wish[1].tip},
+          twists(seed, 0x74776973) {}
 
     double signed_unit() { return 2 * random.uniform() - 1; }
     Vector3 direction() { return Vector3(signed_unit(), signed_unit(), signed_unit() + 0.3).normalized(); }
+    /// Force times path, tip and turn of the jaws, whichever direction.
+    void add_work(int h) {
+        constexpr double jaw_reach = 0.02;  // m, from the shaft to tissue between the jaws, at most
+        const test::Wish& wish = rig.wish[h];
+        const double force =
+            std::max(test::recorded_force(rig, h), rig.world.snapshot().grasps[h].reaction.norm());
+        work += std::max(force, force_before[h]) *
+                ((wish.tip - worked_from[h]).norm() + jaw_reach * std::abs(wish.roll - rolled_from[h]));
+        worked_from[h] = wish.tip;
+        rolled_from[h] = wish.roll;
+        force_before[h] = force;
+    }
     void check() {
         const World& world = rig.world;
         for (int h = 0; h < hand_count; ++h) {
             const GraspState& grasp = world.snapshot().grasps[h];
             ASSERT_TRUE(grasp.reaction.allFinite() && grasp.point.allFinite());
             ASSERT_TRUE(std::isfinite(test::recorded_force(rig, h)));
+            add_work(h);
             const HandSample& sample = rig.outputs.back().sample.hand[h];
             const bool grasping = (sample.flags & hand_grasping) != 0;
             if (grasping && area[h] > 0) {
@@ -135,6 +163,18 @@ struct Script {
             if (testing::Test::HasFatalFailure()) return;
         }
     }
+    /// One hand turns about its shaft, holding or not, by up to half a turn; slowly or as fast as fingers do.
+    void twist() {
+        const int h = twists.uniform() < 0.5 ? 0 : 1;
+        const double from = rig.wish[h].roll, by = std::acos(-1.0) * (2 * twists.uniform() - 1);
+        const int count = twists.uniform() < 0.3 ? 20 : 80;  // 0.1 s, 0.4 s
+        for (int i = 1; i <= count && !testing::Test::HasFatalFailure(); ++i) {
+            rig.wish[h].roll = from + by * i / count;
+            rig.step();
+            check();
+        }
+        twisted += rig.world.snapshot().grasps[h].held ? 1 : 0;
+    }
     void one_action() {
         Vector3 to[hand_count] = {rig.wish[0].tip, rig.wish[1].tip};
         const int h = random.uniform() < 0.5 ? 0 : 1;
@@ -177,11 +217,32 @@ struct Script {
     }
 };
 
+/// J, elastic and kinetic, of the parts that have such an account.
+double energy_of(const World& world) {
+    double sum = 0;
+    if (const BowelPart* bowel = world.find<BowelPart>()) {
+        const RodEnergy energy = bowel->rod().energy(bowel->state(), RodInputs{});
+        sum += energy.elastic() + energy.kinetic;
+    }
+    if (const MembranesPart* membranes = world.find<MembranesPart>()) {
+        for (const MembranePart& membrane : membranes->membranes()) {
+            const MembraneEnergy energy = membrane.membrane().energy(membrane.state());
+            sum += energy.elastic() + energy.kinetic;
+        }
+    }
+    if (const SheetPart* sheet = world.find<SheetPart>()) {
+        const MembraneEnergy energy = sheet->membrane().energy(sheet->state().membrane);
+        sum += energy.elastic() + energy.kinetic;
+    }
+    return sum;
+}
+
 /// What the scripts of one scene came to.
 struct ScriptFigures {
     std::string scene;
-    int scripts = 0, held_steps = 0, both_held = 0;
+    int scripts = 0, held_steps = 0, both_held = 0, twisted = 0;
     double largest = 0, excess = 0;              // N
+    double work = 0, stored = 0;                 // J, of the script with most
     double bowel_speed = 0, membrane_speed = 0;  // m/s, while the hands act
     double bowel_left = 0, membrane_left = 0;    // m/s, when they have been away for 1.5 s
     std::uint32_t outcome = 0;
@@ -203,29 +264,41 @@ class Bimanual : public testing::TestWithParam<std::string> {
         page.paragraph(
             "Two graspers do eight random actions in every scene that has hands: grasp, pull slowly or with "
             "a "
-            "jerk, pull apart, cross, hand over, let go. Every value is checked for being finite in every "
+            "jerk, pull apart, cross, hand over, let go; before each, with a chance of 0.3, one of them "
+            "twists by up to half a turn. Every value is checked for being finite in every "
             "step. Excess: reaction of a hold over what the faces of its jaws can hold by friction. Speeds "
             "bound the energy: the largest while the hands act, and what is left when both have let go and "
-            "been away for 1.5 s (at most 0.02 m/s for bowel, 0.05 m/s for membranes). Worst outcome of a "
+            "been away for 1.5 s (at most 0.02 m/s for bowel, 0.05 m/s for membranes). "
+            "Stored: elastic and kinetic energy of bowel, membranes and sheet at that time over that of the "
+            "scene that nobody touched; at most the work of the hands. Worst outcome of a "
             "step: "
             "0 normal, 1 made in smaller steps, 2 a part kept still, 3 restored, 4 a fault of the "
             "simulator.");
         lab::ResultTable table;
         table.name = "bimanual";
-        table.columns = {"scene",       "scripts",        "steps with a hold", "of these with both hands",
-                         "largest, N",  "excess, N",      "bowel, m/s",        "membrane, m/s",
-                         "bowel after", "membrane after", "worst outcome"};
+        table.columns = {"scene",           "scripts",      "steps with a hold", "of these with both hands",
+                         "twists of holds", "largest, N",   "excess, N",         "bowel, m/s",
+                         "membrane, m/s",   "bowel after",  "membrane after",    "work, J",
+                         "stored, J",       "worst outcome"};
         for (const ScriptFigures& one : figures())
-            table.rows.push_back({one.scene, std::to_string(one.scripts), std::to_string(one.held_steps),
-                                  std::to_string(one.both_held), lab::short_number(one.largest),
-                                  lab::short_number(std::max(0.0, one.excess)),
-                                  lab::short_number(one.bowel_speed), lab::short_number(one.membrane_speed),
-                                  lab::short_number(one.bowel_left), lab::short_number(one.membrane_left),
-                                  std::to_string(one.outcome)});
+            table.rows.push_back(
+                {one.scene, std::to_string(one.scripts), std::to_string(one.held_steps),
+                 std::to_string(one.both_held), std::to_string(one.twisted), lab::short_number(one.largest),
+                 lab::short_number(std::max(0.0, one.excess)), lab::short_number(one.bowel_speed),
+                 lab::short_number(one.membrane_speed), lab::short_number(one.bowel_left),
+                 lab::short_number(one.membrane_left), lab::short_number(one.work),
+                 lab::short_number(one.stored), std::to_string(one.outcome)});
         page.table(table);
         page.write(folder, lab::this_machine(lab::build_info()));
     }
 };
+
+/// J, of the scene that nobody touches.
+double energy_at_rest(const Scene& scene) {
+    test::SheetRig rig(scene);
+    rig.steps(400);
+    return energy_of(rig.world);
+}
 
 TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
     const std::vector<std::string> scenes = all_scenes();
@@ -234,10 +307,12 @@ TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
     const Scene scene = test::two_graspers(GetParam());
     ScriptFigures sum;
     sum.scene = GetParam();
+    const double untouched = energy_at_rest(scene);
     for (int script = 0; script < scripts_of(number, scenes.size()); ++script) {
         test::SheetRig rig(scene);
         Script run(rig, 1000 * number + static_cast<std::uint64_t>(script));
         for (int action = 0; action < 8; ++action) {
+            if (run.twists.uniform() < 0.3) run.twist();
             run.one_action();
             if (HasFatalFailure()) {
                 ADD_FAILURE() << "script " << script << ", action " << action;
@@ -247,6 +322,7 @@ TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
         ++sum.scripts;
         sum.held_steps += run.held_steps;
         sum.both_held += run.both_held;
+        sum.twisted += run.twisted;
         sum.largest = std::max(sum.largest, run.largest);
         sum.excess = std::max(sum.excess, run.most_excess);
         sum.bowel_speed = std::max(sum.bowel_speed, run.bowel_speed);
@@ -272,6 +348,11 @@ TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
         sum.membrane_left = std::max(sum.membrane_left, run.membrane_speed);
         EXPECT_LT(run.bowel_speed, 0.02) << "script " << script << ": it does not come to rest";
         EXPECT_LT(run.membrane_speed, 0.05) << "script " << script << ": it does not come to rest";
+        // 0.02 J: 0.1 kg of bowel that has another 2 cm to fall to where it comes to rest.
+        const double stored = energy_of(rig.world) - untouched;
+        EXPECT_LE(stored, run.work + 0.02) << "script " << script << ": it has more than the hands put in";
+        sum.work = std::max(sum.work, run.work);
+        sum.stored = std::max(sum.stored, stored);
     }
     figures().push_back(sum);
     const std::string counts = std::to_string(sum.held_steps) + " steps of a hand that holds, " +

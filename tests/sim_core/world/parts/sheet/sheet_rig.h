@@ -25,6 +25,7 @@ inline Scene sheet_scene() {
 struct Wish {
     Vector3 tip = Vector3::Zero();  ///< m, patient frame
     bool closed = false, button = false, energy = false, exchange = false;
+    double roll = 0;      ///< rad, about the shaft
     bool silent = false;  ///< its device does not answer: the instrument stays where it was
 };
 
@@ -38,6 +39,7 @@ struct SheetRig {
     Wish wish[hand_count];
     std::optional<Vector3> lens;  ///< of the camera, m, patient frame; none: where it begins
     Vector3 asked[hand_count];    ///< requested tip positions at the last step
+    double asked_roll[hand_count] = {0, 0};
     double squeeze[hand_count] = {0, 0};
     std::uint32_t tick = 0;
     std::uint64_t hash = 0;
@@ -78,6 +80,7 @@ struct SheetRig {
                 DeviceReading reading;
                 const Vector3 tip = asked[h] + 0.2 * (i + 1) * (wish[h].tip - asked[h]);
                 reading.handle = handle_for_tip(trocar[h], tip);
+                reading.roll = asked_roll[h] + 0.2 * (i + 1) * (wish[h].roll - asked_roll[h]);
                 // Fingers take 40 ms.
                 squeeze[h] = std::clamp(squeeze[h] + (wish[h].closed ? 0.025 : -0.025), 0.0, 1.0);
                 reading.jaw = 1 - squeeze[h];
@@ -98,7 +101,10 @@ struct SheetRig {
                 sent[h] = force;
             }
         }
-        for (int h = 0; h < hand_count; ++h) asked[h] = wish[h].tip;
+        for (int h = 0; h < hand_count; ++h) {
+            asked[h] = wish[h].tip;
+            asked_roll[h] = wish[h].roll;
+        }
         record = world.step(outputs.data(), outputs.size());
         hash = hash * 31 + record.state_hash;
         loop.adopt(world.local_models());
