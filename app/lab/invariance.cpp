@@ -81,6 +81,7 @@ Measured measure_invariance() {
     table.name = "lab_invariance";
     table.columns = {"metric"};
     for (const NameRow<TraceChange>& change : trace_changes) table.columns.emplace_back(change.title);
+    table.columns.emplace_back("version");
     nlohmann::json document = nlohmann::json::object();
     for (const Metric& metric : metric_registry()) {
         const auto found = worst.find(metric.descriptor.id);
@@ -91,6 +92,8 @@ Measured measure_invariance() {
             document[found->first][trace_changes[k].name] =
                 std::isfinite(found->second[k]) ? nlohmann::json(found->second[k]) : nlohmann::json();
         }
+        row.push_back(std::to_string(metric.descriptor.version));
+        document[found->first]["version"] = metric.descriptor.version;
         table.rows.push_back(std::move(row));
     }
     measured.page.paragraph(
@@ -101,7 +104,7 @@ Measured measure_invariance() {
         "(of its precision where the value is smaller); \"–\": none but rounding; \"absent\": a row was no "
         "longer "
         "measurable. The spike is replaced by the filter of the force metrics, so that it moves none of "
-        "them.");
+        "them. Version: of the metric.");
     measured.page.table(table);
     measured.page.heading("What a change may do");
     measured.page.paragraph(

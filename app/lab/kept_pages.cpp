@@ -52,6 +52,22 @@ json number_or_null(const std::string& text) {
     return end == text.c_str() ? json() : json(value);
 }
 
+/// "60, 58, 43"; null where the page has no such column.
+json counts_or_null(const std::string& text) {
+    json counts = json::array();
+    std::istringstream cells(text);
+    for (std::string cell; std::getline(cells, cell, ',');) {
+        const json count = number_or_null(cell);
+        if (!count.is_null()) counts.push_back(static_cast<int>(count.get<double>()));
+    }
+    return counts.empty() ? json() : counts;
+}
+
+json version_or_null(const std::string& text) {
+    const json number = number_or_null(text);
+    return number.is_null() ? json() : json(static_cast<int>(number.get<double>()));
+}
+
 json text_or_null(const std::string& text) {
     return text.empty() ? json() : json(text);
 }
@@ -84,13 +100,17 @@ void require_cells(const Cells& row, std::size_t count, const std::string& path)
 
 json read_operators_page(const std::string& text, const std::string& path) {
     json metrics = json::array(), gates = json::array();
+    constexpr std::size_t before_versions = 10, cells = 12;
     for (const Cells& row : table_of(text, {"metric", "hand", "better", "AUC"}, path)) {
-        require_cells(row, 10, path);
+        const bool old = row.size() == before_versions;
+        require_cells(row, old ? before_versions : cells, path);
         metrics.push_back({{"metric", row[0]},
                            {"hand", text_or_null(row[1])},
                            {"auc", number_or_null(row[3])},
                            {"retest", number_or_null(row[6])},
-                           {"separates", row[5] == cell_context ? json() : json(row[5] == cell_yes)}});
+                           {"separates", row[5] == cell_context ? json() : json(row[5] == cell_yes)},
+                           {"values", old ? json() : counts_or_null(row[10])},
+                           {"version", old ? json() : version_or_null(row[11])}});
     }
     for (const Cells& row : table_of(text, {"gate", "hand", "experts failed"}, path)) {
         require_cells(row, 6, path);
@@ -110,7 +130,10 @@ json read_operators_page(const std::string& text, const std::string& path) {
 json read_invariance_page(const std::string& text, const std::string& path) {
     json metrics = json::object();
     for (const Cells& row : table_of(text, {"metric", trace_changes[0].title}, path)) {
-        require_cells(row, 1 + std::size(trace_changes), path);
+        constexpr std::size_t before_versions = 1 + std::size(trace_changes);
+        const bool old = row.size() == before_versions;
+        require_cells(row, old ? before_versions : before_versions + 1, path);
+        metrics[row[0]]["version"] = old ? json() : version_or_null(row.back());
         for (std::size_t k = 0; k < std::size(trace_changes); ++k) {
             const std::string& cell = row[k + 1];
             const json percent = number_or_null(cell);

@@ -14,10 +14,12 @@ inline constexpr const char *cell_yes = "yes", *cell_context = "context",
                             *cell_no_reason = "no, and no reason is given";
 
 /// The page that `lab operators` wrote, in the form of its JSON: metrics (metric, hand, auc, retest,
-/// separates), gates (metric, hand, failed, safety), seeds, passed. Values are as exact as the page prints
-/// them. `path` is for messages. Throws InputError for a page of another form.
+/// separates, values, version; the last two null on pages from before they were printed), gates (metric,
+/// hand, failed, safety), seeds, passed. Values are as exact as the page prints them. `path` is for messages.
+/// Throws InputError for a page of another form.
 nlohmann::json read_operators_page(const std::string& text, const std::string& path);
-/// The page that `lab invariance` wrote: metrics by name with half_rate and noise, relative changes.
+/// The page that `lab invariance` wrote: metrics by name with half_rate and noise, relative changes, and
+/// version, null on pages from before it was printed.
 nlohmann::json read_invariance_page(const std::string& text, const std::string& path);
 
 }  // namespace fulcrum::app

@@ -172,6 +172,18 @@ std::string interval_text(const std::vector<double>& values) {
            short_number(interval->high, 4) + ")";
 }
 
+std::string three(const std::array<int, groups>& counts) {
+    return std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " + std::to_string(counts[2]);
+}
+
+/// How many attempts of each group have a value.
+std::array<int, groups> counts_of(const Summary& summary, const RowName& name) {
+    std::array<int, groups> counts{};
+    for (int group = 0; group < groups; ++group)
+        counts[static_cast<std::size_t>(group)] = static_cast<int>(summary.of(group, name).size());
+    return counts;
+}
+
 /// One row a metric and hand; adds the same to `document`. Returns how many quality metrics do not separate.
 int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool describes,
                    const Summary& summary, lab::ResultTable& table, nlohmann::json& document) {
@@ -182,6 +194,7 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool
     const std::optional<double> retest =
         pairs == summary.retests.end() ? std::nullopt : retest_correlation(pairs->second);
     const bool separates = area && area->area >= least_area && area->low > chance;
+    const std::array<int, groups> counts = counts_of(summary, name);
     const std::string direction = metric_directions[static_cast<std::size_t>(descriptor.direction)].name;
     table.rows.push_back({name.first, name.second, direction, area ? short_number(area->area, 3) : "absent",
                           area ? short_number(area->low, 3) + " to " + short_number(area->high, 3) : "",
@@ -189,7 +202,8 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool
                           : separates ? cell_yes
                                       : "**no**",
                           retest ? short_number(*retest, 2) : "", interval_text(summary.of(expert, name)),
-                          interval_text(summary.of(1, name)), interval_text(summary.of(novice, name))});
+                          interval_text(summary.of(1, name)), interval_text(summary.of(novice, name)),
+                          three(counts), std::to_string(descriptor.version)});
     nlohmann::json row = {{"metric", name.first},
                           {"hand", name.second.empty() ? nlohmann::json() : nlohmann::json(name.second)},
                           {"unit", descriptor.unit},
@@ -198,7 +212,9 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool
                           {"auc_low", area ? nlohmann::json(area->low) : nlohmann::json()},
                           {"auc_high", area ? nlohmann::json(area->high) : nlohmann::json()},
                           {"retest", retest ? nlohmann::json(*retest) : nlohmann::json()},
-                          {"separates", quality ? nlohmann::json(separates) : nlohmann::json()}};
+                          {"separates", quality ? nlohmann::json(separates) : nlohmann::json()},
+                          {"values", counts},
+                          {"version", descriptor.version}};
     for (int group = 0; group < groups; ++group)
         row[operator_levels[static_cast<std::size_t>(group)].name] = summary.of(group, name);
     document.push_back(std::move(row));
@@ -221,10 +237,6 @@ int add_metrics(const TaskDefinition& task, const Summary& summary, lab::ResultT
         }
     }
     return failing;
-}
-
-std::string three(const std::array<int, groups>& counts) {
-    return std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " + std::to_string(counts[2]);
 }
 
 /// What the gate is kept for if it seldom fails anyone; "": the task does not say.
@@ -394,8 +406,8 @@ Measured measure_operators(const std::string& task, int seeds, int replays, int 
     nlohmann::json metrics = nlohmann::json::array(), gates = nlohmann::json::array();
     lab::ResultTable table;
     table.name = "operators_" + id;
-    table.columns = {"metric",    "hand",   "better", "AUC",          "95 % interval",
-                     "separates", "retest", "expert", "intermediate", "novice"};
+    table.columns = {"metric", "hand",   "better",       "AUC",    "95 % interval", "separates",
+                     "retest", "expert", "intermediate", "novice", "values",        "version"};
     const int failing = add_metrics(loaded.task, summary, table, metrics);
     page.paragraph(
         "AUC: chance that a random expert is better than a random novice in the metric's direction; 0.5 is "
@@ -404,7 +416,9 @@ Measured measure_operators(const std::string& task, int seeds, int replays, int 
         " and its interval (Newcombe, method 5) above 0.5. Medians of each group with 95 % intervals from "
         "order statistics. Retest: intraclass correlation ICC(1,1) of two attempts of the same individual, "
         "individuals "
-        "of all groups. Quality metrics that do not separate: " +
+        "of all groups. Values: how many attempts of experts, intermediates and novices have one; an AUC is "
+        "computed from those of the first and the last. Version: of the metric. Quality metrics that do not "
+        "separate: " +
         std::to_string(failing) + ".");
     page.table(table);
     page.heading("Gates");

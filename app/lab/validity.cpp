@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -58,16 +59,60 @@ std::vector<std::string> tasks_in(const std::string& folder) {
     return {tasks.begin(), tasks.end()};
 }
 
+/// " [1 and 60 values]" where fewer experts or novices than attempts have one.
+std::string few_values(const json& row, int seeds) {
+    const json values = row.value("values", json());
+    if (!values.is_array() || values.size() != 3) return "";
+    const int experts = values[0].get<int>(), novices = values[2].get<int>();
+    if (experts >= seeds && novices >= seeds) return "";
+    return " [" + std::to_string(experts) + " and " + std::to_string(novices) + " values]";
+}
+
 /// "left 0.99, right 1" of the rows of a metric; `key` auc or retest.
-std::string by_hand(const json& rows, const std::string& metric, const char* key) {
+std::string by_hand(const json& document, const std::string& metric, const char* key) {
+    const json& rows = document.at("metrics");
+    const int seeds = document.at("seeds").get<int>();
     std::string text;
     for (const json& row : rows) {
         if (row.at("metric") != metric || row.at(key).is_null()) continue;
         const std::string hand = row.at("hand").is_null() ? "" : row.at("hand").get<std::string>() + " ";
         const bool context = row.at("separates").is_null();
-        const std::string value = short_number(row.at(key).get<double>(), 2);
+        const std::string value = short_number(row.at(key).get<double>(), 2) +
+                                  (std::string(key) == "auc" ? few_values(row, seeds) : "");
         text += (text.empty() ? "" : ", ") + hand + (context ? "(" + value + ")" : value);
     }
+    return text;
+}
+
+/// What is known of the version that a value was measured with; empty: the registry's.
+std::string version_mark(const json& version, int now) {
+    if (version.is_null()) return "version not recorded";
+    return version == now ? "" : "measured with v" + std::to_string(version.get<int>());
+}
+
+/// The version that a page has of a metric; null where it has none, nothing where it has no such metric.
+std::optional<json> version_in(const json& document, const std::string& metric) {
+    for (const json& row : document.at("metrics"))
+        if (row.at("metric") == metric) return row.value("version", json());
+    return std::nullopt;
+}
+
+/// "v2", or where values are of another version "v2; A1, B1: measured with v1; noise: version not recorded".
+std::string version_words(const std::string& metric, int now, const std::map<std::string, json>& operators,
+                          const json& changes) {
+    std::map<std::string, std::string> marked;  // what is marked so
+    const auto mark = [&](const json& version, const std::string& what) {
+        const std::string words = version_mark(version, now);
+        if (words.empty()) return;
+        std::string& all = marked[words];
+        all += (all.empty() ? "" : ", ") + what;
+    };
+    for (const auto& [task, document] : operators)
+        if (const std::optional<json> version = version_in(document, metric)) mark(*version, task);
+    if (const auto found = changes.find(metric); found != changes.end())
+        mark(found->value("version", json()), "500 Hz and noise");
+    std::string text = "v" + std::to_string(now);
+    for (const auto& [words, what] : marked) text += "; " + what + ": " + words;
     return text;
 }
 
@@ -100,21 +145,26 @@ void add_metrics(lab::ResultPage& page, const std::map<std::string, json>& opera
         "two attempts "
         "of the same individual. The last two columns: largest change where the same attempt is recorded "
         "with 500 "
-        "samples a second, or with 2 um of noise in the tip.");
+        "samples a second, or with 2 um of noise in the tip. After the version of a metric: which values "
+        "were "
+        "measured with another one, or by a page that does not record it. In square brackets: how many "
+        "experts "
+        "and novices have a value, where not all have.");
     lab::ResultTable table;
     table.columns = {"metric", "what it is", "source, evidence"};
     for (const auto& [task, document] : operators) table.columns.push_back("AUC " + task);
     table.columns.insert(table.columns.end(), {"retest", "500 Hz", "noise"});
     for (const Metric& metric : metric_registry()) {
         const MetricDescriptor& d = metric.descriptor;
-        std::vector<std::string> row = {"`" + d.id + "` (v" + std::to_string(d.version) + ")", d.explanation,
-                                        d.source + "; " + grade_words(d.grade)};
+        std::vector<std::string> row = {
+            "`" + d.id + "` (" + version_words(d.id, d.version, operators, changes) + ")", d.explanation,
+            d.source + "; " + grade_words(d.grade)};
         std::string retest;
         bool shown = false;
         for (const auto& [task, document] : operators) {
-            row.push_back(by_hand(document.at("metrics"), d.id, "auc"));
+            row.push_back(by_hand(document, d.id, "auc"));
             shown = shown || !row.back().empty();
-            const std::string again = by_hand(document.at("metrics"), d.id, "retest");
+            const std::string again = by_hand(document, d.id, "retest");
             if (!again.empty()) retest += (retest.empty() ? "" : "; ") + task + " " + again;
         }
         if (!shown) continue;
@@ -126,11 +176,18 @@ void add_metrics(lab::ResultPage& page, const std::map<std::string, json>& opera
     page.table(table);
 }
 
+/// Whether a gate's counts are of the metric as it is now; empty: they are.
+std::string gate_version(const json& document, const std::string& metric) {
+    const MetricDescriptor* now = find_metric(metric);
+    const std::optional<json> version = version_in(document, metric);
+    return now == nullptr || !version ? "" : version_mark(*version, now->version);
+}
+
 void add_gates(lab::ResultPage& page, const std::map<std::string, json>& operators) {
     page.heading("Gates");
     lab::ResultTable table;
-    table.columns = {"task",           "gate", "hand",    "experts failed", "intermediates failed",
-                     "novices failed", "of",   "kept for"};
+    table.columns = {"task",           "gate", "hand",     "experts failed", "intermediates failed",
+                     "novices failed", "of",   "kept for", "version"};
     for (const auto& [task, document] : operators)
         for (const json& gate : document.at("gates")) {
             const json& failed = gate.at("failed");
@@ -138,12 +195,13 @@ void add_gates(lab::ResultPage& page, const std::map<std::string, json>& operato
                 {task, gate.at("metric"), gate.at("hand").is_null() ? "" : gate.at("hand"),
                  std::to_string(failed.at(0).get<int>()), std::to_string(failed.at(1).get<int>()),
                  std::to_string(failed.at(2).get<int>()), std::to_string(document.at("seeds").get<int>()),
-                 gate.at("safety").get<std::string>()});
+                 gate.at("safety").get<std::string>(), gate_version(document, gate.at("metric"))});
         }
     page.table(table);
     page.paragraph(
         "A gate that fails fewer than one novice in ten says what it is kept for: harm that must stop an "
-        "attempt even if the synthetic novices seldom do it.");
+        "attempt even if the synthetic novices seldom do it. Version: where the counts are not of the gate's "
+        "metric as it is now.");
     page.heading("Passed");
     lab::ResultTable passed;
     passed.columns = {"task", "attempts of each group", "experts", "intermediates", "novices"};

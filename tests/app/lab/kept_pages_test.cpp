@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/lab/operators.h"
+#include "assessment/metrics/invariance.h"
 #include "sim_core/lab/machine.h"
 #include "sim_core/lab/result_page.h"
 #include "sim_core/numerics/input_error.h"
@@ -54,6 +55,40 @@ TEST(KeptPages, GiveTheResultsOfOperatorsAgain) {
     EXPECT_EQ(read["gates"][2]["safety"], "");
     EXPECT_EQ(read["seeds"], 40);
     EXPECT_EQ(read["passed"], nlohmann::json({36, 9, 0}));
+}
+
+// Pages from before versions were printed have neither them nor the numbers of values.
+TEST(KeptPages, GiveTheVersionsAndNumbersOfValuesWhereTheyHaveThem) {
+    const nlohmann::json before = read_operators_page(page, "operators_B9.md");
+    EXPECT_TRUE(before["metrics"][0]["version"].is_null());
+    EXPECT_TRUE(before["metrics"][0]["values"].is_null());
+    std::string text = page;
+    const auto append = [&text](const std::string& row, const std::string& cells) {
+        const std::size_t at = text.find(row);
+        ASSERT_NE(at, std::string::npos) << row;
+        text.insert(text.find('\n', at), cells);
+    };
+    append("| metric | hand |", " values | version |");
+    append("| --- | --- | --- | --- | --- | --- | --- |", " --- | --- |");
+    append("| time |", " 40, 40, 38 | 2 |");
+    append("| idle | left", " 40, 39, 1 | 1 |");
+    append("| lens_contact |", " 0, 0, 3 | 1 |");
+    const nlohmann::json read = read_operators_page(text, "operators_B9.md");
+    EXPECT_EQ(read["metrics"][0]["version"], 2);
+    EXPECT_EQ(read["metrics"][0]["values"], nlohmann::json({40, 40, 38}));
+    EXPECT_EQ(read["metrics"][1]["values"], nlohmann::json({40, 39, 1}));
+    EXPECT_EQ(read["metrics"][1]["auc"], 0.597);
+
+    std::string header = "| metric |", line = "| f_sd |";
+    for (const auto& change : trace_changes) {
+        header += std::string(" ") + change.title + " |";
+        line += " 0.5 % |";
+    }
+    EXPECT_TRUE(
+        read_invariance_page(header + "\n" + line + "\n", "i.md")["metrics"]["f_sd"]["version"].is_null());
+    const nlohmann::json changes = read_invariance_page(header + " version |\n" + line + " 3 |\n", "i.md");
+    EXPECT_EQ(changes["metrics"]["f_sd"]["version"], 3);
+    EXPECT_EQ(changes["metrics"]["f_sd"]["noise"], 0.005);
 }
 
 TEST(KeptPages, OfAnotherFormAreRefused) {
