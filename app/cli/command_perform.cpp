@@ -23,6 +23,7 @@
 #include "database/records/assessed_attempts.h"
 #include "database/records/curricula.h"
 #include "database/records/recorder.h"
+#include "database/scoring/fidelity_now.h"
 #include "database/store/accepted_assets.h"
 #include "sim_core/scene/fidelity.h"
 
@@ -182,7 +183,8 @@ std::string cost_text(const std::string& task, const std::string& fidelity) {
     if (const auto costs = fidelity_cost(task)) {
         for (const FidelityCost& cost : costs->levels)
             if (cost.fidelity == fidelity)
-                return cost_text(cost).words() + " (against " + finest_fidelity() + ")\n";
+                return cost_text(cost).words() + " (against " + finest_fidelity() +
+                       (measured_as_now(*costs, task) ? ")\n" : "; measured with an earlier version)\n");
     }
     return fidelity + ": what it costs in score is not measured for this version\n";
 }
@@ -203,7 +205,9 @@ Sentence costs_text() {
                           "(fulcrum lab fidelity): the assessed metric that differs most, and "
                           "verdicts that differ."),
         finest_fidelity());
+    std::string earlier;  // tasks
     for (const auto& [task, measured] : costs->tasks) {
+        if (!measured_with_this_program(measured)) earlier += (earlier.empty() ? "" : ", ") + task;
         for (const FidelityCost& cost : measured.levels) {
             if (cost.metric.empty() && cost.verdicts == 0) continue;
             const Sentence verdicts(QT_TRANSLATE_NOOP("commands", "%1 at %2: another verdict for %3 of %4"),
@@ -214,6 +218,13 @@ Sentence costs_text() {
                                                   three_digits(cost.shift_percent, true));
         }
     }
+    if (!earlier.empty())
+        text =
+            Sentence("%1 %2", text,
+                     Sentence(QT_TRANSLATE_NOOP("commands",
+                                                "Measured with an earlier version of the simulation or the "
+                                                "metrics: %1."),
+                              earlier));
     return {"%1 %2", text,
             QT_TRANSLATE_NOOP("commands", "Every other fidelity gives the same score as the finest one.")};
 }

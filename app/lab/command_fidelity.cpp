@@ -12,7 +12,6 @@
 #include "assessment/assets/assets.h"
 #include "sim_core/numerics/files.h"
 #include "sim_core/scene/json_document.h"
-#include "sim_core/world/physics_version.h"
 
 namespace fulcrum::app {
 namespace {
@@ -67,14 +66,11 @@ FidelityStudy new_study(const Arguments& arguments) {
     return study;
 }
 
-/// What `--tasks` leaves in the file as it is: the other tasks, where they were measured with this physics.
-/// Throws InputError for a file of another kind.
+/// What `--tasks` leaves in the file as it is: the other tasks, with what each was measured with. Throws
+/// InputError for a file of another kind.
 FidelityCosts costs_to_keep(const Arguments& arguments, const std::string& file) {
     if (!arguments.has("--tasks") || !std::filesystem::exists(file)) return {};
-    const FidelityCosts costs = parse_fidelity_costs(read_text_file(file, JsonLimits().bytes), file);
-    if (costs.physics == physics_version) return costs;
-    std::cerr << file << " is of physics version " << costs.physics << ": nothing of it is kept\n";
-    return {};
+    return parse_fidelity_costs(read_text_file(file, JsonLimits().bytes), file);
 }
 
 }  // namespace
@@ -92,8 +88,7 @@ int run_fidelity(const Arguments& arguments) {
         throw InputError(from.value_or("lab fidelity"), "", "no task has 2 complete seeds",
                          "let the command run longer");
     if (data) {
-        costs.physics = study.physics;
-        for (const auto& [task, cost] : costs_of(answers, study.physics).tasks) costs.tasks[task] = cost;
+        for (const auto& [task, cost] : costs_of(answers, study).tasks) costs.tasks[task] = cost;
         write_whole_file(*data, fidelity_costs_to_json(costs).dump(1) + "\n");
     }
     const lab::ResultPage page = fidelity_page(study, answers);

@@ -188,12 +188,15 @@ std::vector<TaskAnswer> fidelity_answers(const FidelityStudy& study) {
     return answers;
 }
 
-FidelityCosts costs_of(const std::vector<TaskAnswer>& answers, int physics) {
+FidelityCosts costs_of(const std::vector<TaskAnswer>& answers, const FidelityStudy& study) {
     FidelityCosts costs;
-    costs.physics = physics;
     for (const TaskAnswer& answer : answers) {
         TaskFidelityCost& task = costs.tasks[answer.task.id];
         task.cheapest = row_of(fidelity_levels, answer.cheapest).name;
+        task.commit = study.commit;
+        task.physics = study.physics;
+        task.limits = answer.task.limits;
+        task.metrics = answer.task.metrics;
         for (const LevelAnswer& level : answer.levels) {
             FidelityCost cost;
             cost.fidelity = row_of(fidelity_levels, level.level).name;

@@ -62,7 +62,7 @@ struct TaskAnswer {
 
 /// Tasks with fewer than 2 seeds are left out.
 std::vector<TaskAnswer> fidelity_answers(const FidelityStudy& study);
-/// What briefings and help say.
-FidelityCosts costs_of(const std::vector<TaskAnswer>& answers, int physics);
+/// What briefings and help say. `study`: that of the answers; its program measured.
+FidelityCosts costs_of(const std::vector<TaskAnswer>& answers, const FidelityStudy& study);
 
 }  // namespace fulcrum::app

@@ -10,6 +10,7 @@
 #include "app/live/performance.h"
 #include "app/live/trace_rig.h"
 #include "assessment/metrics/registry.h"
+#include "database/scoring/fidelity_now.h"
 #include "sim_core/lab/chart.h"
 #include "sim_core/lab/processor_time.h"
 #include "sim_core/numerics/input_error.h"
@@ -227,7 +228,12 @@ FidelityStudy run_fidelity_study(const FidelityStudyRequest& request) {
     study.commit = request.commit;
     for (const std::string& id : request.tasks) {
         const LoadedTask loaded = load_task_and_scene(id);
-        study.tasks.push_back({id, limits_of(id).name(), loaded.scene.fidelity.id, loaded.task.version, {}});
+        study.tasks.push_back({id,
+                               limits_of(id).name(),
+                               loaded.scene.fidelity.id,
+                               loaded.task.version,
+                               {},
+                               gated_metric_versions(loaded.task)});
     }
     StudyRun run(request);
     std::vector<std::thread> threads;
@@ -256,7 +262,8 @@ nlohmann::json to_json(const FidelityStudy& study) {
                          {"version", task.version},
                          {"limits", task.limits},
                          {"fidelity", task.fidelity},
-                         {"gates", gates}});
+                         {"gates", gates},
+                         {"metrics", task.metrics}});
     }
     for (const ObservedAttempt& one : study.attempts)
         attempts.push_back({{"task", one.task},
@@ -308,6 +315,7 @@ FidelityStudy fidelity_study_of(const nlohmann::json& document, const std::strin
                 task.gates.push_back({gate.at("metric").get<std::string>(),
                                       gate.at("hand").get<std::string>(),
                                       gate.at("tissue").get<std::string>(), gate.at("limit").get<double>()});
+            if (row.contains("metrics")) task.metrics = row.at("metrics").get<std::map<std::string, int>>();
             study.tasks.push_back(std::move(task));
         }
         for (const auto& row : document.at("attempts")) study.attempts.push_back(attempt_of(row));

@@ -51,6 +51,7 @@ struct StudiedTask {
     std::string id, limits, fidelity;  ///< the limits' name and the fidelity of the task's scene
     int version = 1;
     std::vector<StudiedGate> gates;
+    std::map<std::string, int> metrics = {};  ///< version of each gated metric; empty: not recorded
 };
 struct FidelityStudy {
     int physics = 0;

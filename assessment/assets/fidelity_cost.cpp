@@ -12,6 +12,10 @@ namespace fulcrum {
 
 extern const char* const fidelity_cost_schema_text;
 
+bool TaskFidelityCost::of_this_physics() const {
+    return physics == physics_version;
+}
+
 nlohmann::json fidelity_costs_to_json(const FidelityCosts& costs) {
     nlohmann::json tasks = nlohmann::json::object();
     for (const auto& [id, task] : costs.tasks) {
@@ -24,20 +28,23 @@ nlohmann::json fidelity_costs_to_json(const FidelityCosts& costs) {
                               {"shift_percent", level.shift_percent},
                               {"verdicts", level.verdicts},
                               {"attempts", level.attempts}});
-        tasks[id] = {{"cheapest", task.cheapest}, {"levels", levels}};
+        tasks[id] = {{"cheapest", task.cheapest}, {"levels", levels},      {"commit", task.commit},
+                     {"physics", task.physics},   {"limits", task.limits}, {"metrics", task.metrics}};
     }
-    return {
-        {"$comment", "SPDX-License-Identifier: Apache-2.0"}, {"physics", costs.physics}, {"tasks", tasks}};
+    return {{"$comment", "SPDX-License-Identifier: Apache-2.0"}, {"tasks", tasks}};
 }
 
 FidelityCosts parse_fidelity_costs(const std::string& text, const std::string& file) {
     const JsonDocument document = JsonDocument::parse(text, file);
     document.check_schema(fidelity_cost_schema_text);
     FidelityCosts costs;
-    costs.physics = document.root().at("physics").get<int>();
     for (const auto& [id, node] : document.root().at("tasks").items()) {
         TaskFidelityCost& task = costs.tasks[id];
         task.cheapest = node.at("cheapest").get<std::string>();
+        task.commit = node.at("commit").get<std::string>();
+        task.physics = node.at("physics").get<int>();
+        task.limits = node.at("limits").get<std::string>();
+        task.metrics = node.at("metrics").get<std::map<std::string, int>>();
         for (const auto& row : node.at("levels")) {
             FidelityCost level;
             level.fidelity = row.at("fidelity").get<std::string>();
@@ -56,9 +63,7 @@ FidelityCosts parse_fidelity_costs(const std::string& text, const std::string& f
 std::optional<FidelityCosts> fidelity_costs() {
     const std::string path = asset_path("fidelity_cost.json");
     if (!std::filesystem::exists(path)) return std::nullopt;
-    FidelityCosts costs = parse_fidelity_costs(read_text_file(path, JsonLimits().bytes), path);
-    if (costs.physics != physics_version) return std::nullopt;
-    return costs;
+    return parse_fidelity_costs(read_text_file(path, JsonLimits().bytes), path);
 }
 
 std::optional<TaskFidelityCost> fidelity_cost(const std::string& task) {

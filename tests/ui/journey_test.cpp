@@ -16,6 +16,7 @@
 #include "assessment/assets/fidelity_cost.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
+#include "database/scoring/fidelity_now.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
@@ -97,6 +98,10 @@ class Journey : public ::testing::Test {
         const QString fidelity = shown("fidelity_note");
         EXPECT_TRUE(fidelity.contains(fidelity_cost(task) ? "compared with the level \"fine\""
                                                           : "has not been measured"))
+            << plain(fidelity);
+        const auto cost = fidelity_cost(task);
+        EXPECT_EQ(fidelity.contains("Measured with an earlier version"),
+                  cost && !measured_as_now(*cost, task))
             << plain(fidelity);
         EXPECT_TRUE(find<QAbstractButton>(window, "start_attempt")->text().startsWith("Start as "));
         click(window, "start_attempt");

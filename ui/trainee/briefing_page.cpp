@@ -15,6 +15,7 @@
 #include "database/records/curricula.h"
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
+#include "database/scoring/fidelity_now.h"
 #include "sim_core/scene/fidelity.h"
 #include "ui/page/store_reading.h"
 #include "ui/services/device_in_scene.h"
@@ -423,7 +424,11 @@ QString level_text(const std::string& fidelity) {
 /// What the fidelities cost in score; the window runs the scene's own.
 void BriefingPage::show_fidelity_note() {
     std::optional<TaskFidelityCost> costs;
-    context().guarded([&] { costs = fidelity_cost(task_id_); });
+    bool now = true;
+    context().guarded([&] {
+        costs = fidelity_cost(task_id_);
+        now = !costs || measured_as_now(*costs, task_id_);
+    });
     if (!costs) {
         fidelity_note_->setText(
             tr("The effect of the simulation's level of detail on the score has not been measured for this "
@@ -443,9 +448,13 @@ void BriefingPage::show_fidelity_note() {
         lines << tr("%1: %2").arg(level_text(cost.fidelity),
                                   parts.isEmpty() ? tr("the same score") : parts.join(QStringLiteral("; ")));
     }
-    fidelity_note_->setText(
+    QString note =
         tr("Effect of the simulation's level of detail on the score, compared with the level \"%1\": %2.")
-            .arg(level_text(finest_fidelity()), lines.join(QStringLiteral(". "))));
+            .arg(level_text(finest_fidelity()), lines.join(QStringLiteral(". ")));
+    if (!now)
+        note += QStringLiteral(" ") +
+                tr("Measured with an earlier version of the simulation, the metrics or the limits.");
+    fidelity_note_->setText(note);
 }
 
 void BriefingPage::show_notes() {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lab/fidelity_page.h"
+#include "database/scoring/fidelity_now.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/random.h"
 #include "sim_core/world/physics_version.h"
@@ -150,14 +151,22 @@ TEST(FidelityAnswer, SurvivesItsFile) {
     EXPECT_EQ(to_json(read), document);
     EXPECT_EQ(fidelity_page(read, fidelity_answers(read)).text({}),
               fidelity_page(study, fidelity_answers(study)).text({}));
+    nlohmann::json older = document;
+    older["tasks"][0].erase("metrics");
+    EXPECT_TRUE(fidelity_study_of(older, "f").tasks[0].metrics.empty());
     EXPECT_THROW(fidelity_study_of(nlohmann::json::array(), "f"), InputError);
     EXPECT_THROW(fidelity_study_of(nlohmann::json(), "f"), InputError);
 }
 
 TEST(FidelityAnswer, IsWhatBriefingsSay) {
-    const FidelityCosts costs = costs_of(fidelity_answers(study_with({-3, 1, 0.5, 0})), 5);
+    FidelityStudy study = study_with({-3, 1, 0.5, 0});
+    study.tasks[0].metrics = {{"f_max", 7}};
+    const FidelityCosts costs = costs_of(fidelity_answers(study), study);
     const TaskFidelityCost& task = costs.tasks.at("B1");
-    EXPECT_EQ(costs.physics, 5);
+    EXPECT_EQ(task.physics, 5);
+    EXPECT_EQ(task.commit, "abc");
+    EXPECT_EQ(task.limits, "B1@1");
+    EXPECT_EQ(task.metrics.at("f_max"), 7) << "of the study, not of the program that reads it";
     EXPECT_EQ(task.cheapest, "standard");
     EXPECT_EQ(task.levels[0].metric, "f_max");
     EXPECT_NEAR(task.levels[0].shift_percent, -3, 0.4);
@@ -227,22 +236,19 @@ TEST_F(FidelityCommand, MeasuresTwoTasksAndFindsAShiftThatIsPutIn) {
 // A new task is measured alone.
 TEST_F(FidelityCommand, GivesTheSameAttemptsEveryTimeAndKeepsTheCostsOfOtherTasks) {
     FidelityCosts before;
-    before.physics = physics_version;
-    before.tasks["B9"] = {"fast", {{"fast", 41.5, "f_max", "left", -14.25, 3, 60}}};
+    before.tasks["B9"] = {
+        "fast", {{"fast", 41.5, "f_max", "left", -14.25, 3, 60}}, "abc", physics_version - 1, "", {}};
     std::ofstream(folder_ / "cost.json") << fidelity_costs_to_json(before).dump();
     for (const char* name : {"one", "two"}) {
         expect_success({"--seeds", "2", "--tasks", "A2", "--output", name, "--data", "cost.json"});
         const FidelityCosts costs = parse_fidelity_costs(text_of("cost.json"), "cost.json");
         ASSERT_EQ(costs.tasks.size(), 2U);
         EXPECT_EQ(costs.tasks.at("B9").cheapest, "fast");
+        EXPECT_EQ(costs.tasks.at("B9").physics, physics_version - 1) << "each keeps its own";
         EXPECT_EQ(costs.tasks.at("A2").levels.size(), 3U);
+        EXPECT_EQ(costs.tasks.at("A2").physics, physics_version);
+        EXPECT_TRUE(measured_as_now(costs.tasks.at("A2"), "A2"));
     }
-    before.physics = physics_version + 1;
-    std::ofstream(folder_ / "cost.json") << fidelity_costs_to_json(before).dump();
-    expect_success({"--seeds", "2", "--tasks", "A1", "--output", "other", "--data", "cost.json"});
-    const FidelityCosts costs = parse_fidelity_costs(text_of("cost.json"), "cost.json");
-    EXPECT_EQ(costs.physics, physics_version);
-    EXPECT_EQ(costs.tasks.count("B9") + costs.tasks.size(), 1U) << "of another physics";
     nlohmann::json one = json_of("one/fidelity_score.json"), two = json_of("two/fidelity_score.json");
     for (nlohmann::json* record : {&one, &two})
         for (nlohmann::json& attempt : (*record)["attempts"]) attempt.erase("processor_s");

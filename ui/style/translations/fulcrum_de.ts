@@ -1314,6 +1314,10 @@
         <translation>Jede andere Genauigkeit ergibt dieselbe Bewertung wie die feinste.</translation>
     </message>
     <message>
+        <source>Measured with an earlier version of the simulation or the metrics: %1.</source>
+        <translation>Gemessen mit einer früheren Version der Simulation oder der Kennzahlen: %1.</translation>
+    </message>
+    <message>
         <source>Copies the store to a new file and checks the copy before it gets its name.</source>
         <translation>Kopiert den Datenspeicher in eine neue Datei und prüft die Kopie, bevor sie ihren Namen bekommt.</translation>
     </message>
@@ -12288,6 +12292,10 @@ und %1 weitere</translation>
     <message>
         <source>Effect of the simulation&apos;s level of detail on the score, compared with the level &quot;%1&quot;: %2.</source>
         <translation>Wirkung der Genauigkeit der Simulation auf die Bewertung, verglichen mit der Stufe „%1“: %2.</translation>
+    </message>
+    <message>
+        <source>Measured with an earlier version of the simulation, the metrics or the limits.</source>
+        <translation>Gemessen mit einer früheren Version der Simulation, der Kennzahlen oder der Grenzwerte.</translation>
     </message>
     <message>
         <source>This site uses its own tissue values (version %1); its cutting parameters differ from those of the scene.</source>
