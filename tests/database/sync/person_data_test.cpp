@@ -19,9 +19,9 @@ namespace {
 
 namespace files = std::filesystem;
 
-class PersonData : public ::testing::Test {
+class PersonalData : public ::testing::Test {
   protected:
-    PersonData() {
+    PersonalData() {
         attempt = programme.record("ann", true, 70, "A2", {Programme::slip()});
         programme.record("ben");
         Reviews(*programme.store)
@@ -57,7 +57,7 @@ class PersonData : public ::testing::Test {
     std::string attempt;
 };
 
-TEST_F(PersonData, HoldsEveryRowOfThePersonAndNobodyElses) {
+TEST_F(PersonalData, HoldsEveryRowOfThePersonAndNobodyElses) {
     const PersonDataExport planned = write("");
     const PersonDataExport done = write(in("ann"));
     EXPECT_EQ(done.traces, 1);
@@ -92,12 +92,12 @@ TEST_F(PersonData, HoldsEveryRowOfThePersonAndNobodyElses) {
     EXPECT_NE(index.find(attempt + "-samples.csv.gz"), std::string::npos);
 }
 
-TEST_F(PersonData, EveryTableOfAnErasureHasATitle) {
+TEST_F(PersonalData, EveryTableOfAnErasureHasATitle) {
     for (const RowsAbout& one : rows_about_people())
         EXPECT_NE(title_of_table(one.table).words(), one.table) << "give it one in person_data.cpp";
 }
 
-TEST_F(PersonData, IsWrittenByDirectorsOnlyAndTheAuditLogHasIt) {
+TEST_F(PersonalData, IsWrittenByDirectorsOnlyAndTheAuditLogHasIt) {
     for (const char* login : {"administrator", "educator", "ann", "ben"})
         EXPECT_THROW(write(in("x"), login), AccessDenied) << login;
     EXPECT_FALSE(files::exists(in("x")) || files::exists(in("x.part")));
@@ -112,7 +112,7 @@ TEST_F(PersonData, IsWrittenByDirectorsOnlyAndTheAuditLogHasIt) {
                  AccessDenied);
 }
 
-TEST_F(PersonData, HasWhatBelongsToAMergedAccountToo) {
+TEST_F(PersonalData, HasWhatBelongsToAMergedAccountToo) {
     const std::string second = programme.record("eve");
     PersonMerge(*programme.store)
         .merge(programme.session("administrator"), programme.id("eve"), programme.id("ann"), "one person");
@@ -122,7 +122,7 @@ TEST_F(PersonData, HasWhatBelongsToAMergedAccountToo) {
     EXPECT_TRUE(files::exists(in("ann/traces/" + second + "-samples.csv.gz")));
 }
 
-TEST_F(PersonData, HasTheRecordingsThatWereImported) {
+TEST_F(PersonalData, HasTheRecordingsThatWereImported) {
     const std::string imported = ExternalAttempts(*programme.store)
                                      .add(programme.session("educator"), box_attempt(programme.id("ann")));
     EXPECT_EQ(write("").traces, 2);
@@ -131,7 +131,7 @@ TEST_F(PersonData, HasTheRecordingsThatWereImported) {
     EXPECT_NE(text_of(in("ann/index.html")).find("traces/" + imported + "-trace.csv.gz"), std::string::npos);
 }
 
-TEST_F(PersonData, StoppedItLeavesNothing) {
+TEST_F(PersonalData, StoppedItLeavesNothing) {
     const PersonDataExport done =
         write(in("x"), "director", "ann", [](double, const std::string&) { return false; });
     EXPECT_TRUE(done.stopped);
@@ -140,7 +140,7 @@ TEST_F(PersonData, StoppedItLeavesNothing) {
               "person.export");
 }
 
-TEST_F(PersonData, ReportsHowFarItIsAndIsStoppedAlsoWhileItOnlyCounts) {
+TEST_F(PersonalData, ReportsHowFarItIsAndIsStoppedAlsoWhileItOnlyCounts) {
     for (const char* folder : {"", "x"}) {
         const std::string path = *folder == '\0' ? std::string() : in(folder);
         std::vector<double> shares;
@@ -161,7 +161,7 @@ TEST_F(PersonData, ReportsHowFarItIsAndIsStoppedAlsoWhileItOnlyCounts) {
     EXPECT_EQ(asked, 5U);
 }
 
-TEST_F(PersonData, KilledItLeavesNoFolderThatLooksCompleteAndTheNextTryWorks) {
+TEST_F(PersonalData, KilledItLeavesNoFolderThatLooksCompleteAndTheNextTryWorks) {
     if (!can_trace()) GTEST_SKIP() << "this machine forbids to trace a child";
     programme.store.reset();
     const auto deed = [&] {
