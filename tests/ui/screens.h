@@ -68,6 +68,8 @@ class Screens : public ::testing::Test {
     /// Opens every screen of every role, and those that come before a sign-in, and calls `look`. What is the
     /// same for every role is opened for one.
     void visit(const std::string& attempt, const Look& look);
+    /// Calls `look` in a practice run that is drawn, and goes home.
+    void theatre(const std::function<void()>& look);
 
   private:
     // Of visit(), in screens_states.cpp.

@@ -81,6 +81,16 @@ void Screens::visit_lock(const Look& look) {
     settle();
 }
 
+void Screens::theatre(const std::function<void()>& look) {
+    emit window->context().attempt_wanted("A2", false, 0, false);
+    auto* page = static_cast<TheatrePage*>(window->current_page());
+    services.control.ticks_per_update = 1;
+    EXPECT_TRUE(wait_for([&] { return page->view()->pictures() > 2; }));
+    look();
+    emit window->context().home_wanted();
+    settle();
+}
+
 void Screens::visit_theatre(const QString& screen, const Look& look) {
     emit window->context().attempt_wanted("A2", false, 0, false);
     auto* page = static_cast<TheatrePage*>(window->current_page());
@@ -127,7 +137,8 @@ void Screens::visit_rating(const QString& screen, const Look& look) {
     settle();
     bring(*find<QWidget>(*window, "rating_remark"));
     look(screen);
-    click(*window, "rating_discard");
+    click(*window, "rating_discard");  // asks
+    click(*window, "rating_discard_sure");
     settle();
 }
 
