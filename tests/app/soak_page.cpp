@@ -7,11 +7,6 @@
 namespace fulcrum::app::program_test {
 namespace {
 
-/// 0 where a run has no such row.
-long soak_count(const SoakRow* row) {
-    return row != nullptr ? std::strtol((*row)[1].c_str(), nullptr, 10) : 0;
-}
-
 using SoakRow = std::vector<std::string>;
 
 /// The row of a run with this name; null: it has none.
@@ -19,6 +14,11 @@ const SoakRow* soak_row(const SoakRun& run, const std::string& what) {
     const auto found =
         std::find_if(run.rows.begin(), run.rows.end(), [&](const SoakRow& row) { return row[0] == what; });
     return found != run.rows.end() ? &*found : nullptr;
+}
+
+/// 0 where a run has no such row.
+long soak_count(const SoakRow* row) {
+    return row != nullptr ? std::strtol((*row)[1].c_str(), nullptr, 10) : 0;
 }
 
 std::string column_of(const SoakRun& run) {
