@@ -31,7 +31,7 @@ class DevicesTestOf : public ::testing::TestWithParam<std::string> {
     /// What a device that is read by the daemon has in every test of it.
     void expect_read(const nlohmann::json& document, const HeldDevice& device) {
         const nlohmann::json& facts = document.at("device");
-        EXPECT_EQ(facts.at("kind"), specification.section(QLatin1Char(':'), 0, 0).toStdString());
+        EXPECT_EQ(facts.at("kind"), named.section(QLatin1Char(':'), 0, 0).toStdString());
         EXPECT_NE(facts.at("title").get<std::string>().find(device.model), std::string::npos)
             << facts.at("title");
         EXPECT_EQ(document.at("device_class"), std::string(row_of(device_classes, device.device_class).name));
@@ -48,7 +48,7 @@ class DevicesTestOf : public ::testing::TestWithParam<std::string> {
     }
     fulcrum::test::OwnFolder folder;
     const fulcrum::test::Variable settings{"XDG_CONFIG_HOME", folder.path().string()};
-    QString specification;
+    QString named;
     QByteArray output, error;
 };
 
@@ -58,8 +58,8 @@ TEST_P(DevicesTestOf, ReadsItAndPushesWhereItHasMotorsAndRefusesForceWhereItHasN
     const std::unique_ptr<HeldDevice> device = make_held(GetParam());
     for (int hand = 0; hand < hand_count; ++hand)
         if (device->moves[hand] && !device->is_pushed) device->put(hand, device->begin());
-    specification = QString::fromLocal8Bit(std::getenv("FULCRUM_DEVICE"));
-    QStringList words{"devices", "--test", specification, "--seconds", "2", "--json"};
+    named = QString::fromLocal8Bit(std::getenv("FULCRUM_DEVICE"));
+    QStringList words{"devices", "--test", named, "--seconds", "2", "--json"};
     if (device->feels()) words << "--force";
     ASSERT_EQ(run(words), 0) << error.toStdString();
     const auto document = nlohmann::json::parse(output.toStdString());
@@ -73,7 +73,7 @@ TEST_P(DevicesTestOf, ReadsItAndPushesWhereItHasMotorsAndRefusesForceWhereItHasN
     }
     EXPECT_EQ(document.at("force_sent_n"), 0.0);
     EXPECT_EQ(rendered, 0);
-    EXPECT_EQ(run({"devices", "--test", specification, "--force"}), 2);
+    EXPECT_EQ(run({"devices", "--test", named, "--force"}), 2);
     EXPECT_TRUE(error.contains("this device renders no force")) << error.toStdString();
 }
 
