@@ -29,7 +29,7 @@ int longest_word(const QLabel& label) {
     rich.setHtml(label.text());
     const QString shown = Qt::mightBeRichText(label.text()) ? rich.toPlainText() : label.text();
     // Spaces that do not break a line hold words together.
-    for (const QString& word : shown.split(QRegularExpression(QStringLiteral("[ \\t\\n]"))))
+    for (const QString& word : shown.split(QRegularExpression(QStringLiteral("[ \\t\\n\\x{200b}]"))))
         widest = std::max(widest, label.fontMetrics().horizontalAdvance(word));
     return widest;
 }

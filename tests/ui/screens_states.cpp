@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Screens of visit() that no entry of the rail leads to: a page in another state, and those before a sign-in.
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <filesystem>
@@ -47,6 +48,12 @@ void Screens::visit_device(const QString& who, const Look& look) {
     bring(*find<QPushButton>(*window, "open_device"));
     click(*window, "open_device");
     EXPECT_TRUE(wait_for([&] { return sees(*window, "frame_check") && sees(*window, "reach_lines"); }));
+    // What is reached is read in the background, and makes the page longer.
+    EXPECT_TRUE(wait_for([&] {
+        return find<QLabel>(*window, "reach_lines")
+            ->text()
+            .contains(QLatin1String("ring"), Qt::CaseInsensitive);
+    }));
     settle();
     bring(*find<QWidget>(*window, "frame_check"));
     look(who + "-settings-device");

@@ -37,7 +37,6 @@ QFrame* RepairPage::build_problem() {
     QFrame* card = make_card(8);
     problem_ = make_label({}, "bad");
     problem_->setObjectName(QStringLiteral("store_problem"));
-    problem_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     card_layout(card)->addWidget(problem_);
     place_ = make_label({}, "muted");
     place_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -147,7 +146,9 @@ std::string RepairPage::store_path() const {
 void RepairPage::show_trouble(const QString& problem, const QString& hint, bool damaged) {
     trouble_ = true;
     damaged_ = damaged;
-    problem_->setText(hint.isEmpty() ? problem : problem + QLatin1Char('\n') + hint);
+    // A long path breaks after its folders. What is copied is the place below, which has no such breaks.
+    QString words = hint.isEmpty() ? problem : problem + QLatin1Char('\n') + hint;
+    problem_->setText(words.replace(QLatin1Char('/'), QStringLiteral("/\u200b")));
     title_->setText(damaged ? tr("The store is damaged") : tr("The store cannot be opened"));
     again_->setText(tr("Try again"));
 }

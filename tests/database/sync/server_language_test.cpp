@@ -94,6 +94,8 @@ TEST_F(ServerLanguages, AWrongPasswordAtTheLockIsAWrongPassword) {
         ADD_FAILURE() << error.what();
     }
     qunsetenv("PGPASSWORD");
+    // Accounts are the server's, also those of the tests that follow.
+    PostgresqlServer::of_this_process()->execute(server, "REVOKE fulcrum_enrol FROM " + account);
 }
 
 TEST_F(ServerLanguages, ATokenThatTheServerDoesNotKnowIsRefusedAsSuch) {
