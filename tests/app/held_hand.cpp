@@ -15,6 +15,8 @@ namespace {
 constexpr double pushed_ahead = 12e-3;       // m of the handle, of a device whose deflection is a speed
 constexpr int longest_exchange_press = 300;  // ms
 constexpr double jaws_close_within = 150;    // ms, as jaws that a button closes
+constexpr double exactly = 2e-4;             // m: what is left stays as an offset
+constexpr int shift_is_seen_after = 200;     // ms, on the screen
 enum HeldPart : int { held_jaws, held_pedal, held_exchange };
 
 }  // namespace
@@ -124,10 +126,28 @@ void HeldHand::push(int h) {
     }
 }
 
+bool HeldHand::brings_back(const ui::Realignment& now) {
+    if (since_shift_.isValid() && since_shift_.elapsed() < shift_is_seen_after) return true;
+    bool shifted = false;
+    for (int h = 0; h < hand_count; ++h) {
+        const ui::Realignment::OneHand& one = now.hand[h];
+        if (!one.exists || !device_.moves[h] || one.distance <= exactly) continue;
+        shift(h, handle(h) - handle_in(h, one.device));
+        shifted = true;
+    }
+    if (shifted) since_shift_.start();
+    return shifted;
+}
+
 void HeldHand::come_back() {
     if (theatre_.session()->phase() != ui::AttemptPhase::device_lost) return;
     const ui::Realignment now = theatre_.view()->realignment().value_or(ui::Realignment());
-    if (now.back && !now.in_place) device_.go_back(now.hand[0].distance);
+    if (!now.back) return;
+    if (device_.is_pushed) {
+        if (!now.in_place) device_.go_back(now.hand[0].distance);
+    } else if (brings_back(now)) {
+        return;
+    }
     if (!now.in_place) return;
     QTest::keyClick(theatre_.view(), Qt::Key_Return);
     ++events_;
@@ -136,9 +156,12 @@ void HeldHand::come_back() {
 /// By what the screen shows: on the shaft's line, outside.
 Vector3 HeldHand::handle(int hand) const {
     if (!device_.moves[hand]) return WorkingHand::handle(hand);
+    return handle_in(hand, theatre_.session()->snapshot().tools[hand]);
+}
+
+Vector3 HeldHand::handle_in(int hand, const ToolPose& now) const {
     const ui::AttemptSession& session = *theatre_.session();
     const TrocarSpec& trocar = session.scene().instrument(static_cast<Hand>(hand))->trocar;
-    const ToolPose& now = session.snapshot().tools[hand];
     return make_trocar(trocar).rotation.transpose() * (now.tip - trocar.shaft_length * now.axis - now.trocar);
 }
 

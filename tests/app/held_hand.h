@@ -23,6 +23,11 @@ class HeldHand : public PosedHand {
     void come_back() override;
     void scope() override { WorkingHand::scope(); }
     Vector3 handle(int hand) const override;
+    /// Of an instrument in this pose.
+    Vector3 handle_in(int hand, const ToolPose& pose) const;
+    /// Brings each device onto its instrument, so that it works with the same offset as before; false once
+    /// all are there.
+    bool brings_back(const ui::Realignment& now);
     void use(int hand, const HeldParts& wanted);
     /// Of the device itself.
     void hold(int hand, const HeldParts& parts);
@@ -34,7 +39,7 @@ class HeldHand : public PosedHand {
     HeldParts held_[hand_count];
     bool pedal_key_ = false, exchange_key_ = false;
     double open_[hand_count] = {1, 1};
-    QElapsedTimer since_jaws_[hand_count], exchange_asked_[hand_count];
+    QElapsedTimer since_shift_, since_jaws_[hand_count], exchange_asked_[hand_count];
 };
 
 }  // namespace fulcrum::app::program_test

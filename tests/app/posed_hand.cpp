@@ -20,4 +20,11 @@ void PosedHand::push(int h) {
     ++events_;
 }
 
+void PosedHand::shift(int h, const Vector3& of_handle) {
+    at_[h] = (is_put_[h] ? at_[h] : begin_) + DeviceRig::turned(of_handle);
+    is_put_[h] = true;
+    put_(h, at_[h]);
+    ++events_;
+}
+
 }  // namespace fulcrum::app::program_test

@@ -30,6 +30,8 @@ class PosedHand : public WorkingHand {
     /// Its input: positions that differ from the one before, and uses of the button.
     void push(int hand) override;
     void scope() override {}
+    /// The device itself, where a person brings it back to its instrument.
+    void shift(int hand, const Vector3& of_handle);
 
   private:
     Put put_;

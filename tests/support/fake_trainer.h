@@ -84,12 +84,15 @@ class FakeTrainer {
     }
     /// The part of this letter; handle in the device frame, its pivot at the origin.
     void move(char letter, const Vector3& handle, double length = trainer_length) {
+        const Vector3 to_the_tip = -handle.normalized();
+        const long pitch = std::lround(1e6 * std::asin(to_the_tip.y()));
+        const long yaw = std::lround(1e6 * std::atan2(to_the_tip.x(), -to_the_tip.z()));
+        const long insertion = std::lround(1e6 * (length - handle.norm()));
         const std::lock_guard<std::mutex> lock(mutex_);
         Place& place = place_[letter == 'L' ? 0 : letter == 'R' ? 1 : 2];
-        const Vector3 to_the_tip = -handle.normalized();
-        place.pitch = std::lround(1e6 * std::asin(to_the_tip.y()));
-        place.yaw = std::lround(1e6 * std::atan2(to_the_tip.x(), -to_the_tip.z()));
-        place.insertion = std::lround(1e6 * (length - handle.norm()));
+        place.pitch = pitch;
+        place.yaw = yaw;
+        place.insertion = insertion;
     }
     /// rad about the shaft.
     void turn(char letter, double roll) {
