@@ -68,6 +68,8 @@ class Screens : public ::testing::Test {
     /// Opens every screen of every role, and those that come before a sign-in, and calls `look`. What is the
     /// same for every role is opened for one.
     void visit(const std::string& attempt, const Look& look);
+    /// Two hands of a device that gives force, with workspaces: in use, and read once it is opened.
+    void use_touch();
     /// Calls `look` in a practice run that is drawn, and goes home.
     void theatre(const std::function<void()>& look);
 

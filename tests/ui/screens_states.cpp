@@ -15,19 +15,6 @@
 namespace fulcrum::ui::window_test {
 namespace {
 
-/// Two hands of a device that gives force, with workspaces.
-DeviceReadings readings_of_two_hands() {
-    DeviceReadings now;
-    now.rate = 1000;
-    now.worst_delay = 0.4e-3;
-    now.jitter = 0.05e-3;
-    now.gives_force = true;
-    now.held = {{"left", true, Vector3::Zero(), 1, 0}, {"right", true, Vector3::Zero(), 1, 0}};
-    for (DeviceReadings::Slot& slot : now.held)
-        slot.workspace = WorkspaceBox{Vector3(-0.08, -0.06, -0.035), Vector3(0.08, 0.06, 0.035)};
-    return now;
-}
-
 /// A store of which the header is garbage.
 void copy_damaged_store(const std::string& from, const std::string& to) {
     std::filesystem::copy_file(from, to);
@@ -37,13 +24,25 @@ void copy_damaged_store(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-void Screens::visit_device(const QString& who, const Look& look) {
+void Screens::use_touch() {
     services.in_use.kind = "touch";
     services.in_use.title = device_row("touch")->title;
     services.in_use.device_class = DeviceClass::haptic;
+    DeviceReadings now;
+    now.rate = 1000;
+    now.worst_delay = 0.4e-3;
+    now.jitter = 0.05e-3;
+    now.gives_force = true;
+    now.held = {{"left", true, Vector3::Zero(), 1, 0}, {"right", true, Vector3::Zero(), 1, 0}};
+    for (DeviceReadings::Slot& slot : now.held)
+        slot.workspace = WorkspaceBox{Vector3(-0.08, -0.06, -0.035), Vector3(0.08, 0.06, 0.035)};
     services.reach[0] = services.reach[1] =
         WorkspaceBox{Vector3(-0.05, 0, -0.04), Vector3(0.05, 0.05, 0.055)};
-    services.readings_when_open = readings_of_two_hands();
+    services.readings_when_open = now;
+}
+
+void Screens::visit_device(const QString& who, const Look& look) {
+    use_touch();
     go_to("rail_settings");
     bring(*find<QPushButton>(*window, "open_device"));
     click(*window, "open_device");

@@ -31,22 +31,6 @@ class DeviceOnThePage : public Screens {
         sign_in(Role::trainee);
         go_to("rail_settings");
     }
-    void use_touch() {
-        services.in_use.kind = "touch";
-        services.in_use.title = "3D Systems Touch";
-        services.in_use.device_class = DeviceClass::haptic;
-        DeviceReadings now;
-        now.rate = 1000;
-        now.worst_delay = 0.4e-3;
-        now.jitter = 0.05e-3;
-        now.gives_force = true;
-        now.held = {{"left", true, Vector3::Zero(), 1, 0}, {"right", true, Vector3::Zero(), 1, 0}};
-        for (DeviceReadings::Slot& slot : now.held)
-            slot.workspace = WorkspaceBox{Vector3(-0.08, -0.06, -0.035), Vector3(0.08, 0.06, 0.035)};
-        services.reach[0] = services.reach[1] =
-            WorkspaceBox{Vector3(-0.05, 0, -0.04), Vector3(0.05, 0.05, 0.055)};
-        services.readings_when_open = now;
-    }
     void use_controller() {
         services.in_use.kind = "controller";
         services.in_use.title = "game controller";
